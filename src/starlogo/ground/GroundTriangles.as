@@ -25,15 +25,15 @@ package starlogo.ground
         /** The triangle that <code>next()</code> has found. Read only. */
         public var triangle:GroundTriangle = new GroundTriangle();
 
-        private var _path:GroundPath = new GroundPath();
-        private var _cell:GroundCell = new GroundCell(_path);
+        private var _path:BoxPath = new BoxPath();
+        private var _cell:CellTriangles = new CellTriangles(_path);
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
         private var _squares:Vector.<int> = new Vector.<int>();
         private var _top:int = 0;
 
         // Of the current square: how the box passes over it, and its heights.
-        private var _passage:GroundPassage = new GroundPassage();
+        private var _passage:SquarePassage = new SquarePassage();
         private var _heights:HeightRange = new HeightRange();
 
         /** Begins a search, which is kept until it ends. */
@@ -79,10 +79,10 @@ package starlogo.ground
             var motion:RelativeMotion = _path.search.motion;
             var lastColumn:int = Math.min(firstColumn + most - 1, _path.grid.lastColumnAt(level));
             var lastRow:int = Math.min(firstRow + most - 1, _path.grid.lastRowAt(level));
-            var left:int = _path.firstUnder(_passage, level, true, firstColumn, lastColumn);
-            var right:int = _path.lastUnder(_passage, level, true, firstColumn, lastColumn);
-            var bottom:int = _path.firstUnder(_passage, level, false, firstRow, lastRow);
-            var top:int = _path.lastUnder(_passage, level, false, firstRow, lastRow);
+            var left:int = _path.firstPassed(_passage, level, true, firstColumn, lastColumn);
+            var right:int = _path.lastPassed(_passage, level, true, firstColumn, lastColumn);
+            var bottom:int = _path.firstPassed(_passage, level, false, firstRow, lastRow);
+            var top:int = _path.lastPassed(_passage, level, false, firstRow, lastRow);
             for (var row:int = bottom; row <= top; row++)
             {
                 for (var column:int = left; column <= right; column++)
@@ -102,7 +102,7 @@ package starlogo.ground
             var level:int = _squares[_top];
             var column:int = _squares[int(_top + 1)];
             var row:int = _squares[int(_top + 2)];
-            _path.passOver(level, column, row, true, _passage);
+            _path.findPassage(level, column, row, true, _passage);
             if (_passage.from > _passage.to)
             {
                 return;

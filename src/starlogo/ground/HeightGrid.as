@@ -1,6 +1,7 @@
-// This room says how shapes and rays meet a grid of heights. HeightGrid has the heights, and HeightPyramid bounds of them; GroundTriangles finds
-// the triangles that a GroundSearch asks for, cell by cell (GroundPath, GroundCell); GroundQuery tests a model with them, piece by piece
-// (GroundPieces), GroundRayQuery a ray, and GroundEarlyOut most agents before. Read this file first, then GroundSearch, GroundTriangles, GroundQuery.
+// This room says how shapes and rays meet a grid of heights. HeightGrid has the heights, and HeightPyramid bounds of them. GroundTriangles finds the
+// triangles that a GroundSearch asks for, cell by cell (BoxPath, CellTriangles). GroundModelQuery tests a model with them, piece by piece
+// (PieceTrianglePairs), and GroundRayQuery a ray; GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch,
+// GroundTriangles and GroundModelQuery.
 package starlogo.ground
 {
     /**
@@ -262,18 +263,25 @@ package starlogo.ground
             at.height = Infinity;
             for (var around:int = 0; at.height == Infinity && around < columns + rows; around++)
             {
-                for (var i:int = Math.max(0, row - around); i <= Math.min(rows - 1, row + around); i++)
+                findOnRing(column, row, around, at);
+            }
+        }
+
+        // Moves a point to the last height of a ring that belongs to the ground, if there is one. The ring is the border of a square of heights, with
+        // as many heights on each side of its middle.
+        private function findOnRing(column:int, row:int, around:int, at:GroundPoint):void
+        {
+            for (var i:int = Math.max(0, row - around); i <= Math.min(rows - 1, row + around); i++)
+            {
+                // in rows between the first and the last, only both ends
+                var step:int = Math.abs(i - row) == around ? 1 : Math.max(1, 2 * around);
+                for (var k:int = column - around; k <= column + around; k += step)
                 {
-                    // in rows between the first and the last, only both ends
-                    var step:int = Math.abs(i - row) == around ? 1 : Math.max(1, 2 * around);
-                    for (var k:int = column - around; k <= column + around; k += step)
+                    if (k >= 0 && k < columns && isOfCell(k, i))
                     {
-                        if (k >= 0 && k < columns && isOfCell(k, i))
-                        {
-                            at.x = x + k * cellWidth;
-                            at.y = y + i * cellWidth;
-                            at.height = heights[int(i * columns + k)];
-                        }
+                        at.x = x + k * cellWidth;
+                        at.y = y + i * cellWidth;
+                        at.height = heights[int(i * columns + k)];
                     }
                 }
             }

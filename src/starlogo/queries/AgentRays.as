@@ -10,7 +10,7 @@ package starlogo.queries
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.rays.Hits;
-    import starlogo.queries.rays.RowRays;
+    import starlogo.queries.rays.RowRayQuery;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -25,7 +25,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
-        private var _rowRays:RowRays;
+        private var _rowRays:RowRayQuery;
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
         private var _hits:Hits;
@@ -48,7 +48,7 @@ package starlogo.queries
             requireGiven("seen", seen);
             _seen = seen;
             _found = new Collector(seen);
-            _rowRays = new RowRays(seen);
+            _rowRays = new RowRayQuery(seen);
             _hits = new Hits(seen, _found, RayHit);
         }
 

@@ -9,13 +9,14 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
-    import starlogo.queries.motion.MotionPlanner;
+    import starlogo.queries.motion.ObstacleSearch;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.Mover;
     import starlogo.queries.motion.MovingBody;
     import starlogo.queries.motion.OverlapRecovery;
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.SlideResult;
+    import starlogo.queries.motion.Slider;
     import starlogo.queries.motion.StartLift;
     import starlogo.queries.rays.Hits;
     import starlogo.queries.trees.Collector;
@@ -33,8 +34,9 @@ package starlogo.queries
     public final class MoveQueries
     {
         private var _seen:SeenAgents;
-        private var _planner:MotionPlanner;
+        private var _obstacleSearch:ObstacleSearch;
         private var _mover:Mover;
+        private var _slider:Slider;
         private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _found:Collector;
         private var _hits:Hits;
@@ -62,8 +64,9 @@ package starlogo.queries
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _planner = new MotionPlanner(seen);
+            _obstacleSearch = new ObstacleSearch(seen);
             _mover = new Mover(seen);
+            _slider = new Slider(seen);
             _body = new MovingBody(seen);
             _found = new Collector(seen);
             _hits = new Hits(seen, _found, ShapeHit);
@@ -111,21 +114,21 @@ package starlogo.queries
         // These questions, or the nested ones while a filter's accepts is being called.
         private function get idle():MoveQueries
         {
-            return _planner.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
+            return _obstacleSearch.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
         }
 
         private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _body.readAgent(agent);
             setMotion(dx, dy, dz);
-            _planner.planMotion(_body, _motion, agent, filter);
+            _obstacleSearch.findAlong(_body, _motion, agent, filter);
             collect(1, _end);
             var isMet:Boolean = _hits.end() > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                _planner.moveAgent(agent, _end);
+                _seen.moveAgent(agent, _end);
             }
             if (contact != null)
             {
@@ -144,12 +147,12 @@ package starlogo.queries
         {
             _body.readAgent(agent);
             setMotion(dx, dy, dz);
-            _planner.planWithin(_body, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
-            _mover.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
+            _obstacleSearch.findWithin(_body, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
+            _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
             _recovery.restoreClearance(_body, _slid.place, _slid.clearRow);
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                _planner.moveAgent(agent, _slid.place);
+                _seen.moveAgent(agent, _slid.place);
             }
             return _slid.fraction;
         }
@@ -157,7 +160,7 @@ package starlogo.queries
         private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             setMotion(dx, dy, dz);
-            _planner.planMotion(_body, _motion, asker, filter);
+            _obstacleSearch.findAlong(_body, _motion, asker, filter);
             collect(1, null);
             return _hits.end() == 0 ? null : write(0, hit || new ShapeHit());
         }
@@ -166,7 +169,7 @@ package starlogo.queries
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             setMotion(dx, dy, dz);
-            _planner.planMotion(_body, _motion, asker, filter);
+            _obstacleSearch.findAlong(_body, _motion, asker, filter);
             collect(Collector.ALL, null);
             _hits.resize(hits, _hits.end());
             for (var i:int = 0; i < hits.length; i++)

@@ -2,10 +2,11 @@
 // kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
 // what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. The folder trees/ has the trees and their
 // searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. Read this file first, then AgentRays
-// for a ray, Mover for a motion, or WalkMover for a walk.
+// for a ray, Mover and Slider for a motion, or WalkMover for a walk.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Points;
     import starlogo.collision.QuerySource;
@@ -214,6 +215,26 @@ package starlogo.queries
         {
             requireAgent(agent);
             return _table.currentBodyOf(agent, made || _made);
+        }
+
+        /**
+         * @private Moves an agent, turns it by some degrees, and reads it again.
+         *
+         * @throws ArgumentError if the filter's accepts has removed the agent's model. The agent has then not moved
+         */
+        engine function moveAgent(agent:Agent, at:Vector3D, turn:Number = 0):void
+        {
+            // throws the error
+            bodyOf(agent);
+            agent.moveTo(at.x, at.y, at.z);
+            if (turn != 0)
+            {
+                agent.heading += turn;
+            }
+            if (rowOf(agent) >= 0)
+            {
+                refresh(agent);
+            }
         }
 
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */

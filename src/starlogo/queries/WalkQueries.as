@@ -6,7 +6,7 @@ package starlogo.queries
     import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;
     import starlogo.geometry.requireInWorld;
-    import starlogo.queries.motion.MotionPlanner;
+    import starlogo.queries.motion.ObstacleSearch;
     import starlogo.queries.motion.Walk;
     import starlogo.queries.motion.WalkMover;
     import starlogo.search.table.ListedAgents;
@@ -30,7 +30,7 @@ package starlogo.queries
         private static const DEFAULTS:WalkOptions = new WalkOptions();
 
         private var _seen:SeenAgents;
-        private var _planner:MotionPlanner;
+        private var _obstacleSearch:ObstacleSearch;
         private var _walkMover:WalkMover;
         private var _walk:Walk;
 
@@ -41,8 +41,8 @@ package starlogo.queries
         public function WalkQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _planner = new MotionPlanner(seen);
-            _walkMover = new WalkMover(seen, _planner);
+            _obstacleSearch = new ObstacleSearch(seen);
+            _walkMover = new WalkMover(seen, _obstacleSearch);
             _walk = new Walk(seen);
         }
 
@@ -56,7 +56,7 @@ package starlogo.queries
         // These questions, or the nested ones while a filter's accepts is being called.
         private function get idle():WalkQueries
         {
-            return _planner.isAsking ? (_nested ||= new WalkQueries(_seen)).idle : this;
+            return _obstacleSearch.isAsking ? (_nested ||= new WalkQueries(_seen)).idle : this;
         }
 
         private function walkOn(agent:Agent, dx:Number, dy:Number, options:WalkOptions, footing:Footing):Footing
@@ -75,7 +75,7 @@ package starlogo.queries
             }
             var stands:Boolean = _walkMover.go(walk);
             // before the footing is written, because an agent that would leave the world throws an error
-            _planner.moveAgent(agent, walk.place, walk.turn);
+            _seen.moveAgent(agent, walk.place, walk.turn);
             write(walk, stands, footing);
             link.platform = null;
             if (stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
@@ -109,7 +109,7 @@ package starlogo.queries
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.turn = link.carry(_seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && _planner.askFilter(row, walk.agent, walk.options.filter))
+                if ((walk.turn != 0 || walk.carry.length > 0) && _obstacleSearch.askFilter(row, walk.agent, walk.options.filter))
                 {
                     return row;
                 }

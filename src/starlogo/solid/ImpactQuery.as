@@ -48,8 +48,8 @@ package starlogo.solid
         }
 
         /**
-         * Finds when and where the surfaces of the two first touch. The parameters are those of <code>findFirst()</code>. The two must not touch at
-         * the beginning.
+         * Finds when and where the surfaces of the two first touch. The parameters are those of <code>findFirst()</code>. If one of the two begins
+         * wholly inside of the other, that is no touch of surfaces.
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {

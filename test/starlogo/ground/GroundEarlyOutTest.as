@@ -25,7 +25,7 @@ package starlogo.ground
         private var _extents:GroundBox = new GroundBox();
         private var _numbers:Vector.<Number> = new Vector.<Number>(6, true);
         private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
-        private var _query:GroundQuery = new GroundQuery();
+        private var _query:GroundModelQuery = new GroundModelQuery();
         private var _placement:Placement = new Placement();
 
         [Test]

@@ -90,6 +90,40 @@ package starlogo.queries
             }
         }
 
+        // Blocks stand on a floor of tiles. The side of a block and a needless plane at the edge of a tile are met in the same corner.
+        [Test]
+        public function slidesOverTilesAsIfItWereNotThere():void
+        {
+            var ways:Array = [[0.3, 0.05, -0.3, 0, 0], [0.3, 0.5, -0.3, 30, -1e-8], [0.5, 0.05, -1, 30, -1e-8], [0.3, 1, -0.3, 30, -1e-8]];
+            for each (var way:Array in ways)
+            {
+                _hero = agentAt("hero", 0, 0, way[4]);
+                _hero.heading = way[3];
+                var agents:Vector.<Agent> = new <Agent>[_hero];
+                for (var x:int = -2; x < 6; x++)
+                {
+                    for (var y:int = -2; y < 4; y++)
+                    {
+                        agents.push(agentAt("hero", x, y, -1));
+                        if (x > 0 && y > -2)
+                        {
+                            var block:Agent = agentAt("hero", x, y, 0);
+                            block.isOneWay = true;
+                            agents.push(block);
+                        }
+                    }
+                }
+                _queries = new AgentQueries(EachCollider.make("triangles", _greatLand));
+                _queries.update(agents);
+                for (var i:int = 0; i < 4; i++)
+                {
+                    _queries.slide(_hero, way[0], way[1], way[2]);
+                }
+                assertClose(4 * way[0], _hero.x, NEAR, way + ": x");
+                assertClose(4 * way[1], _hero.y, NEAR, way + ": y");
+            }
+        }
+
         [Test]
         public function carriesItsWalker():void
         {

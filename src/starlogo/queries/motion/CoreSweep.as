@@ -71,6 +71,20 @@ package starlogo.queries.motion
             return true;
         }
 
+        /** Finds what stops the core first, as <code>findFirst()</code> does. One-way rows that the body passes are no obstacles from then on. */
+        public function findObstacle(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        {
+            while (findFirst(body, from, motion, out))
+            {
+                if (!body.passes(out.row, out.contact))
+                {
+                    return true;
+                }
+                body.obstacles.remove(out.row);
+            }
+            return false;
+        }
+
         /** Whether the core meets a row. */
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
@@ -93,7 +107,7 @@ package starlogo.queries.motion
             var other:Body = _seen.table.bodyOf(impact.row);
             var contact:ContactPoint = impact.contact;
             var left:Number = 1 - impact.time;
-            var recess:Number = body.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
+            var recess:Number = body.core.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
                     + contact.normalY * (whole.y - left * motion.y - contact.y)
                     + contact.normalZ * (whole.z - left * motion.z - contact.z));
             var early:Number = Math.max(0, Math.min(1, impact.time + recess / impact.along));
@@ -125,7 +139,7 @@ package starlogo.queries.motion
             var touchTime:Number = NaN;
             if (other.form == ModelShape.TREE && 2 * other.largestHalf >= LARGE * body.extent)
             {
-                sweep(body.wholeAt(_end), other, body.slop, null);
+                sweep(body.wholeAt(_end), other, body.core.slop, null);
                 touchTime = _motion.time;
                 if (touchTime == RelativeMotion.NEVER)
                 {
@@ -152,7 +166,7 @@ package starlogo.queries.motion
         private function sweepCoreOnwards(body:MovingBody, other:Body, from:Vector3D):void
         {
             _motion.earliest = _motion.time;
-            _motion.latest = Math.min(1, _motion.time + SOON * body.slop / _length);
+            _motion.latest = Math.min(1, _motion.time + SOON * body.core.slop / _length);
             sweepCore(body, other, from);
             _motion.latest = 1;
             if (_motion.time == RelativeMotion.NEVER)
@@ -164,10 +178,10 @@ package starlogo.queries.motion
 
         private function sweepCore(body:MovingBody, other:Body, from:Vector3D):void
         {
-            sweep(body.coreAt(_end), other, body.slop, _contact);
+            sweep(body.core.at(_end), other, body.core.slop, _contact);
             // a sheet may be wholly under the ground at the beginning, and then it touches no surface
             if (_motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND
-                    && _seen.narrowPhase.areTouching(body.coreAt(from), other))
+                    && _seen.narrowPhase.areTouching(body.core.at(from), other))
             {
                 _motion.time = 0;
                 _contact.setNormal(0, 0, 0);

@@ -17,35 +17,14 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * A body that moves: what may be in its way, the tolerances of its present motion, and its tests at the places that a motion tries, whole and
-     * as its core. The core is the body, but smaller by a slop, about the middle of its extents. It does not touch what the body only touches.
-     *
-     * <p>docs/mover.md derives the quantities.</p>
+     * A body that moves: what may be in its way, its core, and the tests of both with a row, at the places that a motion tries.
      *
      * @private
      */
     public final class MovingBody
     {
-        // The slop has four parts: fractions of the body's extent, of the largest extent near it, of the coordinates and of the motion.
-        private static const OF_EXTENT:Number = 0.4 * Tolerances.SEPARATION;
-        private static const OF_OTHERS:Number = 0.02 * Tolerances.SEPARATION;
-        private static const OF_PLACES:Number = 16 * Tolerances.PLACES;
-        private static const OF_MOTION:Number = 3 * Tolerances.ROUNDING;
-
-        // The least half-extent of the body loses a slop, and the others lose in proportion. For a slim body, a tenth of its largest half-extent
-        // takes the place of the least one. So no half-extent loses more than ten slops. The body loses at most half of its size.
-        private static const SLIMMEST:Number = 10;
-        private static const MOST_SHRINK:Number = 0.5;
-
-        // An overlap is shallow if it is at most this part of the larger extent.
-        private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
-
         // The factor by which the inset of a core grows until the core is free.
         private static const NARROWER:Number = 4;
-
-        // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. A slop is at least a hundred
-        // times as wide as the gaps across which shapes touch.
-        private static const FLAT:Number = 0.01;
 
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
         private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
@@ -53,50 +32,28 @@ package starlogo.queries.motion
         /** The body where it begins: a copy, because a filter's <code>accepts</code> may move the agent. Read only. */
         public var source:Body = new Body();
 
-        /** The rows that count and are near its way, in the order of the list. The MotionPlanner finds them. */
+        /** The rows that count and are near its way, in the order of the list. The ObstacleSearch finds them. */
         public var rows:NumberList = new NumberList();
 
         /** The rows that stop the motion. A row that a plane has taken the place of is not one of them, nor a one-way row that the body passed. */
         public var obstacles:NumberList = new NumberList();
 
-        /**
-         * The slop of the motion, in patches. The core's nearest faces are that far behind the body's own, or less far if the body is slim, or its
-         * least half-extent is less than two slops. <code>narrow()</code> makes the core smaller still, but not the slop larger. Read only.
-         */
-        public var slop:Number = 0;
-
-        /** How far before a touch a slide ends, in patches. It is less than the slop, so the body can enter a place as wide as itself. Read only. */
-        public var clearance:Number = 0;
-
-        /** The part of its size that the core loses. Read only. */
-        public var shrink:Number = 0;
-
-        /** Whether the body is too flat for its core to be narrower. Read only. */
-        public var isFlat:Boolean = false;
+        /** Its core, and the tolerances of its present motion. Read only. */
+        public var core:BodyCore;
 
         private var _seen:SeenAgents;
 
         // The body at the place of its last test.
         private var _whole:Body = new Body();
 
-        // Its core at the place of the last test of the core; and this place, whose x is NaN if the core's size has changed.
-        private var _core:Body = new Body();
-        private var _coreAt:Vector3D = new Vector3D();
-
-        // How much of its least half-extent the core should lose: a slop, or more after narrow(). A slim or small body loses less.
-        private var _inset:Number = 0;
-
-        // The largest extent of the body and the rows of the motion.
-        private var _largest:Number = 0;
-
-        // A smaller copy of another row, and the contact with one.
+        // A smaller copy of another row.
         private var _smaller:Body = new Body();
-        private var _contact:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows, and decides which of them touch */
         public function MovingBody(seen:SeenAgents)
         {
             _seen = seen;
+            core = new BodyCore(source);
         }
 
         /**
@@ -114,7 +71,7 @@ package starlogo.queries.motion
             {
                 source.turn(agent, turn);
             }
-            begin();
+            takeSource();
             return source;
         }
 
@@ -134,20 +91,18 @@ package starlogo.queries.motion
             {
                 source.readPlaced(body);
             }
-            begin();
+            takeSource();
         }
 
         /** Becomes the body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
         public function readStructure(structure:BoundingStructure):void
         {
             source.readStructure(structure);
-            begin();
+            takeSource();
         }
 
-        private function begin():void
+        private function takeSource():void
         {
-            _coreAt.x = NaN;
-            rows.count = 0;
             if (hasShape)
             {
                 _whole.copyFrom(source);
@@ -167,32 +122,14 @@ package starlogo.queries.motion
         }
 
         /**
-         * Begins a motion: finds its slop and its core.
+         * Begins a motion, with the core and the tolerances that it needs.
          *
          * @param among the rows that may be in its way. They become the obstacles
          */
         public function beginMotion(among:NumberList, from:Vector3D, motion:Vector3D):void
         {
-            var cell:Number = 0;
-            _largest = extent;
-            for (var i:int = 0; i < among.count; i++)
-            {
-                var other:Body = _seen.table.bodyOf(among.numbers[i]);
-                if (other.form == ModelShape.GROUND)
-                {
-                    cell = other.largestHalf;
-                }
-                else
-                {
-                    _largest = Math.max(_largest, 2 * other.largestHalf);
-                }
-            }
             obstacles.copyFrom(among);
-            slop = OF_EXTENT * extent + OF_OTHERS * _largest + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z) + cell)
-                + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            clearance = slop / 4;
-            setInset(slop);
-            isFlat = shrink * source.leastHalf < FLAT * slop;
+            core.begin(_seen.table, among, from, motion);
         }
 
         /** The whole body at a place. It is valid until the next call. */
@@ -200,17 +137,6 @@ package starlogo.queries.motion
         {
             _whole.moveTo(place);
             return _whole;
-        }
-
-        /** The core at a place. It is valid until the next call. */
-        public function coreAt(place:Vector3D):Body
-        {
-            if (place.x != _coreAt.x || place.y != _coreAt.y || place.z != _coreAt.z)
-            {
-                _core.readShrunk(source, place, shrink);
-                _coreAt.copyFrom(place);
-            }
-            return _core;
         }
 
         /** Whether the whole body touches a row when it stands at a place. */
@@ -222,7 +148,7 @@ package starlogo.queries.motion
         /** Whether the core touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
         public function coreTouches(row:int, place:Vector3D):Boolean
         {
-            return touches(row, place) && _seen.narrowPhase.areTouching(coreAt(place), _seen.table.bodyOf(row));
+            return touches(row, place) && _seen.narrowPhase.areTouching(core.at(place), _seen.table.bodyOf(row));
         }
 
         /**
@@ -236,9 +162,9 @@ package starlogo.queries.motion
             var whole:Body = wholeAt(place);
             if (other.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
+                return _seen.narrowPhase.groundTestsOf(other).isDeeper(whole, other, core.slop);
             }
-            _smaller.readShrunk(other, null, shrinkOf(other.largestHalf, other.leastHalf, slop));
+            _smaller.readShrunk(other, null, BodyCore.shrinkOf(other, core.slop));
             return areTouching(whole, _smaller);
         }
 
@@ -254,7 +180,7 @@ package starlogo.queries.motion
         {
             var other:Body = _seen.table.bodyOf(row);
             var whole:Body = wholeAt(place);
-            var shallow:Number = SHALLOW * extentWith(other);
+            var shallow:Number = BodyCore.SHALLOW * extentWith(other);
             var pairTests:PairTests = _seen.narrowPhase.testsOf(whole, other);
             pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
@@ -274,12 +200,6 @@ package starlogo.queries.motion
         public function passes(row:int, contact:ContactPoint):Boolean
         {
             return isOneWay(row) && contact.normalZ < UPWARDS;
-        }
-
-        /** Whether the body at a place, where its core touches a row, is within it and the row is one-way. If it rests on the row, it is not. */
-        public function isWithinOneWay(row:int, place:Vector3D):Boolean
-        {
-            return isOneWay(row) && !(findContact(row, place, false, _contact) && _contact.normalZ >= UPWARDS);
         }
 
         /**
@@ -303,25 +223,25 @@ package starlogo.queries.motion
         }
 
         /**
-         * Makes the core narrower for this motion, by at most SHALLOW of the largest extent, if it does not touch a row then. The core stays
-         * nearly as wide as it can be, because a motion can go that much deeper.
+         * Makes the core narrower for this motion, if it does not touch a row then. The core stays nearly as wide as it can be, because a motion can
+         * go that much deeper.
          *
          * @return whether the core does not touch the row any more
          */
         public function narrow(row:int, place:Vector3D):Boolean
         {
-            var inset:Number = _inset;
-            var most:Number = slop + SHALLOW * _largest;
-            setInset(most);
+            var inset:Number = core.inset;
+            var most:Number = core.mostInset;
+            core.setInset(most);
             if (coreTouches(row, place))
             {
-                setInset(inset);
+                core.setInset(inset);
                 return false;
             }
             do
             {
                 inset = Math.min(NARROWER * inset, most);
-                setInset(inset);
+                core.setInset(inset);
             }
             while (inset < most && coreTouches(row, place));
             return true;
@@ -350,7 +270,7 @@ package starlogo.queries.motion
 
         private function areTouching(whole:Body, other:Body):Boolean
         {
-            return isNear(whole, other, RelativeMotion.NONE, slop) && _seen.narrowPhase.areTouching(whole, other);
+            return isNear(whole, other, RelativeMotion.NONE, core.slop) && _seen.narrowPhase.areTouching(whole, other);
         }
 
         // The larger extent of the body and another. The ground's extents are those of a cell, and do not count.
@@ -358,19 +278,6 @@ package starlogo.queries.motion
         {
             var ofOther:Number = other.form == ModelShape.GROUND ? 0 : 2 * other.largestHalf;
             return Math.max(ofOther, extent);
-        }
-
-        private function setInset(width:Number):void
-        {
-            _inset = width;
-            _coreAt.x = NaN;
-            shrink = shrinkOf(source.largestHalf, source.leastHalf, width);
-        }
-
-        private static function shrinkOf(largestHalf:Number, leastHalf:Number, width:Number):Number
-        {
-            var taken:Number = width / Math.max(leastHalf, largestHalf / SLIMMEST);
-            return taken < MOST_SHRINK ? taken : MOST_SHRINK;
         }
     }
 }

@@ -5,8 +5,11 @@ package starlogo.queries.motion
     import starlogo.data.NumberList;
 
     /**
-     * Moves a body out of what it overlaps or touches: at the beginning of a motion out of shallow overlaps (liftOut), at its end off what it only
-     * touches (restoreClearance). It also finds the deepest overlap, which a walk pushes the body out of.
+     * Moves a body out of what it overlaps or touches: at the beginning of a motion (leaveOverlaps), and at its end off what it only touches
+     * (restoreClearance). It also finds the deepest overlap, which a walk pushes the body out of.
+     *
+     * <p>Out of shallow overlaps the body is lifted, because they come from rounding in the game. If it overlaps a row more deeply, the plane of their
+     * contact stands for that row. The motion must not cross the plane, and nothing else of that row counts.</p>
      *
      * <p>It pushes the body out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
      * another. If the body does not get free, for example between two opposite walls, it stays where it was. The tests of a pair know the
@@ -24,6 +27,9 @@ package starlogo.queries.motion
         // If a body only touches a row, it is never this many slops deep in it.
         private static const SLOPS_OF_TOUCH:Number = 2;
 
+        // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core would meet it.
+        private static const SLOPS_TO_LEAVE:Number = 2;
+
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
@@ -38,40 +44,33 @@ package starlogo.queries.motion
         private var _beside:Vector3D = new Vector3D();
 
         /**
-         * Lifts a body out of obstacles whose overlap with its core is shallow.
+         * Frees the core of a body from the obstacles that it overlaps where its motion begins. The obstacles whose places planes take are no
+         * obstacles any more.
          *
-         * @param place the place of the body, which changes
-         * @param lift the contacts are added to it
-         * @return whether the core touches no obstacle at its place
+         * @param from where the motion begins
+         * @param planes receives the planes of deep overlaps. They belong to no corner
+         * @param lift what the body is lifted out of already; receives the whole lift
+         * @param place receives where the body then is
          */
-        public function liftOut(body:MovingBody, place:Vector3D, lift:StartLift):Boolean
+        public function leaveOverlaps(body:MovingBody, from:Vector3D, planes:SlidePlanes, lift:StartLift, place:Vector3D):void
         {
-            begin(place);
-            for (var round:int = 0; round < ROUNDS; round++)
+            place.copyFrom(from);
+            place.incrementBy(lift.displacement);
+            lift.mostDepth = SLOPS_TO_LEAVE * body.core.slop;
+            if (replaceDeep(body, place, planes, false) && !liftOut(body, place, lift))
             {
-                var isFree:Boolean = true;
-                for (var i:int = 0; i < body.obstacles.count; i++)
-                {
-                    var row:int = body.obstacles.numbers[i];
-                    if (!body.coreTouches(row, place))
-                    {
-                        continue;
-                    }
-                    isFree = false;
-                    var isShallow:Boolean = findContact(body, row, place, round);
-                    if (!isShallow || isOpposite())
-                    {
-                        return giveUp(place);
-                    }
-                    lift.add(_contact);
-                    push(place, _contact.depth + body.clearance);
-                }
-                if (isFree)
-                {
-                    return true;
-                }
+                place.copyFrom(from);
+                lift.clear();
+                replaceDeep(body, place, planes, true);
             }
-            return giveUp(place);
+            if (body.core.isFlat && planes.count == 0)
+            {
+                // its core is as flat, and a sweep touches across a wider gap than a body that stands
+                restoreClearance(body, place, -1);
+            }
+            lift.displacement.copyFrom(place);
+            lift.displacement.decrementBy(from);
+            planes.beginCorner();
         }
 
         /**
@@ -102,7 +101,7 @@ package starlogo.queries.motion
                     }
                     _beside.copyFrom(place);
                     _beside.decrementBy(_touching);
-                    push(place, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.slop) + body.clearance - _contact.along(_beside));
+                    push(place, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
                 }
                 if (isFree)
                 {
@@ -129,7 +128,7 @@ package starlogo.queries.motion
                 {
                     continue;
                 }
-                _contact.depth += body.clearance;
+                _contact.depth += body.core.clearance;
                 if (body.isExitShort(row, _contact))
                 {
                     sum += _contact.depth;
@@ -140,6 +139,89 @@ package starlogo.queries.motion
                 }
             }
             return sum;
+        }
+
+        // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
+        // touch a row when it is narrower, the row stays, and the motion has that core. One-way rows that the body is within do not count any
+        // more. Returns whether rows are left that the core overlapped.
+        private function replaceDeep(body:MovingBody, place:Vector3D, planes:SlidePlanes, isOfAll:Boolean):Boolean
+        {
+            var obstacles:NumberList = body.obstacles;
+            var isLeft:Boolean = false;
+            var kept:int = 0;
+            for (var i:int = 0; i < obstacles.count; i++)
+            {
+                var row:int = obstacles.numbers[i];
+                var touches:Boolean = body.coreTouches(row, place);
+                if (touches && isWithinOneWay(body, row, place))
+                {
+                    continue;
+                }
+                if (touches && narrowOrFindDeep(body, row, place, isOfAll, _contact))
+                {
+                    planes.add(_contact, row);
+                    body.warnIfInside(row, _contact);
+                }
+                else
+                {
+                    isLeft ||= touches;
+                    obstacles.numbers[kept] = row;
+                    kept++;
+                }
+            }
+            obstacles.count = kept;
+            return isLeft;
+        }
+
+        // Whether the body is within a one-way row, which its core touches. If it rests on the row, it is not.
+        private function isWithinOneWay(body:MovingBody, row:int, place:Vector3D):Boolean
+        {
+            return body.isOneWay(row) && (!body.findContact(row, place, true, _contact) || body.passes(row, _contact));
+        }
+
+        // Narrows the core for this motion, so that it does not touch a row, or finds their contact. Returns whether the contact's plane has to
+        // take the place of the row: if the overlap is not shallow, or all count, and no narrower core is free of the row.
+        private function narrowOrFindDeep(body:MovingBody, row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
+        {
+            var isShallow:Boolean = body.findContact(row, place, isOfAll, out);
+            if (isShallow && !isOfAll)
+            {
+                return false;
+            }
+            var isFree:Boolean = body.narrow(row, place);
+            return !isFree && body.overlaps(row, place);
+        }
+
+        // Lifts a body out of obstacles whose overlap with its core is shallow. The lift receives their contacts. Returns whether the core touches no
+        // obstacle at its place.
+        private function liftOut(body:MovingBody, place:Vector3D, lift:StartLift):Boolean
+        {
+            begin(place);
+            for (var round:int = 0; round < ROUNDS; round++)
+            {
+                var isFree:Boolean = true;
+                for (var i:int = 0; i < body.obstacles.count; i++)
+                {
+                    var row:int = body.obstacles.numbers[i];
+                    if (!body.coreTouches(row, place))
+                    {
+                        continue;
+                    }
+                    isFree = false;
+                    var isShallow:Boolean = findContact(body, row, place, round);
+                    if (!isShallow || isOpposite())
+                    {
+                        return giveUp(place);
+                    }
+                    lift.add(_contact);
+                    push(place, _contact.depth + body.core.clearance);
+                }
+                if (isFree)
+                {
+                    return true;
+                }
+            }
+            return giveUp(place);
         }
 
         private function begin(place:Vector3D):void
@@ -186,8 +268,8 @@ package starlogo.queries.motion
             {
                 return true;
             }
-            var side:Number = -body.clearance / 2;
-            for (var i:int = 0; i < 2 && body.isFlat; i++)
+            var side:Number = -body.core.clearance / 2;
+            for (var i:int = 0; i < 2 && body.core.isFlat; i++)
             {
                 if (touchesAt(body, row, place, 0, 0, side, touching) || touchesAt(body, row, place, 0, side, 0, touching)
                         || touchesAt(body, row, place, side, 0, 0, touching))

@@ -4,10 +4,11 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
     import starlogo.geometry.HalfSpaceSolver;
     import starlogo.geometry.ShortestExit;
+    import starlogo.geometry.Tolerances;
 
     /**
      * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the motion on these planes (Fauerby, "Improved
-     * collision detection and response", 2003, which keeps two planes; here all are kept that the mover does not remove).
+     * collision detection and response", 2003, which keeps two planes; here all are kept that the Slider does not remove).
      *
      * @private
      */
@@ -36,8 +37,8 @@ package starlogo.queries.motion
         /** The number of planes. */
         public var count:int = 0;
 
-        /** The contacts that have the planes. */
-        public var planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
+        /** By plane: the contact that it goes through. */
+        public var contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
         /** By plane: the row that it belongs to. */
         public var rows:Vector.<int> = new Vector.<int>();
@@ -60,8 +61,9 @@ package starlogo.queries.motion
          * Begins a motion, without planes.
          *
          * @param limits how it may go
+         * @return whether there is any motion
          */
-        public function begin(whole:Vector3D, limits:SlideLimits):void
+        public function begin(whole:Vector3D, limits:SlideLimits):Boolean
         {
             _maxHorizontal = limits.maxHorizontal;
             _fallSlope = limits.fallSlope;
@@ -71,6 +73,7 @@ package starlogo.queries.motion
             gone = 0;
             count = 0;
             beginCorner();
+            return length * length > Tolerances.VANISHING;
         }
 
         /**
@@ -102,21 +105,24 @@ package starlogo.queries.motion
         /**
          * Adds the plane of a contact with a row. The motion must not cross it against its normal. If a plane with the same normal, except for
          * rounding, is there already, it is replaced.
+         *
+         * @return the index of the plane
          */
-        public function add(contact:ContactPoint, row:int):void
+        public function add(contact:ContactPoint, row:int):int
         {
             var same:int = 0;
-            while (same < count && !isSame(planes[same], contact))
+            while (same < count && !isSame(contacts[same], contact))
             {
                 same++;
             }
-            if (same == planes.length)
+            if (same == contacts.length)
             {
-                planes.push(new ContactPoint());
+                contacts.push(new ContactPoint());
             }
-            planes[same].copyFrom(contact);
+            contacts[same].copyFrom(contact);
             rows[same] = row;
             count = Math.max(count, same + 1);
+            return same;
         }
 
         /** Makes the rest of the motion level. */
@@ -130,7 +136,7 @@ package starlogo.queries.motion
         public function remove(at:int):void
         {
             count--;
-            planes[at].copyFrom(planes[count]);
+            contacts[at].copyFrom(contacts[count]);
             rows[at] = rows[count];
         }
 
@@ -141,7 +147,7 @@ package starlogo.queries.motion
             var least:Number = -PARALLEL_SINE * length;
             for (var i:int = 0; i < count; i++)
             {
-                var along:Number = planes[i].along(motion);
+                var along:Number = contacts[i].along(motion);
                 if (along < least)
                 {
                     least = along;
@@ -164,7 +170,7 @@ package starlogo.queries.motion
             {
                 if (i != without)
                 {
-                    _halfSpaces.add(planes[i].normalX, planes[i].normalY, planes[i].normalZ, -planes[i].along(_cornerMotion));
+                    _halfSpaces.add(contacts[i].normalX, contacts[i].normalY, contacts[i].normalZ, -contacts[i].along(_cornerMotion));
                 }
             }
             var whole:Number = Math.sqrt(_cornerMotion.x * _cornerMotion.x + _cornerMotion.y * _cornerMotion.y + _cornerMotion.z * _cornerMotion.z);

@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a slide of a body ends. Mover writes it.
+     * How a slide of a body ends. Slider writes it.
      *
      * @private
      */

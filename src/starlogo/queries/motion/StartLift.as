@@ -10,9 +10,6 @@ package starlogo.queries.motion
      */
     public final class StartLift
     {
-        /** No lift. Nothing writes to it. */
-        public static const NONE:StartLift = new StartLift();
-
         /** The displacement. */
         public var displacement:Vector3D = new Vector3D();
 

@@ -4,11 +4,7 @@ package starlogo.queries.motion
     import starlogo.agents.Agent;
     import starlogo.convex.ContactPoint;
     import starlogo.data.NumberList;
-    import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.SeenAgents;
-    import starlogo.queries.rays.RowRays;
-    import starlogo.search.Body;
 
     /**
      * Goes a Walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops
@@ -20,9 +16,7 @@ package starlogo.queries.motion
      */
     public final class WalkMover
     {
-        // Parts of the extent. BEHIND_EDGE: at an edge, the face this far behind the edge is tested. REST: a shorter fall counts as none, and is
-        // undone.
-        private static const BEHIND_EDGE:Number = 1e-4;
+        // A shorter fall counts as none, and is undone. A part of the extent.
         private static const REST:Number = 1e-8;
 
         // In the air every surface is a wall, except level floors.
@@ -31,15 +25,14 @@ package starlogo.queries.motion
         // A walk begins with this many pushes at most.
         private static const MOST_PUSHES:int = 8;
 
-        private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
-
-        private var _planner:MotionPlanner;
+        private var _obstacleSearch:ObstacleSearch;
         private var _mover:Mover;
+        private var _slider:Slider;
         private var _recovery:OverlapRecovery = new OverlapRecovery();
-        private var _rowRays:RowRays;
+        private var _foothold:Foothold;
 
         // Memory for the motions of the methods: how slides and straight motions end, their vectors and limits, where a fall has come, the rows
-        // without the platform, an overlap, and the ray at an edge.
+        // without the platform and where it carries the agent, and an overlap.
         private var _slid:SlideResult = new SlideResult();
         private var _tried:SlideResult = new SlideResult();
         private var _straight:MotionResult = new MotionResult();
@@ -47,27 +40,26 @@ package starlogo.queries.motion
         private var _limits:SlideLimits = new SlideLimits();
         private var _fallen:Vector3D = new Vector3D();
         private var _others:NumberList = new NumberList();
+        private var _carried:Vector3D = new Vector3D();
         private var _overlap:ContactPoint = new ContactPoint();
-        private var _ray:Ray = new Ray();
-        private var _origin:Vector3D = new Vector3D();
-        private var _entry:RayEntry = new RayEntry();
 
         /**
          * @param seen has the rows
-         * @param planner finds the rows near a walk
+         * @param search finds the rows near a walk
          */
-        public function WalkMover(seen:SeenAgents, planner:MotionPlanner)
+        public function WalkMover(seen:SeenAgents, search:ObstacleSearch)
         {
-            _planner = planner;
+            _obstacleSearch = search;
             _mover = new Mover(seen);
-            _rowRays = new RowRays(seen);
+            _slider = new Slider(seen);
+            _foothold = new Foothold(seen);
         }
 
         /** Finds the rows near a walk, and up to a distance from it. */
         public function findNear(walk:Walk, distance:Number):void
         {
             // the range has the way in it, whatever its direction
-            _planner.planWithin(walk.body, walk.range + distance, walk.pieces * walk.options.stepHeight,
+            _obstacleSearch.findWithin(walk.body, walk.range + distance, walk.pieces * walk.options.stepHeight,
                     walk.pieces * walk.options.snap + walk.options.fall, walk.agent, walk.options.filter);
         }
 
@@ -80,7 +72,7 @@ package starlogo.queries.motion
         public function carry(walk:Walk, platform:int):void
         {
             _others.copyFrom(walk.body.rows, platform);
-            _mover.slide(walk.body, _others, walk.start, walk.carry, SlideLimits.NONE, _slid);
+            _slider.slide(walk.body, _others, walk.start, walk.carry, SlideLimits.NONE, _slid);
             if (_slid.fraction < 1 && leadsIntoPlatform(walk, platform, _slid.place))
             {
                 _mover.goBeforeTouch(walk.body, _others, walk.start, walk.carry, _straight);
@@ -95,11 +87,11 @@ package starlogo.queries.motion
         // Whether the rest of the way that the platform carries the agent, from its end back to a place, leads into the platform.
         private function leadsIntoPlatform(walk:Walk, platform:int, place:Vector3D):Boolean
         {
-            _origin.copyFrom(walk.start);
-            _origin.incrementBy(walk.carry);
+            _carried.copyFrom(walk.start);
+            _carried.incrementBy(walk.carry);
             _vector.copyFrom(place);
-            _vector.decrementBy(_origin);
-            return _mover.meets(walk.body, platform, _origin, _vector);
+            _vector.decrementBy(_carried);
+            return _mover.meets(walk.body, platform, _carried, _vector);
         }
 
         /**
@@ -155,7 +147,7 @@ package starlogo.queries.motion
                 left -= length;
                 _vector.setTo(0, 0, 0);
                 _overlap.push(_vector, length);
-                _mover.slide(walk.body, walk.body.rows, walk.place, _vector, SlideLimits.NONE, _slid);
+                _slider.slide(walk.body, walk.body.rows, walk.place, _vector, SlideLimits.NONE, _slid);
                 walk.place.copyFrom(_slid.place);
             }
             _vector.copyFrom(walk.place);
@@ -211,7 +203,7 @@ package starlogo.queries.motion
         {
             _limits.setTo(walkableZ, walk.pieceLength, -1);
             _vector.setTo(walk.piece.x, walk.piece.y, rise);
-            _mover.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
+            _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
         }
 
         // Goes straight up, or down if dz is less than 0, until something is in the way.
@@ -226,7 +218,7 @@ package starlogo.queries.motion
         {
             _limits.setTo(-2, maxHorizontal, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
             _vector.setTo(0, 0, -depth);
-            _mover.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
+            _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. Otherwise the agent stays. The last argument receives how the
@@ -234,7 +226,7 @@ package starlogo.queries.motion
         private function goDown(walk:Walk, depth:Number, out:MotionResult):Boolean
         {
             goUpright(walk, walk.place, -depth, out);
-            if (out.row < 0 || !(standOn(walk, out.contact, out.row, out.place) || standOnOther(walk, out.place)))
+            if (out.row < 0 || !(_foothold.standOn(walk, out.contact, out.row, out.place) || standOnOther(walk, out.place)))
             {
                 return false;
             }
@@ -265,7 +257,7 @@ package starlogo.queries.motion
                 walk.place.copyFrom(_fallen);
                 return goDown(walk, walk.closeDepth, _straight);
             }
-            if (standOn(walk, _straight.contact, _straight.row, _fallen))
+            if (_foothold.standOn(walk, _straight.contact, _straight.row, _fallen))
             {
                 walk.place.copyFrom(_fallen);
                 return true;
@@ -283,40 +275,7 @@ package starlogo.queries.motion
         private function standOnOther(walk:Walk, place:Vector3D):Boolean
         {
             slideDown(walk, place, walk.closeDepth, walk.body.extent, _tried);
-            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
-        }
-
-        // Lets the agent stand on the surface at a contact below it, if the surface is not too steep. At an edge, for example of a step, the face
-        // behind the edge is the surface. But the edge must not be more than a step higher than the agent was at the beginning of the piece, or is
-        // at its place. The walk receives the surface.
-        private function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
-        {
-            if (contact.normalZ >= walk.cosine)
-            {
-                walk.floorRow = row;
-                walk.floorNormal.setTo(contact.normalX, contact.normalY, contact.normalZ);
-                return true;
-            }
-            var body:Body = walk.body.source;
-            var bottom:Number = body.z - body.halfZ - body.placement.z;
-            if (contact.z > Math.min(walk.start.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth)
-            {
-                return false;
-            }
-            var across:Number = Math.sqrt(contact.normalX * contact.normalX + contact.normalY * contact.normalY);
-            var behind:Number = BEHIND_EDGE * walk.body.extent;
-            // the ray begins outside of all faces that are not too steep
-            var above:Number = 2 * behind / walk.cosine;
-            _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
-            _ray.aim(_origin, DOWN);
-            _ray.to = 2 * above;
-            if (!_rowRays.findHit(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.cosine))
-            {
-                return false;
-            }
-            walk.floorRow = row;
-            walk.floorNormal.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
-            return true;
+            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && _foothold.standOn(walk, _tried.floor, _tried.floorRow, place);
         }
     }
 }

@@ -118,22 +118,24 @@ package starlogo.queries.rays
                 {
                     return false;
                 }
-                var isSame:Boolean = side == _sides[k] || side == RayCrossings.EDGE_ON || _sides[k] == RayCrossings.EDGE_ON;
-                if (isSame && gap <= slack + crossings.slacks[other] && _sides[k] != RayCrossings.INSIDE)
+                if (areOneSurface(side, _sides[k]) && gap <= slack + crossings.slacks[other])
                 {
                     if (_sides[k] == RayCrossings.EDGE_ON && side != RayCrossings.EDGE_ON)
                     {
                         _sides[k] = side;
-                        if (gap <= crossings.slacks[other])
-                        {
-                            // None is kept between the two, because it would have joined the other one.
-                            left.numbers[k] = index;
-                        }
+                        // none is kept between the two, because it would have joined the other one
+                        left.numbers[k] = gap <= crossings.slacks[other] ? index : other;
                     }
                     return true;
                 }
             }
             return false;
+        }
+
+        // Whether a crossing from one side and a kept one at the same place can be of one surface.
+        private static function areOneSurface(side:int, kept:int):Boolean
+        {
+            return kept != RayCrossings.INSIDE && (side == kept || side == RayCrossings.EDGE_ON || kept == RayCrossings.EDGE_ON);
         }
     }
 }

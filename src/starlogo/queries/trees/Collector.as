@@ -14,9 +14,8 @@ package starlogo.queries.trees
      * rows are found, so the search visits less.
      *
      * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
-     * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs; but motions and casts of shapes call it for all
-     * rows near the way. It may ask questions itself. These have
-     * another Collector, of nested questions.</p>
+     * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. Motions and casts of shapes call it for all rows
+     * near them. It may ask questions itself. These have another Collector, of nested questions.</p>
      *
      * @private
      */
@@ -149,6 +148,24 @@ package starlogo.queries.trees
                 return;
             }
             _rows.sortFirst(end, _seen.table.list.ranks);
+            admitTo(end);
+            if (_admitted == wanted)
+            {
+                limit = -1;
+            }
+            // what was refused leaves
+            var kept:int = _admitted;
+            for (var i:int = end; i < _rows.count; i++)
+            {
+                move(i, kept);
+                kept++;
+            }
+            _rows.count = kept;
+        }
+
+        // Calls accepts for the rows behind the admitted ones, up to an index, until enough are admitted. They come first then.
+        private function admitTo(end:int):void
+        {
             var decide:Function = filter.accepts;
             _seen.lock();
             _isAsking = true;
@@ -168,17 +185,6 @@ package starlogo.queries.trees
                 _isAsking = false;
                 _seen.unlock();
             }
-            if (_admitted == wanted)
-            {
-                limit = -1;
-            }
-            var kept:int = _admitted;
-            for (i = end; i < _rows.count; i++)
-            {
-                move(i, kept);
-                kept++;
-            }
-            _rows.count = kept;
         }
 
         /** Ends the search. Returns how many rows are in the answer. */

@@ -44,7 +44,7 @@ package starlogo.queries.trees
             var firstLeaf:int = tree.firstLeaf;
             var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
             var asker:int = found.filter.askerRow;
-            var waiting:int = asker < 0 ? enqueue(1, 0) : beginBeside(tree.leafOf(asker));
+            var waiting:int = asker < 0 ? enqueue(RowTree.ROOT, 0) : beginBeside(tree.leafOf(asker));
             while (waiting > 0)
             {
                 waiting--;
@@ -87,7 +87,7 @@ package starlogo.queries.trees
             var asks:Boolean = found.filter.accepts != null;
             var countsNodes:Boolean = !asks && !found.filter.excludes;
             var counted:int = 0;
-            var waiting:int = enqueue(1, 0);
+            var waiting:int = enqueue(RowTree.ROOT, 0);
             while (waiting > 0)
             {
                 waiting--;

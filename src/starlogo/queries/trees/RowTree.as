@@ -10,12 +10,12 @@ package starlogo.queries.trees
     use namespace engine;
 
     /**
-     * A balanced tree of boxes around rows of a table. NearSearch and SweptBoxSearch find rows in it without a test of
-     * every row (Bentley, "Multidimensional Binary Search Trees", 1975). In addition, each node has a box around its rows. A place is a box without size.
+     * A balanced tree of boxes around rows of a table. NearSearch and SweptBoxSearch find rows in it without a test of every row (Bentley,
+     * "Multidimensional Binary Search Trees", 1975). In addition, each node has a box around its rows. A place is a box without size.
      *
      * <p>The nodes are numbered as in a heap: the root is node 1, and the children of node i are nodes 2 i and 2 i + 1. All leaves are on one
      * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
-     * in the order of the leaves.</p>
+     * in the order of the leaves. RowDivision brings them into that order.</p>
      *
      * <p>A search for a rare breed can skip nodes without it. The nodes learn which breeds they have when searches have passed over as many rows
      * that do not count as the tree has, and again when an agent has got another breed.</p>
@@ -24,6 +24,9 @@ package starlogo.queries.trees
      */
     public final class RowTree
     {
+        /** The number of the root. */
+        public static const ROOT:int = 1;
+
         /** How many numbers a box takes: its least x, y, z, then its greatest x, y, z. */
         public static const PER_BOX:int = 6;
 
@@ -106,7 +109,8 @@ package starlogo.queries.trees
             {
                 starts[leaf] = leaf * count / firstLeaf;
             }
-            divideAll();
+            boundMiddles(PER_BOX * ROOT, 0, count);
+            RowDivision.divide(this);
             boundAll();
         }
 
@@ -231,34 +235,6 @@ package starlogo.queries.trees
             }
         }
 
-        // Divides the rows of each node in two halves, along the longest side of the node's part of space. That part is stored for a while where
-        // the node's box will be written.
-        private function divideAll():void
-        {
-            boundMiddles(PER_BOX, 0, count);
-            var boxes:Vector.<Number> = nodeBoxes;
-            var width:int = 1;
-            for (var node:int = 1; node < firstLeaf; node++)
-            {
-                if (node == 2 * width)
-                {
-                    width = node;
-                }
-                var box:int = PER_BOX * node;
-                var axis:int = longestSide(box);
-                var keys:Vector.<Number> = axis == 0 ? middles.x : (axis == 1 ? middles.y : middles.z);
-                var nth:int = node - width;
-                var middle:int = (2 * nth + 1) * count / (2 * width);
-                select(keys, nth * count / width, (nth + 1) * count / width - 1, middle);
-                var child:int = 2 * box;
-                for (var i:int = 0; i < PER_BOX; i++)
-                {
-                    boxes[child + i] = boxes[child + PER_BOX + i] = boxes[box + i];
-                }
-                boxes[child + 3 + axis] = boxes[child + PER_BOX + axis] = keys[middle];
-            }
-        }
-
         // Makes a node's box enclose the middles in some slots.
         private function boundMiddles(box:int, first:int, end:int):void
         {
@@ -278,81 +254,6 @@ package starlogo.queries.trees
             }
         }
 
-        private function longestSide(box:int):int
-        {
-            var alongX:Number = nodeBoxes[box + 3] - nodeBoxes[box];
-            var alongY:Number = nodeBoxes[box + 4] - nodeBoxes[box + 1];
-            var alongZ:Number = nodeBoxes[box + 5] - nodeBoxes[box + 2];
-            if (alongX >= alongY && alongX >= alongZ)
-            {
-                return 0;
-            }
-            return alongY >= alongZ ? 1 : 2;
-        }
-
-        // Sorts rows partly: the keys before the middle are not greater than the middle's key, the keys after it not smaller (Hoare, "Find",
-        // 1961).
-        private function select(keys:Vector.<Number>, first:int, last:int, middle:int):void
-        {
-            while (first < last)
-            {
-                // the median of three
-                var one:Number = keys[first];
-                var other:Number = keys[last];
-                var pivot:Number = Math.max(Math.min(one, other), Math.min(Math.max(one, other), keys[(first + last) >> 1]));
-                var low:int = first;
-                var high:int = last;
-                while (low <= high)
-                {
-                    while (keys[low] < pivot)
-                    {
-                        low++;
-                    }
-                    while (keys[high] > pivot)
-                    {
-                        high--;
-                    }
-                    if (low <= high)
-                    {
-                        swap(low, high);
-                        low++;
-                        high--;
-                    }
-                }
-                if (middle <= high)
-                {
-                    last = high;
-                }
-                else if (middle >= low)
-                {
-                    first = low;
-                }
-                else
-                {
-                    return;
-                }
-            }
-        }
-
-        private function swap(a:int, b:int):void
-        {
-            var row:int = rows[a];
-            rows[a] = rows[b];
-            rows[b] = row;
-            var x:Vector.<Number> = middles.x;
-            var y:Vector.<Number> = middles.y;
-            var z:Vector.<Number> = middles.z;
-            var key:Number = x[a];
-            x[a] = x[b];
-            x[b] = key;
-            key = y[a];
-            y[a] = y[b];
-            y[b] = key;
-            key = z[a];
-            z[a] = z[b];
-            z[b] = key;
-        }
-
         private function boundAll():void
         {
             for (var slot:int = 0; slot < count; slot++)
@@ -362,28 +263,41 @@ package starlogo.queries.trees
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
                 var box:int = PER_BOX * node;
-                var leaf:int = node - firstLeaf;
-                if (leaf >= 0 && _sizes == null)
+                if (node < firstLeaf)
                 {
-                    boundMiddles(box, starts[leaf], starts[leaf + 1]);
-                    continue;
-                }
-                for (var side:int = 0; side < 3; side++)
-                {
-                    nodeBoxes[box + side] = Infinity;
-                    nodeBoxes[box + 3 + side] = -Infinity;
-                }
-                if (leaf < 0)
-                {
+                    empty(box);
                     widen(box, nodeBoxes, 2 * box);
                     widen(box, nodeBoxes, 2 * box + PER_BOX);
-                    continue;
                 }
-                for (slot = starts[leaf]; slot < starts[leaf + 1]; slot++)
+                else if (_sizes == null)
                 {
-                    boundRow(slot);
-                    widen(box, rowBoxes, PER_BOX * slot);
+                    boundMiddles(box, starts[node - firstLeaf], starts[node - firstLeaf + 1]);
                 }
+                else
+                {
+                    boundRows(box, starts[node - firstLeaf], starts[node - firstLeaf + 1]);
+                }
+            }
+        }
+
+        // Makes a node's box enclose the rows in some slots, and finds their boxes.
+        private function boundRows(box:int, first:int, end:int):void
+        {
+            empty(box);
+            for (var slot:int = first; slot < end; slot++)
+            {
+                boundRow(slot);
+                widen(box, rowBoxes, PER_BOX * slot);
+            }
+        }
+
+        // Makes a node's box contain nothing.
+        private function empty(box:int):void
+        {
+            for (var side:int = 0; side < 3; side++)
+            {
+                nodeBoxes[box + side] = Infinity;
+                nodeBoxes[box + 3 + side] = -Infinity;
             }
         }
 

@@ -27,10 +27,13 @@ package starlogo.queries.trees
         private var _box:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
         private var _around:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
 
-        // The nodes that wait for a visit, or 0 for the row of the ground, which every box meets; and where on the way the box meets them.
+        // The nodes that wait for a visit, and where on the way the box meets them.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
+
+        // Whether the row of the ground, which every box meets, has not been returned yet.
+        private var _isGroundLeft:Boolean = false;
 
         // Where on the way the box meets the box that was tested last.
         private var _entry:Number = 0;
@@ -63,11 +66,10 @@ package starlogo.queries.trees
             _around[4] = y + halfY + slack;
             _around[5] = z + halfZ + slack;
             _next = _end = 0;
-            _nodes[0] = 0;
-            _nodes[1] = 1;
+            _nodes[0] = RowTree.ROOT;
             _entries[0] = 0;
-            _entries[1] = 0;
-            _waiting = tree.count > 0 ? 2 : 1;
+            _waiting = tree.count > 0 ? 1 : 0;
+            _isGroundLeft = true;
         }
 
         /**
@@ -153,14 +155,15 @@ package starlogo.queries.trees
                     continue;
                 }
                 _waiting--;
-                if (_nodes[_waiting] == 0)
-                {
-                    return ListedAgents.GROUND_ROW;
-                }
                 if (!_moves || _entries[_waiting] <= limit)
                 {
                     visit(_nodes[_waiting], breeds);
                 }
+            }
+            if (_isGroundLeft)
+            {
+                _isGroundLeft = false;
+                return ListedAgents.GROUND_ROW;
             }
             return -1;
         }

@@ -7,7 +7,7 @@ package starlogo.search.pairs
     import starlogo.engine;
     import starlogo.ground.GroundBox;
     import starlogo.ground.GroundEarlyOut;
-    import starlogo.ground.GroundQuery;
+    import starlogo.ground.GroundModelQuery;
     import starlogo.ground.GroundRayQuery;
     import starlogo.ground.HeightGrid;
     import starlogo.intersection.ray.Ray;
@@ -38,7 +38,7 @@ package starlogo.search.pairs
         // Decides quickly about bodies that are clearly above or in the ground, by their extents; and about the others.
         private var _extents:GroundBox = new GroundBox();
         private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
-        private var _query:GroundQuery = new GroundQuery();
+        private var _query:GroundModelQuery = new GroundModelQuery();
         private var _rays:GroundRayQuery = new GroundRayQuery();
 
         /** @param limits how far trees are tested */
@@ -83,7 +83,7 @@ package starlogo.search.pairs
         /** Whether a piece of a body is deeper in the ground than this, in patches. */
         public function isDeeper(a:Body, b:Body, depth:Number):Boolean
         {
-            return queryOf(a, b).depths.isDeeper(depth);
+            return queryOf(a, b).penetration.isDeeper(depth);
         }
 
         /** @inheritDoc */
@@ -113,7 +113,7 @@ package starlogo.search.pairs
         /** Finds the contact of the structure around a body and the ground, where it is. Its normal points to the body. */
         internal function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
-            queryOf(a, b).depths.findOuterContact(out);
+            queryOf(a, b).penetration.findOuterContact(out);
         }
 
         /**
@@ -126,7 +126,7 @@ package starlogo.search.pairs
          */
         internal function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            var count:int = queryOf(a, b).depths.findExits(contact, maxDistance, exits);
+            var count:int = queryOf(a, b).penetration.findExits(contact, maxDistance, exits);
             if (a.form == ModelShape.TREE)
             {
                 for (var i:int = 0; i < count; i++)
@@ -164,7 +164,7 @@ package starlogo.search.pairs
         }
 
         // The query of the ground, set to a body.
-        private function queryOf(a:Body, b:Body):GroundQuery
+        private function queryOf(a:Body, b:Body):GroundModelQuery
         {
             var shape:ModelShape = a.shape;
             var depth:int = shape.hierarchy == null ? 1 : _limits.depthOf(a);

@@ -65,7 +65,8 @@ package starlogo.search.pairs
         }
 
         /**
-         * Finds the time and the contact of the first touch of two bodies. They must not touch at the beginning of the motion.
+         * Finds the time and the contact of the first touch of two bodies that do not touch at the beginning of the motion. If they do, it is either
+         * the beginning, or the first moment at which their surfaces touch.
          *
          * @param motion as in findFirst. But a touch that rounding errors hide at its end may be missing
          * @param out receives the contact, as in findContactOfParts; null if only the time is needed

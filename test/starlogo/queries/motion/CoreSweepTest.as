@@ -25,7 +25,7 @@ package starlogo.queries.motion
             var random:SeededRandom = new SeededRandom(741);
             var wrong:Complaints = new Complaints();
             var seen:SeenAgents = new SeenAgents(EachCollider.make("combinations, exact", landOf(SolidModels.all())));
-            var planner:MotionPlanner = new MotionPlanner(seen);
+            var search:ObstacleSearch = new ObstacleSearch(seen);
             var body:MovingBody = new MovingBody(seen);
             var sweep:CoreSweep = new CoreSweep(seen);
             var from:Vector3D = new Vector3D();
@@ -49,7 +49,7 @@ package starlogo.queries.motion
                 body.readAgent(agents[0]);
                 from.setTo(agents[0].x, agents[0].y, agents[0].z);
                 motion.setTo(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
-                planner.planMotion(body, motion, agents[0], null);
+                search.findAlong(body, motion, agents[0], null);
                 body.beginMotion(body.rows, from, motion);
                 var found:Impact = new Impact();
                 sweep.findFirst(body, from, motion, found);

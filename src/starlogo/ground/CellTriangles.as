@@ -7,13 +7,13 @@ package starlogo.ground
      * The triangles of a cell of the ground: two on top, and two on each side where a wall stands. A wall stands where a column is higher than its
      * neighbour, at the terrain's borders and around holes. A hole has no triangles.
      */
-    internal final class GroundCell
+    internal final class CellTriangles
     {
         // Where the neighbour on each side of a cell is, counter-clockwise from the side with the least y on.
         private static const TO_COLUMN:Vector.<int> = new <int>[0, 1, 0, -1];
         private static const TO_ROW:Vector.<int> = new <int>[-1, 0, 1, 0];
 
-        private var _path:GroundPath;
+        private var _path:BoxPath;
 
         // The cell, and the heights of its corners, counter-clockwise.
         private var _column:int = 0;
@@ -26,11 +26,11 @@ package starlogo.ground
 
         // How the box passes over the cell. Tall walls are cut where it passes until the latest time at the beginning of the search, so no corner
         // depends on what the latest time has become.
-        private var _passage:GroundPassage;
-        private var _wholePassage:GroundPassage = new GroundPassage();
+        private var _passage:SquarePassage;
+        private var _wholePassage:SquarePassage = new SquarePassage();
 
         /** @param path of the boxes over the ground */
-        public function GroundCell(path:GroundPath)
+        public function CellTriangles(path:BoxPath)
         {
             _path = path;
         }
@@ -47,7 +47,7 @@ package starlogo.ground
          * @param isAtBorder whether it is at a border of the grid
          * @param passage of the box over the cell; kept
          */
-        public function enter(column:int, row:int, isAtBorder:Boolean, passage:GroundPassage):void
+        public function enter(column:int, row:int, isAtBorder:Boolean, passage:SquarePassage):void
         {
             var grid:HeightGrid = _path.grid;
             var at:int = row * grid.columns + column;
@@ -68,7 +68,7 @@ package starlogo.ground
                 _end = 2;
                 if (hasWalls)
                 {
-                    _path.passOver(0, column, row, false, _wholePassage);
+                    _path.findPassage(0, column, row, false, _wholePassage);
                     _end = 10;
                 }
             }
@@ -93,7 +93,7 @@ package starlogo.ground
         {
             while (_next < _end)
             {
-                if (write(_next++, out))
+                if (writeTriangle(_next++, out))
                 {
                     return true;
                 }
@@ -103,14 +103,14 @@ package starlogo.ground
 
         // Writes the triangle with a number: two on top, then two on each side. Returns false if the cell has no such triangle, or if the
         // box is above or below it.
-        private function write(face:int, out:GroundTriangle):Boolean
+        private function writeTriangle(face:int, out:GroundTriangle):Boolean
         {
             var corners:Vector.<Number> = out.corners;
             if (face < 2)
             {
-                put(0, corners, 0);
-                put(face + 1, corners, 3);
-                put(face + 2, corners, 6);
+                writeCorner(0, corners, 0);
+                writeCorner(face + 1, corners, 3);
+                writeCorner(face + 2, corners, 6);
             }
             else if (!writeWall((face - 2) >> 1, (face & 1) == 1, corners))
             {
@@ -153,9 +153,9 @@ package starlogo.ground
             {
                 top = endTop = _wholePassage.high + width;
             }
-            put(side, corners, 0);
-            put(end, corners, 3);
-            put(isUpper ? side : end, corners, 6);
+            writeCorner(side, corners, 0);
+            writeCorner(end, corners, 3);
+            writeCorner(isUpper ? side : end, corners, 6);
             corners[2] = low;
             corners[5] = isUpper ? endTop : low;
             corners[8] = isUpper ? top : endTop;
@@ -163,7 +163,7 @@ package starlogo.ground
         }
 
         // Writes a corner of the cell's top.
-        private function put(corner:int, out:Vector.<Number>, to:int):void
+        private function writeCorner(corner:int, out:Vector.<Number>, to:int):void
         {
             var first:Vector3D = _path.corner;
             var width:Number = _path.grid.cellWidth;

@@ -10,11 +10,11 @@ package starlogo.ground
     use namespace engine;
 
     /**
-     * Finds how deep a standing model is in the ground, and the planes behind which it is. GroundQuery sets the model.
+     * Finds how deep a standing model is in the ground, and the planes behind which it is. GroundModelQuery sets the model.
      *
      * @private
      */
-    public final class GroundDepthQuery
+    public final class GroundPenetrationQuery
     {
         // Two exits have nearly the same direction if the cosine of their angle is larger.
         private static const SAME_EXIT:Number = 0.98;
@@ -29,7 +29,7 @@ package starlogo.ground
         // A contact is taken at once if the least length of an exit is at least this fraction of its depth.
         private static const LEAST_SHARE_PROVEN:Number = 0.8;
 
-        private var _pieces:GroundPieces;
+        private var _pairs:PieceTrianglePairs;
 
         // The contact with the last triangle that was tried.
         private var _tried:ContactPoint = new ContactPoint();
@@ -37,10 +37,10 @@ package starlogo.ground
         // Bounds of the heights around a place.
         private var _around:HeightRange = new HeightRange();
 
-        /** @param pieces of the model, where it stands */
-        public function GroundDepthQuery(pieces:GroundPieces)
+        /** @param pairs of the model, where it stands */
+        public function GroundPenetrationQuery(pairs:PieceTrianglePairs)
         {
-            _pieces = pieces;
+            _pairs = pairs;
         }
 
         /**
@@ -65,33 +65,33 @@ package starlogo.ground
                 return;
             }
             ground.provenDepth = ground.isSure || isDepthProven(out) ? out.depth : 0;
-            _pieces.moveToWorld(out);
+            _pairs.moveToWorld(out);
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
         public function findOuterContact(out:ContactPoint):void
         {
-            var origin:Placement = _pieces.origin;
-            var box:GroundBox = _pieces.wholeBox();
+            var origin:Placement = _pairs.search.origin;
+            var box:GroundBox = _pairs.wholeBox();
             var low:Number = box.z - box.halfZ;
-            _pieces.grid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
+            _pairs.search.grid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
             out.setNormal(0, 0, 1);
             out.depth = Math.max(0, _around.greatest - origin.z - low);
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
             out.resetGround();
-            _pieces.moveToWorld(out);
+            _pairs.moveToWorld(out);
         }
 
         /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
         public function isDeeper(depth:Number):Boolean
         {
-            _pieces.begin(RelativeMotion.NONE, 0);
-            while (_pieces.nextPiece())
+            _pairs.begin(RelativeMotion.NONE, 0);
+            while (_pairs.nextPiece())
             {
                 var isApart:Boolean = true;
-                while (_pieces.nextTriangle())
+                while (_pairs.nextTriangle())
                 {
                     if (findOverlap())
                     {
@@ -103,7 +103,7 @@ package starlogo.ground
                     }
                 }
                 // the point of a flat piece of a tree may be on the surface
-                if ((isApart || !_pieces.hasTree) && _pieces.isUnder(depth))
+                if ((isApart || !_pairs.hasTree) && _pairs.isUnder(depth))
                 {
                     return true;
                 }
@@ -124,18 +124,18 @@ package starlogo.ground
         {
             var ground:GroundDepth = contact.ground;
             var count:int = 0;
-            _pieces.beginWhole(maxDistance);
-            while (_pieces.next())
+            _pairs.beginWhole(maxDistance);
+            while (_pairs.next())
             {
-                _pieces.kernel.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_pieces.triangle.margin && (!ground.hasTriangle || isBehind(ground)))
+                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
+                if (_tried.depth >= -_pairs.triangle.margin && (!ground.hasTriangle || isBehind(ground)))
                 {
                     count = addExit(exits, count);
                 }
             }
             for (var i:int = 0; i < count; i++)
             {
-                _pieces.moveToWorld(exits[i]);
+                _pairs.moveToWorld(exits[i]);
             }
             return count;
         }
@@ -145,14 +145,14 @@ package starlogo.ground
         private function findDeepestBehind(out:ContactPoint):void
         {
             var deepest:Number = 0;
-            _pieces.begin(RelativeMotion.NONE, 0);
-            while (_pieces.next())
+            _pairs.begin(RelativeMotion.NONE, 0);
+            while (_pairs.next())
             {
-                _pieces.kernel.findBehind(RelativeMotion.NONE, _tried);
-                if (_pieces.kernel.isOverTriangle(_tried) && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
+                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
+                if (_pairs.kernel.isOverTriangle(_tried) && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
                 {
                     deepest = _tried.depth;
-                    _pieces.limitDepth(deepest);
+                    _pairs.search.above = deepest;
                     keep(out);
                 }
             }
@@ -162,15 +162,15 @@ package starlogo.ground
         private function findDeepestOverlap(out:ContactPoint):void
         {
             var deepest:Number = 0;
-            _pieces.begin(RelativeMotion.NONE, 0);
-            while (_pieces.next())
+            _pairs.begin(RelativeMotion.NONE, 0);
+            while (_pairs.next())
             {
                 // no overlap is deeper than the piece is behind the plane
-                _pieces.kernel.findBehind(RelativeMotion.NONE, _tried);
+                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
                 if (!isNoDeeper(deepest) && findOverlap() && isDeepest(deepest, out))
                 {
                     deepest = _tried.depth;
-                    _pieces.kernel.leadOutside(RelativeMotion.NONE, _tried);
+                    _pairs.kernel.leadOutside(RelativeMotion.NONE, _tried);
                     keep(out);
                 }
             }
@@ -179,7 +179,7 @@ package starlogo.ground
         // Whether the last contact is not deeper than the deepest one so far by more than rounding. NaN might be deeper.
         private function isNoDeeper(deepest:Number):Boolean
         {
-            return deepest > 0 && _tried.depth < deepest + _pieces.triangle.margin;
+            return deepest > 0 && _tried.depth < deepest + _pairs.triangle.margin;
         }
 
         // Whether the last contact is the deepest one so far, or the first one.
@@ -191,21 +191,21 @@ package starlogo.ground
         // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
         private function findOverlap():Boolean
         {
-            if (!_pieces.kernel.areTouching())
+            if (!_pairs.kernel.areTouching())
             {
                 return false;
             }
-            _pieces.kernel.findContact(RelativeMotion.NONE, _tried);
+            _pairs.kernel.findContact(RelativeMotion.NONE, _tried);
             return true;
         }
 
         // Writes the last contact, with its triangle.
         private function keep(out:ContactPoint):void
         {
-            var origin:Placement = _pieces.origin;
+            var origin:Placement = _pairs.search.origin;
             var ground:GroundDepth = out.ground;
             out.copyFrom(_tried);
-            ground.setTriangle(_pieces.triangle.corners, origin.x, origin.y, origin.z);
+            ground.setTriangle(_pairs.triangle.corners, origin.x, origin.y, origin.z);
         }
 
         // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
@@ -216,26 +216,26 @@ package starlogo.ground
             {
                 return false;
             }
-            var origin:Placement = _pieces.origin;
+            var origin:Placement = _pairs.search.origin;
             var x:Number = origin.x + contact.x - depth / 2 * contact.normalX;
             var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || _pieces.grid.leastExit(x, y, z, depth) >= LEAST_SHARE_PROVEN * depth;
+            return depth == 0 || _pairs.search.grid.leastExit(x, y, z, depth) >= LEAST_SHARE_PROVEN * depth;
         }
 
         // Whether the triangle of a contact is not in front of the plane of the exit that was tried.
         private function isBehind(ground:GroundDepth):Boolean
         {
-            var origin:Placement = _pieces.origin;
+            var origin:Placement = _pairs.search.origin;
             var x:Number = origin.x - ground.x;
             var y:Number = origin.y - ground.y;
             var z:Number = origin.z - ground.z;
-            var slack:Number = IN_FRONT * _pieces.triangle.margin + x * _tried.normalX + y * _tried.normalY + z * _tried.normalZ;
+            var slack:Number = IN_FRONT * _pairs.triangle.margin + x * _tried.normalX + y * _tried.normalY + z * _tried.normalZ;
             if (x != 0 || y != 0 || z != 0)
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
             }
-            return _pieces.kernel.isBehindPlane(ground.corners, slack);
+            return _pairs.kernel.isBehindPlane(ground.corners, slack);
         }
 
         // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

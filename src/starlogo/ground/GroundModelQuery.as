@@ -14,7 +14,7 @@ package starlogo.ground
 
     /**
      * Tests a placed model against the ground: whether the two overlap, when and how they first touch, and how far they are apart. The model is
-     * a structure or a tree. The normals of contacts point out of the ground. <code>depths</code> says how deep the model is.
+     * a structure or a tree. The normals of contacts point out of the ground. <code>penetration</code> says how deep the model is.
      *
      * <p>A connected piece that does not touch the ground's surface is wholly under the ground or wholly outside of it, so one point decides.
      * So each convex piece is tested against the triangles of the surface near it, and a point of it against the height of the ground.</p>
@@ -24,12 +24,12 @@ package starlogo.ground
      *
      * @private
      */
-    public final class GroundQuery extends ImpactQuery
+    public final class GroundModelQuery extends ImpactQuery
     {
-        private var _pieces:GroundPieces = new GroundPieces();
+        private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
 
         /** Finds how deep the model is in the ground. */
-        public var depths:GroundDepthQuery = new GroundDepthQuery(_pieces);
+        public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
 
         // The motion of the search for the first touch.
         private var _sweep:RelativeMotion = new RelativeMotion();
@@ -49,23 +49,23 @@ package starlogo.ground
          */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            _pieces.setTo(grid, tree, structure, placement, depth, exact);
+            _pairs.setTo(grid, tree, structure, placement, depth, exact);
         }
 
         /** @inheritDoc */
         override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
-            _pieces.moveModelTo(motion, time);
-            _pieces.begin(RelativeMotion.NONE, 0);
-            while (_pieces.nextPiece())
+            _pairs.moveModelTo(motion, time);
+            _pairs.begin(RelativeMotion.NONE, 0);
+            while (_pairs.nextPiece())
             {
-                if (_pieces.isUnder(0))
+                if (_pairs.isUnder(0))
                 {
                     return true;
                 }
-                while (_pieces.nextTriangle())
+                while (_pairs.nextTriangle())
                 {
-                    if (!_pieces.kernel.stayApart(RelativeMotion.NONE) && _pieces.kernel.areTouching())
+                    if (!_pairs.kernel.stayApart(RelativeMotion.NONE) && _pairs.kernel.areTouching())
                     {
                         return true;
                     }
@@ -81,23 +81,23 @@ package starlogo.ground
             _sweep.copyVector(motion);
             _sweep.earliest = motion.earliest;
             _sweep.latest = motion.latest;
-            _pieces.moveModelTo(motion, 0);
-            _pieces.begin(motion, 0);
-            while (first > 0 && _pieces.next())
+            _pairs.moveModelTo(motion, 0);
+            _pairs.begin(motion, 0);
+            while (first > 0 && _pairs.next())
             {
                 _sweep.time = RelativeMotion.NEVER;
-                if (!_pieces.kernel.stayApart(_sweep))
+                if (!_pairs.kernel.stayApart(_sweep))
                 {
-                    _pieces.kernel.findTime(_sweep);
+                    _pairs.kernel.findTime(_sweep);
                 }
                 if (_sweep.time < first)
                 {
                     first = _sweep.latest = _sweep.time;
-                    _pieces.limitTime(first);
+                    _pairs.search.latest = first;
                     if (out != null)
                     {
-                        _pieces.kernel.findContact(_sweep, out);
-                        _pieces.kernel.leadOutside(_sweep, out);
+                        _pairs.kernel.findContact(_sweep, out);
+                        _pairs.kernel.leadOutside(_sweep, out);
                     }
                 }
             }
@@ -105,7 +105,7 @@ package starlogo.ground
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 out.resetGround();
-                _pieces.moveToWorld(out);
+                _pairs.moveToWorld(out);
             }
         }
 
@@ -128,8 +128,8 @@ package starlogo.ground
                     return;
                 }
             }
-            _pieces.moveModelTo(motion, time);
-            depths.findContact(out);
+            _pairs.moveModelTo(motion, time);
+            penetration.findContact(out);
         }
 
         /**
@@ -140,19 +140,19 @@ package starlogo.ground
          */
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            var origin:Placement = _pieces.origin;
+            var origin:Placement = _pairs.search.origin;
             findNearest(out);
-            if (!_pieces.hasTree)
+            if (!_pairs.hasTree)
             {
-                _pieces.beginAtPoint(_nearest);
+                _pairs.beginAtPoint(_nearest);
                 keepCloser(out);
             }
-            _pieces.begin(RelativeMotion.NONE, out.distance);
+            _pairs.begin(RelativeMotion.NONE, out.distance);
             keepCloser(out);
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = _pieces.grid.heightAt(out.aX + origin.x, out.aY + origin.y) - origin.z >= out.aZ;
+                var isUnder:Boolean = _pairs.search.grid.heightAt(out.aX + origin.x, out.aY + origin.y) - origin.z >= out.aZ;
                 out.aX = out.bX = isUnder ? out.aX : out.bX;
                 out.aY = out.bY = isUnder ? out.aY : out.bY;
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
@@ -165,25 +165,25 @@ package starlogo.ground
         // from there, so the distance begins with that.
         private function findNearest(out:ClosestPoints):void
         {
-            var origin:Placement = _pieces.origin;
-            var box:GroundBox = _pieces.wholeBox();
+            var origin:Placement = _pairs.search.origin;
+            var box:GroundBox = _pairs.wholeBox();
             _nearest.x = box.x + origin.x;
             _nearest.y = box.y + origin.y;
-            _pieces.grid.findNearest(_nearest);
+            _pairs.search.grid.findNearest(_nearest);
             var x:Number = Math.abs(_nearest.x - origin.x - box.x) + box.halfX;
             var y:Number = Math.abs(_nearest.y - origin.y - box.y) + box.halfY;
             var z:Number = Math.abs(_nearest.height - origin.z - box.z) + box.halfZ;
-            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * _pieces.grid.cellWidth;
+            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * _pairs.search.grid.cellWidth;
         }
 
         // Finds the closest points of all pairs.
         private function keepCloser(out:ClosestPoints):void
         {
-            while (_pieces.next())
+            while (_pairs.next())
             {
-                if (_pieces.kernel.findCloser(out))
+                if (_pairs.kernel.findCloser(out))
                 {
-                    _pieces.limitDistance(out.distance);
+                    _pairs.search.maxDistance = out.distance;
                 }
             }
         }

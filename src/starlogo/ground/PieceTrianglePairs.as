@@ -24,7 +24,7 @@ package starlogo.ground
      * <p>One of the methods that begin comes first. Then <code>next()</code> goes through the pairs. If the pieces count too,
      * <code>nextPiece()</code> goes through them, and <code>nextTriangle()</code> through the triangles near the current one.</p>
      */
-    internal final class GroundPieces
+    internal final class PieceTrianglePairs
     {
         // In the list of nodes: the structure around the whole model.
         private static const WHOLE:int = -1;
@@ -32,8 +32,12 @@ package starlogo.ground
         /** Decides about the current piece and the current triangle. Both are relative to the origin. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
-        // The search for triangles near the current piece. Its box is around the piece or, for a triangle, around its node.
-        private var _search:GroundSearch = new GroundSearch();
+        /**
+         * The search for triangles near the current piece. Its box is around the piece or, for a triangle of a tree, around its node. Its limits may be
+         * narrowed; all else is read only. Its origin is the place that the model was set to.
+         */
+        public var search:GroundSearch = new GroundSearch();
+
         private var _triangles:GroundTriangles = new GroundTriangles();
 
         private var _tree:ModelTree;
@@ -61,13 +65,13 @@ package starlogo.ground
         private var _node:Box = BoxTree.newBox();
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        /** Sets the model and the ground, as <code>GroundQuery.setTo()</code> takes them. */
+        /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            _search.grid = grid;
-            origin.x = placement.x;
-            origin.y = placement.y;
-            origin.z = placement.z;
+            search.grid = grid;
+            search.origin.x = placement.x;
+            search.origin.y = placement.y;
+            search.origin.z = placement.z;
             _tree = tree;
             _structure = structure;
             _isExact = hasTree && exact && tree.hasTriangles;
@@ -87,18 +91,6 @@ package starlogo.ground
         public function get hasTree():Boolean
         {
             return _tree != null;
-        }
-
-        /** The place that the model was set to, in the world: the origin of the pairs. Read only. */
-        public function get origin():Placement
-        {
-            return _search.origin;
-        }
-
-        /** The ground. */
-        public function get grid():HeightGrid
-        {
-            return _search.grid;
         }
 
         /** The current triangle of the ground. Read only. */
@@ -135,7 +127,8 @@ package starlogo.ground
         /** Begins with the structure around the whole model, and with the triangles at a point of the ground alone. */
         public function beginAtPoint(at:GroundPoint):void
         {
-            var box:GroundBox = _search.box;
+            var box:GroundBox = search.box;
+            var origin:Placement = search.origin;
             beginWhole(0);
             nextPiece();
             // the piece stays, and its search begins again, at the point
@@ -143,8 +136,8 @@ package starlogo.ground
             box.y = at.y - origin.y;
             box.z = at.height - origin.z;
             box.halfX = box.halfY = box.halfZ = 0;
-            _search.shape = null;
-            _triangles.begin(_search);
+            search.shape = null;
+            _triangles.begin(search);
         }
 
         // Begins with a node as all that is to be visited.
@@ -153,10 +146,10 @@ package starlogo.ground
             _triangles.stop();
             _first = _end = _nodeCount = 0;
             addNode(node);
-            _search.motion = motion;
-            _search.latest = motion.latest;
-            _search.maxDistance = maxDistance;
-            _search.above = -Infinity;
+            search.motion = motion;
+            search.latest = motion.latest;
+            search.maxDistance = maxDistance;
+            search.above = -Infinity;
         }
 
         private function addNode(node:int):void
@@ -211,31 +204,13 @@ package starlogo.ground
             return true;
         }
 
-        /** Narrows the search: only a touch before this time counts from now on. */
-        public function limitTime(latest:Number):void
-        {
-            _search.latest = latest;
-        }
-
-        /** Narrows the search: only triangles count that are at most this far away. */
-        public function limitDistance(most:Number):void
-        {
-            _search.maxDistance = most;
-        }
-
-        /** Narrows the search: only triangles count that are clearly higher than this above the bottom of the piece. */
-        public function limitDepth(above:Number):void
-        {
-            _search.above = above;
-        }
-
         /** Whether a point of the piece is at least this deep under the ground. */
         public function isUnder(depth:Number):Boolean
         {
-            var at:Placement = origin;
+            var at:Placement = search.origin;
             _ground.x = _point.x + at.x;
             _ground.y = _point.y + at.y;
-            grid.findHeight(_ground);
+            search.grid.findHeight(_ground);
             return _ground.height - depth >= _point.z + at.z;
         }
 
@@ -243,15 +218,15 @@ package starlogo.ground
         public function wholeBox():GroundBox
         {
             fitBoxTo(_structure);
-            return _search.box;
+            return search.box;
         }
 
         /** Moves a contact of the piece and the triangle into the world. */
         public function moveToWorld(contact:ContactPoint):void
         {
-            contact.x += origin.x;
-            contact.y += origin.y;
-            contact.z += origin.z;
+            contact.x += search.origin.x;
+            contact.y += search.origin.y;
+            contact.z += search.origin.z;
         }
 
         // Visits a node: it becomes the piece, or its triangles or its children are visited next. Returns whether it is the piece.
@@ -270,7 +245,7 @@ package starlogo.ground
                 takeStructure(_node);
                 return true;
             }
-            _search.shape = null;
+            search.shape = null;
             fitBoxTo(_node);
             if (!isDivided)
             {
@@ -278,14 +253,14 @@ package starlogo.ground
                 _end = tree.end[node];
                 return false;
             }
-            _triangles.begin(_search);
+            _triangles.begin(search);
             if (_triangles.next())
             {
                 addNode(tree.left[node] + 1);
                 addNode(tree.left[node]);
                 return false;
             }
-            _point.setTo(_search.box.x, _search.box.y, _search.box.z);
+            _point.setTo(search.box.x, search.box.y, search.box.z);
             return true;
         }
 
@@ -294,7 +269,7 @@ package starlogo.ground
         {
             kernel.setStructure(structure, _relative);
             fitBoxTo(structure);
-            _search.shape = kernel.shape;
+            search.shape = kernel.shape;
             takeShape();
         }
 
@@ -305,13 +280,13 @@ package starlogo.ground
             _point.x = kernel.shape.x;
             _point.y = kernel.shape.y;
             _point.z = kernel.shape.z;
-            _triangles.begin(_search);
+            _triangles.begin(search);
         }
 
         // Puts the search's box around a structure of the model.
         private function fitBoxTo(structure:BoundingStructure):void
         {
-            var box:GroundBox = _search.box;
+            var box:GroundBox = search.box;
             structure.rotatedBoxInto(_relative, _extents);
             box.x = _extents[0] + _relative.x;
             box.y = _extents[1] + _relative.y;

@@ -28,7 +28,7 @@ package starlogo.queries.rays
      *
      * @private
      */
-    public final class RowRays
+    public final class RowRayQuery
     {
         private var _seen:SeenAgents;
         private var _inModel:Ray = new Ray();
@@ -41,7 +41,7 @@ package starlogo.queries.rays
         private var _reversed:Ray = new Ray();
 
         /** @param seen has the rows */
-        public function RowRays(seen:SeenAgents)
+        public function RowRayQuery(seen:SeenAgents)
         {
             _seen = seen;
         }

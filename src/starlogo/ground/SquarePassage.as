@@ -1,7 +1,7 @@
 package starlogo.ground
 {
     /** A part of the motion of a GroundSearch's box, as a record: when the box is over a square of the ground, and between which heights. */
-    internal final class GroundPassage
+    internal final class SquarePassage
     {
         /** When the part begins and ends, as multiples of the motion. There is no such part if it ends before it begins. */
         public var from:Number = 0;

@@ -14,24 +14,24 @@ package starlogo.queries.motion
     use namespace engine;
 
     /** What a motion says about itself, and nothing of an earlier one. */
-    public class MoverTest
+    public class SliderTest
     {
         [Test]
         public function aSlideWithoutAMotionHasMetNoFloorAndNoWall():void
         {
             var seen:SeenAgents = new SeenAgents(new TightestFitCollider(landOf(BuiltInModel.cube())));
-            var planner:MotionPlanner = new MotionPlanner(seen);
-            var mover:Mover = new Mover(seen);
+            var search:ObstacleSearch = new ObstacleSearch(seen);
+            var slider:Slider = new Slider(seen);
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var body:MovingBody = new MovingBody(seen);
             var from:Vector3D = new Vector3D(0, 0, 1.5);
             var result:SlideResult = new SlideResult();
             body.readAgent(agent);
-            planner.planWithin(body, 1, 0, 0, agent, null);
-            mover.slide(body, body.rows, from, new Vector3D(0, 0, -1), SlideLimits.NONE, result);
+            search.findWithin(body, 1, 0, 0, agent, null);
+            slider.slide(body, body.rows, from, new Vector3D(0, 0, -1), SlideLimits.NONE, result);
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
-            mover.slide(body, body.rows, from, new Vector3D(), SlideLimits.NONE, result);
+            slider.slide(body, body.rows, from, new Vector3D(), SlideLimits.NONE, result);
             assertEquals(-1, result.floorRow);
             assertEquals(false, result.metWall);
         }

@@ -12,7 +12,7 @@ package starlogo.ground
      * column and a row. The squares of level 0 are the cells. A box also passes over a square if it comes as near as the search's
      * <code>maxDistance</code>.
      */
-    internal final class GroundPath
+    internal final class BoxPath
     {
         // How much farther than rounding errors a structure is from squares that are left out.
         private static const FARTHER:Number = 4;
@@ -69,7 +69,7 @@ package starlogo.ground
          *
          * @param isX whether these are columns, along x; otherwise they are rows
          */
-        public function firstUnder(passage:GroundPassage, level:int, isX:Boolean, first:int, last:int):int
+        public function firstPassed(passage:SquarePassage, level:int, isX:Boolean, first:int, last:int):int
         {
             var speed:Number = isX ? search.motion.x : search.motion.y;
             var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
@@ -78,8 +78,8 @@ package starlogo.ground
             return Math.max(first, Math.min(last + 1, Math.floor(least / widthAt(level))));
         }
 
-        /** The last one, or the number before the first one. See <code>firstUnder()</code>. */
-        public function lastUnder(passage:GroundPassage, level:int, isX:Boolean, first:int, last:int):int
+        /** The last one, or the number before the first one. See <code>firstPassed()</code>. */
+        public function lastPassed(passage:SquarePassage, level:int, isX:Boolean, first:int, last:int):int
         {
             var speed:Number = isX ? search.motion.x : search.motion.y;
             var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
@@ -94,7 +94,7 @@ package starlogo.ground
          * @param isNarrowed whether the part ends with the search's latest time as it is now; otherwise, as it was at the beginning
          * @param out receives the part and the heights
          */
-        public function passOver(level:int, column:int, row:int, isNarrowed:Boolean, out:GroundPassage):void
+        public function findPassage(level:int, column:int, row:int, isNarrowed:Boolean, out:SquarePassage):void
         {
             var box:GroundBox = search.box;
             var width:Number = widthAt(level);
@@ -137,7 +137,7 @@ package starlogo.ground
         }
 
         /** Narrows a passage over a square to the part in which the box is between the heights of the square. */
-        public function narrowPassage(heights:HeightRange, passage:GroundPassage):void
+        public function narrowPassage(heights:HeightRange, passage:SquarePassage):void
         {
             var box:GroundBox = search.box;
             var speed:Number = search.motion.z;

@@ -12,31 +12,31 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * Prepares and ends the motions of questions: finds the rows near the way of a body, and puts an agent to its new place.
+     * Finds the rows that may be in the way of a body that moves. <code>MovingBody.rows</code> receives them.
      *
      * @private
      */
-    public final class MotionPlanner
+    public final class ObstacleSearch
     {
         private var _seen:SeenAgents;
         private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
 
         /** @param seen the agents that the questions are about */
-        public function MotionPlanner(seen:SeenAgents)
+        public function ObstacleSearch(seen:SeenAgents)
         {
             _seen = seen;
             _found = new Collector(seen);
         }
 
-        /** Whether a filter's <code>accepts</code> is being called. Then this must not plan another motion. */
+        /** Whether a filter's <code>accepts</code> is being called. Then this must not begin another search. */
         public function get isAsking():Boolean
         {
             return _found.isAsking;
         }
 
         /** Finds the rows near a straight motion of a body. The asker is the agent that moves, or null. */
-        public function planMotion(body:MovingBody, motion:Vector3D, asker:Agent, filter:AgentFilter):void
+        public function findAlong(body:MovingBody, motion:Vector3D, asker:Agent, filter:AgentFilter):void
         {
             if (begin(body))
             {
@@ -53,7 +53,7 @@ package starlogo.queries.motion
          * @param down how much farther it may go downwards
          * @param asker the agent that moves
          */
-        public function planWithin(body:MovingBody, range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
+        public function findWithin(body:MovingBody, range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
         {
             if (begin(body))
             {
@@ -66,26 +66,6 @@ package starlogo.queries.motion
         public function askFilter(row:int, asker:Agent, filter:AgentFilter):Boolean
         {
             return _found.askFilter(row, asker, filter);
-        }
-
-        /**
-         * Puts an agent to its new place, and turns it by some degrees.
-         *
-         * @throws ArgumentError if the filter's accepts has removed the agent's model. The agent has then not moved
-         */
-        public function moveAgent(agent:Agent, at:Vector3D, turn:Number = 0):void
-        {
-            // throws the error
-            _seen.bodyOf(agent);
-            agent.moveTo(at.x, at.y, at.z);
-            if (turn != 0)
-            {
-                agent.heading += turn;
-            }
-            if (_seen.rowOf(agent) >= 0)
-            {
-                _seen.refresh(agent);
-            }
         }
 
         // Begins without rows. Returns false if the model of the body is loading.

@@ -21,14 +21,14 @@ package starlogo.ground
      * The exits from the ground depend on the contact that they are asked for, and on nothing that was asked before. A sweep keeps to the times that
      * count. The point of an overlap is in both.
      */
-    public class GroundQueryTest
+    public class GroundModelQueryTest
     {
         private static const KINDS:Array = ["rough", "steps", "hills"];
 
         private var _random:SeededRandom = new SeededRandom(2139);
         private var _structures:RandomStructures = new RandomStructures(_random);
         private var _wrong:Complaints = new Complaints();
-        private var _query:GroundQuery = new GroundQuery();
+        private var _query:GroundModelQuery = new GroundModelQuery();
         private var _out:ContactPoint = new ContactPoint();
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
@@ -42,7 +42,7 @@ package starlogo.ground
         [Test]
         public function exitsAreThoseOfTheirOwnBodysContact():void
         {
-            var fresh:GroundQuery = new GroundQuery();
+            var fresh:GroundModelQuery = new GroundModelQuery();
             var away:ContactPoint = new ContactPoint();
             var filtered:int = 0;
             for (var i:int = 0; filtered < Effort.choose(100, 2000, 30); i++)
@@ -216,7 +216,7 @@ package starlogo.ground
             while (!_query.overlapsAt(RelativeMotion.NONE, 0));
         }
 
-        private function setTo(query:GroundQuery, x:Number, y:Number, z:Number):void
+        private function setTo(query:GroundModelQuery, x:Number, y:Number, z:Number):void
         {
             var placement:Placement = new Placement();
             placement.copyFrom(_placement);
@@ -226,15 +226,15 @@ package starlogo.ground
             query.setTo(_terrain.grid, null, _structure, placement, 1, false);
         }
 
-        private function exitsOf(query:GroundQuery):String
+        private function exitsOf(query:GroundModelQuery):String
         {
             return exitsFrom(query, _out);
         }
 
-        private function exitsFrom(query:GroundQuery, contact:ContactPoint):String
+        private function exitsFrom(query:GroundModelQuery, contact:ContactPoint):String
         {
             setTo(query, 0, 0, 0);
-            var count:int = query.depths.findExits(contact, _maxDistance, _exits);
+            var count:int = query.penetration.findExits(contact, _maxDistance, _exits);
             var texts:Array = [];
             for (var k:int = 0; k < count; k++)
             {

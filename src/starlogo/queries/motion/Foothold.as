@@ -1,0 +1,84 @@
+package starlogo.queries.motion
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayEntry;
+    import starlogo.queries.SeenAgents;
+    import starlogo.queries.rays.RowRayQuery;
+    import starlogo.search.Body;
+
+    /**
+     * Decides whether an agent that walks can stand on what is below it. A surface carries the agent if it is not too steep. At an edge, for example
+     * of a step, the face behind the edge is the surface.
+     *
+     * @private
+     */
+    public final class Foothold
+    {
+        // At an edge, the face this far behind the edge is tested. A part of the extent.
+        private static const BEHIND_EDGE:Number = 1e-4;
+
+        private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
+
+        private var _rowRays:RowRayQuery;
+
+        // The ray at an edge: where it begins, and what it meets.
+        private var _origin:Vector3D = new Vector3D();
+        private var _ray:Ray = new Ray();
+        private var _entry:RayEntry = new RayEntry();
+
+        /** @param seen has the rows */
+        public function Foothold(seen:SeenAgents)
+        {
+            _rowRays = new RowRayQuery(seen);
+        }
+
+        /**
+         * Lets an agent stand on a row, if the row carries it.
+         *
+         * @param walk receives the row and its surface, if the row carries the agent
+         * @param contact below the agent
+         * @param row the row of the contact
+         * @param place where the agent is then
+         * @return whether the row carries it
+         */
+        public function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
+        {
+            if (contact.normalZ >= walk.cosine)
+            {
+                walk.floorRow = row;
+                walk.floorNormal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+                return true;
+            }
+            if (isTooHigh(walk, contact, place) || !findFaceBehind(walk, contact, row))
+            {
+                return false;
+            }
+            walk.floorRow = row;
+            walk.floorNormal.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
+            return true;
+        }
+
+        // Whether an edge is more than a step above the lowest point of the agent, where the piece began or at its place.
+        private static function isTooHigh(walk:Walk, contact:ContactPoint, place:Vector3D):Boolean
+        {
+            var body:Body = walk.body.source;
+            var bottom:Number = body.z - body.halfZ - body.placement.z;
+            return contact.z > Math.min(walk.start.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
+        }
+
+        // Finds the face behind an edge. Returns whether there is one that is not too steep.
+        private function findFaceBehind(walk:Walk, contact:ContactPoint, row:int):Boolean
+        {
+            var across:Number = Math.sqrt(contact.normalX * contact.normalX + contact.normalY * contact.normalY);
+            var behind:Number = BEHIND_EDGE * walk.body.extent;
+            // the ray begins outside of all faces that are not too steep
+            var above:Number = 2 * behind / walk.cosine;
+            _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
+            _ray.aim(_origin, DOWN);
+            _ray.to = 2 * above;
+            return _rowRays.findHit(row, _ray, _entry) && _entry.distance != 0 && _entry.normalZ >= walk.cosine;
+        }
+    }
+}

@@ -53,7 +53,7 @@ package starlogo.search.penetration
                 findGrazing(motion, out);
             }
             _pair.putBack();
-            OverlapMiddle.setAlong(_pair.first, b, out);
+            OverlapMiddle.movePoint(_pair.first, b, out);
             OverlapMiddle.keepWithin(_pair.first, out);
             OverlapMiddle.keepWithin(b, out);
         }
@@ -64,7 +64,7 @@ package starlogo.search.penetration
         {
             out.depth = 0;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);
-            _tried.distance = -Math.max(_pair.nearby, _pair.rounding);
+            _tried.distance = -Math.max(_pair.probeDistance, _pair.rounding);
             if (!_pair.testAt(_tried))
             {
                 out.pointAgainst(motion);

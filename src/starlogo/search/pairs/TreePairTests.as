@@ -52,7 +52,7 @@ package starlogo.search.pairs
             this.limits = limits;
             _impacts = new TreeImpactQuery(_pair, _overlaps, _counts);
             _distances = new TreeDistanceQuery(_overlaps, _counts);
-            _separation = new PenetrationSearch(new DisplacedTreePair(this));
+            _separation = new PenetrationSearch(new DisplacedTreePair(this, false), new DisplacedTreePair(this, true));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */

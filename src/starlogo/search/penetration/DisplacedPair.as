@@ -132,14 +132,6 @@ package starlogo.search.penetration
         }
 
         /**
-         * Sets whether the leaves of trees decide in place of their triangles. They find every touch that triangles find, in a tenth of the time. Without
-         * triangles it changes nothing.
-         */
-        public function stopAtLeaves(value:Boolean):void
-        {
-        }
-
-        /**
          * Finds contacts with which other ways out may begin. Only the ground has some.
          *
          * @param contact of the two, here or near here

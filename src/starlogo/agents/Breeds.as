@@ -51,27 +51,46 @@ package starlogo.agents
         {
             if (sNames[sLast] != name)
             {
-                var low:int = 0;
-                var high:int = sOrder.length;
-                while (low < high)
+                var place:int = placeOf(name);
+                if (!isAt(place, name))
                 {
-                    var middle:int = (low + high) >> 1;
-                    if (sNames[sOrder[middle]] < name)
-                    {
-                        low = middle + 1;
-                    }
-                    else
-                    {
-                        high = middle;
-                    }
+                    sOrder.splice(place, 0, sNames.push(name) - 1);
                 }
-                if (low == sOrder.length || sNames[sOrder[low]] != name)
-                {
-                    sOrder.splice(low, 0, sNames.push(name) - 1);
-                }
-                sLast = sOrder[low];
+                sLast = sOrder[place];
             }
             return sLast;
+        }
+
+        /** The number of a name, or -1 if it has none, because no agent and no handler has named it. It gets none by this. */
+        public static function find(name:String):int
+        {
+            var place:int = placeOf(name);
+            return isAt(place, name) ? sOrder[place] : -1;
+        }
+
+        // The number of names that come before a name.
+        private static function placeOf(name:String):int
+        {
+            var low:int = 0;
+            var high:int = sOrder.length;
+            while (low < high)
+            {
+                var middle:int = (low + high) >> 1;
+                if (sNames[sOrder[middle]] < name)
+                {
+                    low = middle + 1;
+                }
+                else
+                {
+                    high = middle;
+                }
+            }
+            return low;
+        }
+
+        private static function isAt(place:int, name:String):Boolean
+        {
+            return place < sOrder.length && sNames[sOrder[place]] == name;
         }
 
         /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */

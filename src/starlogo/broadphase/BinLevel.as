@@ -1,7 +1,8 @@
 package starlogo.broadphase
 {
     /**
-     * The cells of one width. Cells are squares of the ground. A cell's number is a hash of its column and its line.
+     * The cells of one width. Cells are squares of the ground. Their columns and lines are hashed: the members of a cell are in a bucket, which cells
+     * far from each other may share.
      *
      * @private
      */
@@ -13,8 +14,11 @@ package starlogo.broadphase
 
         private static const SLACK:Number = 1 / (1 << 18);
 
-        // The mask of a level without cells. No level with cells has it, because that has 32 cells at least.
-        private static const NO_CELLS:int = 0;
+        // The mask of a level without buckets.
+        private static const NO_BUCKETS:int = 0;
+
+        // A level with buckets has this many at least. So cells near each other never share one.
+        private static const FEWEST_BUCKETS:int = 32;
 
         // The index among all levels. Extents that fit the level store it.
         internal var index:int;
@@ -34,13 +38,13 @@ package starlogo.broadphase
          */
         public var slack:Number;
 
-        // the number of members in the last search, and in CellLists since; and the index of the first cell's counter
+        // The number of members in the last search, and in CellLists since.
         internal var count:int;
-        internal var base:int;
 
-        // The number of a cell is its line times stride plus its column. Only the bits in the mask count. It is NO_CELLS if the lists of
-        // cells have no cells of the level.
-        internal var mask:int = NO_CELLS;
+        // The bucket of a cell is its line times stride plus its column, counted from the first bucket. Only the bits in the mask count, which
+        // is NO_BUCKETS if CellLists has no buckets of the level.
+        internal var firstBucket:int;
+        internal var mask:int = NO_BUCKETS;
         internal var stride:int;
 
         /**
@@ -57,12 +61,12 @@ package starlogo.broadphase
         }
 
         /**
-         * Assigns counters to the cells.
+         * Gives the level as many buckets as its members need.
          *
-         * @param base the number of counters of other levels
-         * @return the number of counters including this level's
+         * @param first the number of buckets of other levels
+         * @return the number of buckets including this level's, and the copies of its first ones
          */
-        public function makeRoom(base:int):int
+        public function layOut(first:int):int
         {
             mask = maskFor(count);
             var bits:int = 0;
@@ -70,65 +74,63 @@ package starlogo.broadphase
             {
                 bits++;
             }
-            // The stride is odd and about the square root of the number of cells. So neighbouring cells, and all cells of a compact world,
-            // get different numbers.
+            // The stride is odd and about the square root of the number of buckets. So neighbouring cells, and all cells of a compact world,
+            // get different buckets.
             stride = (1 << ((bits + 1) >> 1)) + 1;
-            this.base = base;
-            return end + Bins.COPIED;
+            firstBucket = first;
+            return endBucket + Bins.COPIED;
         }
 
-        /** The index after the last cell's counter. The counters of the first cells are repeated from there on. */
-        public function get end():int
+        /** The index after the level's last bucket. Copies of the first buckets follow from there on. */
+        public function get endBucket():int
         {
-            return base + mask + 1;
+            return firstBucket + mask + 1;
         }
 
-        /** Whether the lists of cells have cells of the level. */
-        public function get hasCells():Boolean
+        /** Whether CellLists has buckets of the level. */
+        public function get hasBuckets():Boolean
         {
-            return mask != NO_CELLS;
+            return mask != NO_BUCKETS;
         }
 
-        /** Gives up the cells. */
-        public function dropCells():void
+        /** Gives up the buckets. */
+        public function dropBuckets():void
         {
-            mask = NO_CELLS;
+            mask = NO_BUCKETS;
         }
 
-        /** Whether the level would get as many cells as it has, for the members that it has now. */
-        public function areCellsValid():Boolean
+        /** Whether the level has as many buckets as it would get for its present members. */
+        public function hasRightBucketCount():Boolean
         {
             return count == 0 || maskFor(count) == mask;
         }
 
-        // The mask for a number of members.
         private static function maskFor(members:int):int
         {
-            // at least 32 cells, so that cells near each other never share a number
-            var cells:int = 32;
-            while (cells < members)
+            var buckets:int = FEWEST_BUCKETS;
+            while (buckets < members)
             {
-                cells *= 2;
+                buckets *= 2;
             }
-            return cells - 1;
+            return buckets - 1;
         }
 
         /** The column of cells at an x, or the line of cells at a y. */
-        public function columnOf(place:Number):int
+        public function cellsAlong(coordinate:Number):int
         {
-            return place * cellsPerPatch + Bins.BIAS;
+            return coordinate * cellsPerPatch + Bins.BIAS;
         }
 
-        /** The number of the cell in a column and a line. */
-        public function cellIn(column:int, line:int):int
+        /** The bucket of the cell in a column and a line. */
+        public function bucketOf(column:int, line:int):int
         {
-            return ((line & mask) * stride + column) & mask;
+            return firstBucket + (((line & mask) * stride + column) & mask);
         }
 
-        /** The number of the cell at a place. */
-        public function cellAt(x:Number, y:Number):int
+        /** The bucket of the cell at a place. */
+        public function bucketAt(x:Number, y:Number):int
         {
-            return cellIn(columnOf(x), columnOf(y));
+            return bucketOf(cellsAlong(x), cellsAlong(y));
         }
 
         /** Whether cells can be at or near a place. Farther out than <code>BIAS / 2</code> widths along x or y there are none. */

@@ -16,8 +16,8 @@ package starlogo.broadphase
      *
      * <p>Members of different sizes are in different levels of a hierarchical grid (Ericson, Real-Time Collision Detection, §7.2). The
      * widths of the levels are powers of two. A member is also tested against the cells of the coarser levels, which contain the larger
-     * members. A cell's number is a hash. The number of cell counters depends on the number of members, not on the size of the world. Cells
-     * far from each other may share a number, which only costs time. Cells that one pair can reach never share a number.</p>
+     * members. Cells are hashed into buckets. The number of buckets depends on the number of members, not on the size of the world. Cells
+     * far from each other may share a bucket, which only costs time. Cells that one pair can reach never share one.</p>
      *
      * <p>The bins do not know how the pairs are used. Each search begins anew. CellLists takes over the cells of the last one. The time of a search is
      * proportional to the number of members and overlapping pairs, the memory to the number of members. After the first search nothing is
@@ -27,7 +27,7 @@ package starlogo.broadphase
      */
     public final class Bins
     {
-        /** The first cells of a level are repeated after its last, so that the neighbours of the last cells are in one run too. */
+        /** So many first buckets of a level are copied after its last one, so that the neighbours of the last cells are in one run too. */
         internal static const COPIED:int = 2;
 
         // Added to the number of a column or a line, so that it is positive and the conversion to int rounds down. BIAS is even, and larger than
@@ -49,13 +49,13 @@ package starlogo.broadphase
         private var _ys:Vector.<Number> = new Vector.<Number>();
         private var _radii:Vector.<Number> = new Vector.<Number>();
 
-        // By member: the index of its cell's counter.
-        private var _cells:Vector.<int> = new Vector.<int>();
+        // By member: its bucket.
+        private var _buckets:Vector.<int> = new Vector.<int>();
 
-        // By counter: _counts has the number of members, and is 0 between searches. _ends has, one place further on, the slot after the
-        // cell's last member.
+        // By bucket: the number of its members, which is 0 between searches; and the slot of its first member, which is the slot after the last
+        // member of the bucket before.
         private var _counts:Vector.<int> = new Vector.<int>();
-        private var _ends:Vector.<int> = new Vector.<int>();
+        private var _starts:Vector.<int> = new Vector.<int>();
 
         // The rows of the candidates of the present member.
         private var _candidates:Vector.<int> = new Vector.<int>();
@@ -108,16 +108,16 @@ package starlogo.broadphase
         public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
         {
             countMembers(extents.level, rows, count);
-            var counters:int = layOut(count);
-            countCells(extents, rows, count);
-            var slots:int = sumUp(counters);
+            var bucketCount:int = layOutBuckets(count);
+            fillBuckets(extents, rows, count);
+            var slots:int = findStarts(bucketCount);
             if (slots > _rows.length)
             {
                 _rows.length = _xs.length = _ys.length = _radii.length = slots;
             }
-            sortByCells(rows, count);
-            copyFirstCells();
-            gather(extents, slots);
+            sortByBuckets(rows, count);
+            copyFirstBuckets();
+            copyCircles(extents, slots);
             for (var i:int = 0; i < byWidth.length; i++)
             {
                 var level:BinLevel = byWidth[i];
@@ -157,42 +157,42 @@ package starlogo.broadphase
             }
         }
 
-        // Assigns counters to the levels. Returns the number of counters.
-        private function layOut(count:int):int
+        // Gives the levels their buckets. Returns the number of buckets.
+        private function layOutBuckets(count:int):int
         {
-            var counters:int = 0;
+            var bucketCount:int = 0;
             for (var i:int = 0; i < byWidth.length; i++)
             {
                 if (byWidth[i].count > 0)
                 {
-                    counters = byWidth[i].makeRoom(counters);
+                    bucketCount = byWidth[i].layOut(bucketCount);
                 }
             }
-            if (counters > _counts.length)
+            if (bucketCount > _counts.length)
             {
-                _counts.length = counters;
-                _ends.length = counters + 1;
+                _counts.length = bucketCount;
+                _starts.length = bucketCount + 1;
             }
-            if (count > _cells.length)
+            if (count > _buckets.length)
             {
-                _cells.length = count;
+                _buckets.length = count;
             }
-            return counters;
+            return bucketCount;
         }
 
-        // Finds each member's cell. Counts the members of the cells.
-        private function countCells(extents:Extents, rows:Vector.<int>, count:int):void
+        // Finds each member's bucket. Counts the members of the buckets.
+        private function fillBuckets(extents:Extents, rows:Vector.<int>, count:int):void
         {
             var xs:Vector.<Number> = extents.x;
             var ys:Vector.<Number> = extents.y;
             var indices:Vector.<int> = extents.level;
-            var cells:Vector.<int> = _cells;
+            var buckets:Vector.<int> = _buckets;
             var counts:Vector.<int> = _counts;
             var index:int = 0;
             var cellsPerPatch:Number = 0;
             var mask:int = 0;
             var stride:int = 0;
-            var base:int = 0;
+            var first:int = 0;
             var copies:int = 0;
             for (var i:int = 0; i < count; i++)
             {
@@ -204,83 +204,83 @@ package starlogo.broadphase
                     cellsPerPatch = level.cellsPerPatch;
                     mask = level.mask;
                     stride = level.stride;
-                    base = level.base;
-                    copies = level.end;
+                    first = level.firstBucket;
+                    copies = level.endBucket;
                 }
-                // BinLevel.cellAt() as a loop. CellLists relies on the same cells
+                // BinLevel.bucketAt() as a loop. CellLists relies on the same buckets
                 var column:int = xs[row] * cellsPerPatch + BIAS;
                 var line:int = ys[row] * cellsPerPatch + BIAS;
-                var cell:int = ((line & mask) * stride + column) & mask;
-                if (cell < COPIED)
+                var bucket:int = ((line & mask) * stride + column) & mask;
+                if (bucket < COPIED)
                 {
-                    counts[int(copies + cell)]++;
+                    counts[int(copies + bucket)]++;
                 }
-                cell += base;
-                cells[i] = cell;
-                counts[cell]++;
+                bucket += first;
+                buckets[i] = bucket;
+                counts[bucket]++;
             }
         }
 
-        // Computes the slot where each cell begins, and stores it one place further on. When the cell is filled, that is the slot where it
-        // ends. Returns the number of slots.
-        private function sumUp(counters:int):int
+        // Computes the slot where each bucket starts, and stores it one place further on: while the bucket is filled, its next free slot is there. When it
+        // is full, that is the slot where the next bucket starts. Returns the number of slots.
+        private function findStarts(bucketCount:int):int
         {
             var counts:Vector.<int> = _counts;
-            var ends:Vector.<int> = _ends;
+            var starts:Vector.<int> = _starts;
             var sum:int = 0;
-            for (var i:int = 0; i < counters; i++)
+            for (var i:int = 0; i < bucketCount; i++)
             {
-                var inCell:int = counts[i];
+                var inBucket:int = counts[i];
                 counts[i] = 0;
-                ends[i + 1] = sum;
-                sum += inCell;
+                starts[i + 1] = sum;
+                sum += inBucket;
             }
             return sum;
         }
 
-        private function sortByCells(rows:Vector.<int>, count:int):void
+        private function sortByBuckets(rows:Vector.<int>, count:int):void
         {
             var toRow:Vector.<int> = _rows;
-            var cells:Vector.<int> = _cells;
-            var ends:Vector.<int> = _ends;
+            var buckets:Vector.<int> = _buckets;
+            var starts:Vector.<int> = _starts;
             for (var i:int = 0; i < count; i++)
             {
-                var next:int = cells[i] + 1;
-                var slot:int = ends[next];
+                var next:int = buckets[i] + 1;
+                var slot:int = starts[next];
                 toRow[slot] = rows[i];
-                ends[next] = slot + 1;
+                starts[next] = slot + 1;
             }
         }
 
-        // Lists the members of the first cells of each level after its last cell once more.
-        private function copyFirstCells():void
+        // Lists the members of the first buckets of each level after its last bucket once more.
+        private function copyFirstBuckets():void
         {
             for (var i:int = 0; i < byWidth.length; i++)
             {
                 if (byWidth[i].count > 0)
                 {
-                    copyFirstCellsOf(byWidth[i]);
+                    copyFirstBucketsOf(byWidth[i]);
                 }
             }
         }
 
-        private function copyFirstCellsOf(level:BinLevel):void
+        private function copyFirstBucketsOf(level:BinLevel):void
         {
-            var from:int = _ends[level.base];
-            var copies:int = level.end;
-            var to:int = _ends[copies];
+            var first:int = level.firstBucket;
+            var copies:int = level.endBucket;
+            var offset:int = _starts[copies] - _starts[first];
             for (var i:int = 1; i <= COPIED; i++)
             {
-                _ends[copies + i] = to + _ends[level.base + i] - from;
+                _starts[copies + i] = offset + _starts[first + i];
             }
-            for (var slot:int = to; slot < _ends[copies + COPIED]; slot++)
+            for (var slot:int = _starts[copies]; slot < _starts[copies + COPIED]; slot++)
             {
-                _rows[slot] = _rows[from + slot - to];
+                _rows[slot] = _rows[slot - offset];
             }
         }
 
-        // The reads are scattered in memory and the writes are in order. The reverse would be slower.
-        private function gather(extents:Extents, slots:int):void
+        // Copies the circles of all members. The reads are scattered in memory and the writes are in order. The reverse would be slower.
+        private function copyCircles(extents:Extents, slots:int):void
         {
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
@@ -301,25 +301,26 @@ package starlogo.broadphase
         // The pairs of members of one level.
         private function findPairsWithin(level:BinLevel, sink:PairSink):void
         {
-            var ends:Vector.<int> = _ends;
-            var base:int = level.base;
+            var starts:Vector.<int> = _starts;
+            var first:int = level.firstBucket;
             var mask:int = level.mask;
-            var toNextLine:int = level.stride - 1 - base;
-            var last:int = ends[level.end];
-            var end:int = ends[base];
-            for (var cell:int = base; end < last; cell++)
+            // added to a bucket, it gives the one of the next line and the column before, counted from the first
+            var toNextLine:int = level.stride - 1 - first;
+            var last:int = starts[level.endBucket];
+            var end:int = starts[first];
+            for (var bucket:int = first; end < last; bucket++)
             {
                 var slot:int = end;
-                end = ends[cell + 1];
+                end = starts[bucket + 1];
                 if (slot == end)
                 {
                     continue;
                 }
                 // the first run is the cell and its right neighbour, the second run is three cells of the next line
-                var runEnd:int = ends[cell + 2];
-                var below:int = ((cell + toNextLine) & mask) + base;
-                var nextLine:int = ends[below];
-                var nextLineEnd:int = ends[below + 3];
+                var runEnd:int = starts[bucket + 2];
+                var below:int = ((bucket + toNextLine) & mask) + first;
+                var nextLine:int = starts[below];
+                var nextLineEnd:int = starts[below + 3];
                 for (; slot < end; slot++)
                 {
                     var found:int = collect(slot, slot + 1, runEnd, level.slack, 0);
@@ -335,18 +336,18 @@ package starlogo.broadphase
         // The pairs of members of one level with members of a coarser level. A member meets at most three cells in each of three lines of cells.
         private function findPairsBetween(level:BinLevel, coarser:BinLevel, sink:PairSink):void
         {
-            var wide:Number = level.width / 2 + coarser.width / 2 + coarser.slack;
-            var last:int = _ends[level.end];
-            for (var slot:int = _ends[level.base]; slot < last; slot++)
+            var distance:Number = level.width / 2 + coarser.width / 2 + coarser.slack;
+            var last:int = _starts[level.endBucket];
+            for (var slot:int = _starts[level.firstBucket]; slot < last; slot++)
             {
-                var column:int = coarser.columnOf(_xs[slot] - wide);
-                var columns:int = coarser.columnOf(_xs[slot] + wide) - column + 1;
-                var lastLine:int = coarser.columnOf(_ys[slot] + wide);
+                var column:int = coarser.cellsAlong(_xs[slot] - distance);
+                var columns:int = coarser.cellsAlong(_xs[slot] + distance) - column + 1;
+                var lastLine:int = coarser.cellsAlong(_ys[slot] + distance);
                 var found:int = 0;
-                for (var line:int = coarser.columnOf(_ys[slot] - wide); line <= lastLine; line++)
+                for (var line:int = coarser.cellsAlong(_ys[slot] - distance); line <= lastLine; line++)
                 {
-                    var cell:int = coarser.base + coarser.cellIn(column, line);
-                    found = collect(slot, _ends[cell], _ends[cell + columns], coarser.slack, found);
+                    var bucket:int = coarser.bucketOf(column, line);
+                    found = collect(slot, _starts[bucket], _starts[bucket + columns], coarser.slack, found);
                 }
                 if (found > 0)
                 {

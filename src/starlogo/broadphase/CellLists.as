@@ -1,8 +1,8 @@
 package starlogo.broadphase
 {
     /**
-     * Finds rows near one row, among members that hardly change. Each cell has a list of its members, so a member that has moved changes two lists.
-     * The cells are those of the last search of the bins, as long as the numbers of members need no others.
+     * Finds rows near one row, among members that hardly change. Each bucket of cells has a list of its members, so a member that has moved changes
+     * two lists. The buckets are those of the last search of the bins, as long as the numbers of members need no others.
      *
      * @private
      */
@@ -19,13 +19,13 @@ package starlogo.broadphase
         private var _bins:Bins;
         private var _extents:Extents;
 
-        // By counter: the first row of the cell's list. By row: the counter of its cell, or NONE; the level's index; the next row in the list.
+        // By bucket: the first row of its list. By row: its bucket, or NONE; the level's index; the next row in the list.
         private var _heads:Vector.<int> = new Vector.<int>();
-        private var _cells:Vector.<int> = new Vector.<int>();
+        private var _buckets:Vector.<int> = new Vector.<int>();
         private var _levelIndices:Vector.<int> = new Vector.<int>();
         private var _next:Vector.<int> = new Vector.<int>();
 
-        /** @param bins whose cells it takes over */
+        /** @param bins whose levels and buckets it takes over */
         public function CellLists(bins:Bins)
         {
             _bins = bins;
@@ -49,10 +49,10 @@ package starlogo.broadphase
                 var level:BinLevel = _bins.byWidth[i];
                 if (level.count == 0)
                 {
-                    level.dropCells();
+                    level.dropBuckets();
                     continue;
                 }
-                end = level.end;
+                end = level.endBucket;
             }
             if (end > _heads.length)
             {
@@ -62,26 +62,26 @@ package starlogo.broadphase
             {
                 _heads[i] = NONE;
             }
-            _cells.length = 0;
+            _buckets.length = 0;
             makeRows(length);
             for (i = 0; i < count; i++)
             {
                 var row:int = rows[i];
                 level = _bins.byIndex[extents.level[row]];
-                enter(row, level, level.base + level.cellAt(extents.x[row], extents.y[row]));
+                enter(row, level, level.bucketAt(extents.x[row], extents.y[row]));
             }
         }
 
         /** Makes sure that there are this many rows. */
         public function makeRows(length:int):void
         {
-            var row:int = _cells.length;
+            var row:int = _buckets.length;
             if (length > row)
             {
-                _cells.length = length;
+                _buckets.length = length;
                 for (; row < length; row++)
                 {
-                    _cells[row] = NONE;
+                    _buckets[row] = NONE;
                 }
             }
             if (length > _next.length)
@@ -93,22 +93,22 @@ package starlogo.broadphase
         /** Whether a row is a member. */
         public function has(row:int):Boolean
         {
-            return _cells[row] != NONE;
+            return _buckets[row] != NONE;
         }
 
-        /** Puts a row into the cell of its extents, and makes it a member if it is none. Returns false if its level has no cells. */
+        /** Puts a row into the bucket of its extents, and makes it a member if it is none. Returns false if its level has no buckets. */
         public function place(row:int):Boolean
         {
             var level:BinLevel = _bins.byIndex[_extents.level[row]];
-            if (!level.hasCells)
+            if (!level.hasBuckets)
             {
                 return false;
             }
-            var cell:int = level.base + level.cellAt(_extents.x[row], _extents.y[row]);
-            if (_cells[row] != cell)
+            var bucket:int = level.bucketAt(_extents.x[row], _extents.y[row]);
+            if (_buckets[row] != bucket)
             {
                 remove(row);
-                enter(row, level, cell);
+                enter(row, level, bucket);
                 level.count++;
                 count++;
             }
@@ -118,15 +118,15 @@ package starlogo.broadphase
         /** From now on a row is no member. */
         public function remove(row:int):void
         {
-            var cell:int = _cells[row];
-            if (cell == NONE)
+            var bucket:int = _buckets[row];
+            if (bucket == NONE)
             {
                 return;
             }
-            var before:int = _heads[cell];
+            var before:int = _heads[bucket];
             if (before == row)
             {
-                _heads[cell] = _next[row];
+                _heads[bucket] = _next[row];
             }
             else
             {
@@ -136,17 +136,17 @@ package starlogo.broadphase
                 }
                 _next[before] = _next[row];
             }
-            _cells[row] = NONE;
+            _buckets[row] = NONE;
             _bins.byIndex[_levelIndices[row]].count--;
             count--;
         }
 
-        /** Whether each level with members has as many cells as the bins would give it now. */
-        public function areCellsValid():Boolean
+        /** Whether each level with members has as many buckets as the bins would give it now. */
+        public function haveRightBucketCounts():Boolean
         {
             for (var i:int = 0; i < _bins.byWidth.length; i++)
             {
-                if (!_bins.byWidth[i].areCellsValid())
+                if (!_bins.byWidth[i].hasRightBucketCount())
                 {
                     return false;
                 }
@@ -182,10 +182,10 @@ package starlogo.broadphase
             var across:Number = 2 * distance * level.cellsPerPatch + 2;
             if (across * across > level.mask)
             {
-                // a cell's number may come several times in so many cells, but each of all numbers comes once
-                for (var cell:int = level.base; cell < level.end; cell++)
+                // so many cells may share buckets, but of all buckets each comes once
+                for (var bucket:int = level.firstBucket; bucket < level.endBucket; bucket++)
                 {
-                    found = collect(cell, found);
+                    found = collect(bucket, found);
                 }
                 return found;
             }
@@ -195,30 +195,30 @@ package starlogo.broadphase
             {
                 return 0;
             }
-            var lastColumn:int = level.columnOf(x + distance);
-            var lastLine:int = level.columnOf(y + distance);
-            for (var line:int = level.columnOf(y - distance); line <= lastLine; line++)
+            var lastColumn:int = level.cellsAlong(x + distance);
+            var lastLine:int = level.cellsAlong(y + distance);
+            for (var line:int = level.cellsAlong(y - distance); line <= lastLine; line++)
             {
-                for (var column:int = level.columnOf(x - distance); column <= lastColumn; column++)
+                for (var column:int = level.cellsAlong(x - distance); column <= lastColumn; column++)
                 {
-                    found = keepOfCell(level, column, line, found, collect(level.base + level.cellIn(column, line), found));
+                    found = keepOfCell(level, column, line, found, collect(level.bucketOf(column, line), found));
                 }
             }
             return found;
         }
 
-        private function enter(row:int, level:BinLevel, cell:int):void
+        private function enter(row:int, level:BinLevel, bucket:int):void
         {
-            _next[row] = _heads[cell];
-            _heads[cell] = row;
-            _cells[row] = cell;
+            _next[row] = _heads[bucket];
+            _heads[bucket] = row;
+            _buckets[row] = bucket;
             _levelIndices[row] = level.index;
         }
 
-        // Adds the rows of a cell to _near. Returns their number with the ones before.
-        private function collect(cell:int, found:int):int
+        // Adds the rows of a bucket to _near. Returns their number with the ones before.
+        private function collect(bucket:int, found:int):int
         {
-            for (var row:int = _heads[cell]; row != NONE; row = _next[row])
+            for (var row:int = _heads[bucket]; row != NONE; row = _next[row])
             {
                 _near[found] = row;
                 found++;
@@ -226,14 +226,14 @@ package starlogo.broadphase
             return found;
         }
 
-        // Leaves out rows of other cells with the same number.
+        // Leaves out rows of other cells that share the bucket.
         private function keepOfCell(level:BinLevel, column:int, line:int, first:int, end:int):int
         {
             var kept:int = first;
             for (var i:int = first; i < end; i++)
             {
                 var row:int = _near[i];
-                if (level.columnOf(_extents.x[row]) == column && level.columnOf(_extents.y[row]) == line)
+                if (level.cellsAlong(_extents.x[row]) == column && level.cellsAlong(_extents.y[row]) == line)
                 {
                     _near[kept] = row;
                     kept++;

@@ -23,14 +23,11 @@ package starlogo.broadphase
         /** The index of the level of bins that fits; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
-        /** Makes sure that there are at least this many rows. New rows are points at the origin without a level. */
+        /** Makes room for so many rows, which are more than before. New rows are points at the origin without a level. */
         override public function grow(length:int):void
         {
             super.grow(length);
-            if (length > level.length)
-            {
-                radius.length = halfX.length = halfY.length = halfZ.length = level.length = length;
-            }
+            radius.length = halfX.length = halfY.length = halfZ.length = level.length = length;
         }
     }
 }

@@ -11,13 +11,10 @@ package starlogo.broadphase
         public var y:Vector.<Number> = new Vector.<Number>();
         public var z:Vector.<Number> = new Vector.<Number>();
 
-        /** Makes sure that there are at least this many rows. New rows are 0. */
+        /** Makes room for so many rows, which are more than before. New rows are 0. */
         public function grow(length:int):void
         {
-            if (length > x.length)
-            {
-                x.length = y.length = z.length = length;
-            }
+            x.length = y.length = z.length = length;
         }
     }
 }

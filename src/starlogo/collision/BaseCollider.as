@@ -144,7 +144,7 @@ package starlogo.collision
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
             foreign.begin(input.agents);
-            var listed:Vector.<Agent> = input.takePart == null ? input.agents : chosen(input.agents, input.takePart);
+            var listed:Vector.<Agent> = input.admitted == null ? input.agents : chosen(input.agents, input.admitted);
             var pairs:FoundPairs = foreign.read(findCollisionsAmong(listed, input.interests, _foundAgents));
             counts.copyFrom(statistics);
             // the system may not count these
@@ -170,11 +170,11 @@ package starlogo.collision
             return _collisionSystem;
         }
 
-        private static function chosen(agents:Vector.<Agent>, takePart:Vector.<Boolean>):Vector.<Agent>
+        private static function chosen(agents:Vector.<Agent>, admitted:Vector.<Boolean>):Vector.<Agent>
         {
             return agents.filter(function(agent:Agent, index:int, ...ignored):Boolean
                 {
-                    return takePart[index];
+                    return admitted[index];
                 });
         }
     }

@@ -63,14 +63,14 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            var entry:PairHandlers = entryOf(BreedInterests.numberOfName(breed), BreedInterests.numberOfName(otherBreed));
-            var removed:CollisionHandler = entry.find(callback, kind == null ? PairHandlers.ANY_KIND : wanted);
+            var index:int = _indices.valueOf(findBreed(breed), findBreed(otherBreed));
+            var removed:CollisionHandler = index < 0 ? null : _all[index].find(callback, kind == null ? PairHandlers.ANY_KIND : wanted);
             if (removed == null)
             {
                 return false;
             }
             _isOneRemoved = true;
-            entry.remove(removed, _knownCount);
+            _all[index].remove(removed, _knownCount);
             return true;
         }
 
@@ -219,6 +219,12 @@ package starlogo.handlers
                 _indices.set (breed, otherBreed, index);
             }
             return _all[index];
+        }
+
+        // The number of a breed, Breeds.ANY for ANY_BREED, or -1 for an unknown breed, which has no handlers.
+        private static function findBreed(name:String):int
+        {
+            return name == BreedInterests.ANY_BREED ? Breeds.ANY : Breeds.find(name);
         }
 
         private static function require(breed:String, otherBreed:String, callback:Function):void

@@ -43,8 +43,8 @@ package starlogo.search
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;
 
-        // The shapes of each model, by its name, as a chain. _recent has a few shapes that were needed last: finding one there needs no key. A
-        // shape that is found there moves towards the front. Shapes of models with an older revision are void.
+        // The shapes of each model, by its name, as a chain. _recent has a few shapes that were needed last: finding one there allocates no key.
+        // Shapes of models with an older revision are void.
         private var _ofModels:Object = {};
         private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
         private var _seenRevision:int = -1;
@@ -142,25 +142,41 @@ package starlogo.search
         engine function shapeOf(agent:Agent):ModelShape
         {
             var kind:int = kindOf(agent);
+            var shape:ModelShape = findRecent(agent.shape, kind);
+            if (shape == null)
+            {
+                shape = findKept(agent.shape, kind) || newShape(agent, kind);
+                if (shape != null)
+                {
+                    _recent[Math.min(_recent.length, MOST_RECENT - 1)] = shape;
+                }
+            }
+            return shape;
+        }
+
+        // A shape that was needed lately, or null. It moves towards the front.
+        private function findRecent(modelName:String, kind:int):ModelShape
+        {
             for (var i:int = 0; i < _recent.length; i++)
             {
                 var shape:ModelShape = _recent[i];
-                if (shape.kind == kind && shape.modelName == agent.shape)
+                if (shape.kind == kind && shape.modelName == modelName)
                 {
                     _recent[i] = _recent[i >> 1];
                     _recent[i >> 1] = shape;
                     return shape;
                 }
             }
-            shape = _ofModels[PREFIX + agent.shape];
+            return null;
+        }
+
+        // Any shape so far, or null.
+        private function findKept(modelName:String, kind:int):ModelShape
+        {
+            var shape:ModelShape = _ofModels[PREFIX + modelName];
             while (shape != null && shape.kind != kind)
             {
                 shape = shape.next;
-            }
-            shape ||= newShape(agent, kind);
-            if (shape != null)
-            {
-                _recent[Math.min(_recent.length, MOST_RECENT - 1)] = shape;
             }
             return shape;
         }

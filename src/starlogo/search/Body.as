@@ -42,7 +42,7 @@ package starlogo.search
         public var rank:int = 0;
 
         /** The agent's own limit for the levels of its tree, or 0. */
-        public var depth:int = 0;
+        public var depthLimit:int = 0;
 
         /** Half of the length of the extents along x. */
         public var halfX:Number = 0;
@@ -72,7 +72,7 @@ package starlogo.search
                 size = 1;
             }
             rank = rankOfUnlisted(agent);
-            depth = agent.depthLimit;
+            depthLimit = agent.depthLimit;
             if (shape.isUpright && shape === this.shape && size == placement.size)
             {
                 // another turn changes nothing
@@ -144,7 +144,7 @@ package starlogo.search
             placement.y = extents[1];
             placement.z = extents[2];
             takeShape(own);
-            rank = depth = 0;
+            rank = depthLimit = 0;
             findExtents();
         }
 
@@ -160,7 +160,7 @@ package starlogo.search
             var factor:Number = 1 - shrink;
             takeShape(whole.shape);
             rank = whole.rank;
-            depth = whole.depth;
+            depthLimit = whole.depthLimit;
             placement.copyFrom(whole.placement);
             placement.size *= factor;
             if (place != null)
@@ -326,12 +326,12 @@ package starlogo.search
 
         private function place():void
         {
-            var by:Number = margin;
+            var widening:Number = margin;
             if (form == BoundingStructure.SPHERE)
             {
                 // the test of two placed spheres has no tolerance of its own, so the sphere is widened by it. Tests of a sphere and another
                 // structure have one
-                by += (Tolerances.TOUCHING - 1) * halfX;
+                widening += (Tolerances.TOUCHING - 1) * halfX;
             }
             if (_placed == null || _placed.kind != form)
             {
@@ -342,7 +342,7 @@ package starlogo.search
             {
                 _placed = placed;
             }
-            placed.widen(by);
+            placed.widen(widening);
             _isPlaced = true;
         }
 

@@ -3,7 +3,6 @@ package starlogo.search
     import starlogo.agents.Breeds;
     import starlogo.data.HashTable;
     import starlogo.engine;
-    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 
@@ -68,7 +67,9 @@ package starlogo.search
          */
         public function indexOf(breed:String):int
         {
-            return representativeOf(Breeds.numberOf(breed));
+            var number:int = Breeds.find(breed);
+            // no pair names an unknown breed
+            return representativeOf(number < 0 ? Breeds.ANY : number);
         }
 
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
@@ -98,26 +99,6 @@ package starlogo.search
                 return breed;
             }
             return !isNamed(Breeds.ANY) || Breeds.isOfWorld(breed) ? -1 : Breeds.ANY;
-        }
-
-        /** The number of listed agents whose breed is in no pair. */
-        internal function countOutsiders(table:AgentTable):int
-        {
-            var named:Vector.<Boolean> = _isNamed;
-            var breeds:Vector.<int> = table.breeds;
-            var rows:Vector.<int> = table.list.rows.numbers;
-            var known:int = named.length;
-            var end:int = isNamed(Breeds.ANY) ? 0 : table.list.rows.count;
-            var outsiders:int = 0;
-            for (var i:int = 0; i < end; i++)
-            {
-                var breed:int = breeds[rows[i]];
-                if (breed >= known || !named[breed])
-                {
-                    outsiders++;
-                }
-            }
-            return outsiders;
         }
 
         /**

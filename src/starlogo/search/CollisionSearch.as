@@ -1,10 +1,11 @@
-// This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; CandidateFilter and
+// This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; PairFinder and
 // NarrowPhase keep the pairs of the broad phase that touch, by a PairTests for each kind of pairs (pairs/); PairOrder puts them into the order of
 // the list, and KeptPairs takes those of the last frame if little has changed. Read this file first, then AgentTable for the rows, NarrowPhase
 // for the tests, and PenetrationSearch (penetration/) for depths.
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.convex.ContactPoint;
@@ -18,7 +19,7 @@ package starlogo.search
 
     /**
      * Finds the pairs of agents that touch: the search that all colliders share. It reads the agents into a table. The bins find the pairs of
-     * rows that are near each other (thesis §3.7). CandidateFilter keeps those that touch, and PairOrder puts them into order. If few agents have
+     * rows that are near each other (thesis §3.7). PairFinder keeps those that touch, and PairOrder puts them into order. If few agents have
      * changed, KeptPairs begins with the pairs of the last search instead.
      *
      * <p>A question about two agents takes the bodies of their rows if the agents have not changed since, and otherwise makes bodies of them as they are
@@ -38,7 +39,7 @@ package starlogo.search
         // Whether an agent swept in the last search, which has found the motions then. A read without a search makes them void.
         private var _hasMotions:Boolean = false;
 
-        private var _candidates:CandidateFilter;
+        private var _finder:PairFinder;
 
         // The pairs of the last search. KeptPairs finds them if little has changed.
         private var _pairs:FoundPairs = new FoundPairs();
@@ -47,8 +48,8 @@ package starlogo.search
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
 
-        // The members of a search in which not all agents take part.
-        private var _someRows:NumberList = new NumberList();
+        // The members of a search in which some rows may be none.
+        private var _members:NumberList = new NumberList();
 
         /**
          * @param narrowPhase has the choice of the agents' shapes, and tests which of them touch
@@ -58,8 +59,8 @@ package starlogo.search
             _narrowPhase = narrowPhase;
             table = new AgentTable(narrowPhase.choice, _bins);
             _motions = new RowMotions(table, narrowPhase, _bins);
-            _candidates = new CandidateFilter(table, narrowPhase, _motions);
-            _keptPairs = new KeptPairs(table, _candidates, _motions, _bins, _pairs);
+            _finder = new PairFinder(table, narrowPhase, _motions);
+            _keptPairs = new KeptPairs(table, _finder, _motions, _bins, _pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -83,10 +84,8 @@ package starlogo.search
         public function find(input:FrameInput, mayKeep:Boolean, counts:SearchCounts):FoundPairs
         {
             table.read(input.agents);
-            for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
-            {
-                table.readWorldAgent(row, input.world[row]);
-            }
+            table.readWorldAgent(ListedAgents.GROUND_ROW, input.world[ListedAgents.GROUND_ROW]);
+            table.readWorldAgent(ListedAgents.EDGES_ROW, input.world[ListedAgents.EDGES_ROW]);
             _hasMotions = input.isAnySweeping();
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
@@ -95,30 +94,31 @@ package starlogo.search
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
-            counts.candidatePairs = _candidates.candidatePairs;
+            counts.candidatePairs = _finder.candidatePairs;
             counts.sweptPairs = _hasMotions ? _motions.sweptPairs : 0;
             counts.collisions = _pairs.count;
             return _pairs;
         }
 
-        // Finds the pairs, from those of the last search if that is wanted and possible. Returns the number of members.
+        // Finds the pairs, from those of the last search if that is wanted and possible. They are kept once two searches are alike. Returns the number
+        // of members.
         private function findPairs(input:FrameInput, mayKeep:Boolean):int
         {
-            if (!mayKeep)
-            {
-                // also if the search throws, because the table has been read
-                _keptPairs.forget();
-                return findAll(input).count;
-            }
-            var answer:int = _keptPairs.find(input, _hasMotions, _narrowPhase.treeLimits);
-            if (answer == KeptPairs.FOUND)
+            var isLikeLast:Boolean = mayKeep && _keptPairs.isLikeLast(input, _hasMotions, _narrowPhase.treeLimits);
+            if (isLikeLast && _keptPairs.find(input))
             {
                 return _keptPairs.memberCount;
             }
+            // also if the search throws, because the table has been read
+            _keptPairs.forget();
             var members:NumberList = findAll(input);
-            if (answer == KeptPairs.SEARCH_AND_KEEP)
+            if (isLikeLast)
             {
                 _keptPairs.keep(members);
+            }
+            else if (mayKeep)
+            {
+                _keptPairs.note(input, _hasMotions, _narrowPhase.treeLimits);
             }
             return members.count;
         }
@@ -133,13 +133,11 @@ package starlogo.search
                 _motions.findMotions(table.list.rows);
                 extents = _motions.extents;
             }
-            _candidates.begin(input, _hasMotions, _pairs);
-            _bins.findPairs(extents, members.numbers, members.count, _candidates);
-            for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
-            {
-                _candidates.findPairsOfWorldAgent(row, members);
-            }
-            _candidates.end();
+            _finder.begin(input, _hasMotions, _pairs);
+            _bins.findPairs(extents, members.numbers, members.count, _finder);
+            _finder.findPairsOfWorldAgent(ListedAgents.GROUND_ROW, members);
+            _finder.findPairsOfWorldAgent(ListedAgents.EDGES_ROW, members);
+            _finder.end();
             return members;
         }
 
@@ -165,14 +163,19 @@ package starlogo.search
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
             table.readWorld();
-            if (table.list.rankOf(a) > table.list.rankOf(b))
+            if (table.list.rankOf(a) <= table.list.rankOf(b))
             {
-                // as in the pairs of a search, so rounding is the same in either order
-                findContact(b, a, motion, out);
-                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
-                motion.endAfter(-motion.x, -motion.y, -motion.z);
+                findContactInOrder(a, b, motion, out);
                 return;
             }
+            findContactInOrder(b, a, motion, out);
+            out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+            motion.endAfter(-motion.x, -motion.y, -motion.z);
+        }
+
+        // Finds the contact of two agents in the order that the pairs of a search have, so rounding is the same however a game asks.
+        private function findContactInOrder(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
+        {
             var rowA:int = table.list.rowOf(a);
             var rowB:int = table.list.rowOf(b);
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
@@ -191,26 +194,23 @@ package starlogo.search
             _narrowPhase.findContact(bodyA, bodyB, motion, out);
         }
 
-        // The rows that the bins get, called members: those that take part and whose breeds are of interest. Mostly these are all rows, and then the
-        // table's own list is used.
+        // The rows that the bins get, called members: those with a shape that take part and whose breeds are of interest.
         private function findMembers(input:FrameInput):NumberList
         {
             var all:NumberList = table.list.rows;
-            var interests:BreedInterests = input.interests;
-            var outsiders:int = interests == null ? 0 : interests.countOutsiders(table);
-            if (table.loadingCount == 0 && input.takePart == null && outsiders == 0)
+            if (table.loadingCount == 0 && input.admitted == null && (input.interests == null || input.interests.isNamed(Breeds.ANY)))
             {
                 return all;
             }
-            _someRows.count = 0;
+            _members.count = 0;
             for (var i:int = 0; i < all.count; i++)
             {
                 if (input.isMember(table, all.numbers[i]))
                 {
-                    _someRows.add(all.numbers[i]);
+                    _members.add(all.numbers[i]);
                 }
             }
-            return _someRows;
+            return _members;
         }
     }
 }

@@ -11,7 +11,7 @@ package starlogo.search
      * The pairs of a frame: two rows of agents each. After a search they are in the order of the list, by the first agent's index and then by the
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
-     * <p>CandidateFilter has pairs added, and PairOrder sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
+     * <p>PairFinder has pairs added, and PairOrder sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
      * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairOrder writes to the columns itself.</p>
      *
      * @private
@@ -77,13 +77,13 @@ package starlogo.search
         /**
          * Adds the pairs of a row. In each of them the agent that is first in the list comes first.
          *
-         * @param ofPairs the times of the pairs; null if no agent sweeps
+         * @param pairTimes the times of the pairs; null if no agent sweeps
          */
-        internal function addPairs(row:int, others:Vector.<int>, othersCount:int, ofPairs:Vector.<Number> = null):void
+        internal function addPairs(row:int, others:Vector.<int>, othersCount:int, pairTimes:Vector.<Number> = null):void
         {
-            for (var k:int = 0; ofPairs != null && k < othersCount; k++)
+            for (var k:int = 0; pairTimes != null && k < othersCount; k++)
             {
-                times[int(count + k)] = ofPairs[k];
+                times[int(count + k)] = pairTimes[k];
             }
             var to:int = 2 * count;
             var ranks:Vector.<int> = list.ranks;

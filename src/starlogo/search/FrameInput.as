@@ -20,8 +20,8 @@ package starlogo.search
         /** The list of agents. If there is a filter it is a copy, because a filter may change the game's list. */
         public var agents:Vector.<Agent> = null;
 
-        /** By index in the list: whether the agent takes part; null for all. */
-        public var takePart:Vector.<Boolean> = null;
+        /** By index in the list: whether the filter admits the agent; null without a filter. */
+        public var admitted:Vector.<Boolean> = null;
 
         /** The pairs of breeds that count; null for all. It must not be null if there is an agent of the ground or of the edges. */
         public var interests:BreedInterests = null;
@@ -39,7 +39,7 @@ package starlogo.search
             this.agents = agents;
             this.interests = interests;
             this.world = world;
-            takePart = null;
+            admitted = null;
         }
 
         /** Asks a filter of the game's which agents take part. An entry that is null does, because the collision system refuses it. */
@@ -47,11 +47,11 @@ package starlogo.search
         {
             copyList(agents, _copy);
             agents = _copy;
-            takePart = _answers;
+            admitted = _answers;
             filter.checkNames(agents);
             for (var i:int = 0; i < agents.length; i++)
             {
-                takePart[i] = agents[i] == null || filter.admits(agents[i]);
+                admitted[i] = agents[i] == null || filter.admits(agents[i]);
             }
         }
 
@@ -70,7 +70,7 @@ package starlogo.search
         public function isMember(table:AgentTable, row:int):Boolean
         {
             return table.shapes[row] != null && (interests == null || interests.representativeOf(table.breeds[row]) >= 0)
-                && (takePart == null || takePart[table.list.ranks[row]]);
+                && (admitted == null || admitted[table.list.ranks[row]]);
         }
 
         /** Makes a list a copy of another. */

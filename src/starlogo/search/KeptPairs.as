@@ -21,22 +21,13 @@ package starlogo.search
      */
     internal final class KeptPairs
     {
-        /** An answer of <code>find()</code>: it has found the pairs. */
-        internal static const FOUND:int = 0;
-
-        /** An answer: all rows have to be searched. This search is like the last one, so the next one probably is too, and its pairs should be kept. */
-        internal static const SEARCH_AND_KEEP:int = 1;
-
-        /** An answer: all rows have to be searched. The search is not like the last one, or many rows have changed. */
-        internal static const SEARCH:int = 2;
-
         // Pairs are kept if at most one row in this many has changed. The second number is for searches that are faster, because all shapes are
         // spheres, or only some breeds have handlers.
         private static const ONE_IN:int = 8;
         private static const ONE_IN_IF_FAST:int = 20;
 
         private var _table:AgentTable;
-        private var _candidates:CandidateFilter;
+        private var _finder:PairFinder;
         private var _motions:RowMotions;
 
         // The pairs of the search, and whether they and the cells belong to the last one.
@@ -64,21 +55,21 @@ package starlogo.search
 
         /**
          * @param table has the rows
-         * @param candidates finds the pairs among candidates
+         * @param finder finds the pairs of changed rows
          * @param motions of the rows, if an agent sweeps
          * @param bins that a search of all rows uses
          * @param pairs has the pairs of the last search, and gets those of the next one
          */
-        public function KeptPairs(table:AgentTable, candidates:CandidateFilter, motions:RowMotions, bins:Bins, pairs:FoundPairs)
+        public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, bins:Bins, pairs:FoundPairs)
         {
             _pairs = pairs;
             _table = table;
-            _candidates = candidates;
+            _finder = finder;
             _motions = motions;
             _cells = new CellLists(bins);
         }
 
-        /** The number of members. */
+        /** The number of members of the search whose pairs are kept. */
         public function get memberCount():int
         {
             return _cells.count;
@@ -91,7 +82,30 @@ package starlogo.search
         }
 
         /**
-         * Keeps the pairs of a search of all rows for the next search.
+         * Whether a search depends on the same as the last one, and few rows have changed. Then the next search is probably like it too, so its
+         * pairs are worth keeping. The table has been read.
+         *
+         * @param anySweeps whether an agent sweeps
+         * @param limits how far trees are tested
+         */
+        public function isLikeLast(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):Boolean
+        {
+            return _interests === input.interests && _interestsRevision == revisionOf(input) && _anySweeps == anySweeps
+                && _isFiltered == (input.admitted != null) && _maxDepth == depthOf(limits) && areFew(countRead());
+        }
+
+        /** Notes what a search depends on, for the next one. The parameters are those of <code>isLikeLast()</code>. */
+        public function note(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
+        {
+            _interests = input.interests;
+            _interestsRevision = revisionOf(input);
+            _anySweeps = anySweeps;
+            _isFiltered = input.admitted != null;
+            _maxDepth = depthOf(limits);
+        }
+
+        /**
+         * Keeps the pairs of a search of all rows that is like the last one.
          *
          * @param members the members of the search
          */
@@ -102,63 +116,36 @@ package starlogo.search
         }
 
         /**
-         * Finds the pairs of a search, if it is like the last one and few rows have changed. The table has been read.
-         *
-         * @param anySweeps whether an agent sweeps
-         * @param limits how far trees are tested
-         * @return FOUND, SEARCH_AND_KEEP or SEARCH
+         * Finds the pairs of a search that is like the last one. Returns false if all rows have to be searched: because no pairs are kept, because too
+         * many rows have changed, or because the cells need other buckets.
          */
-        public function find(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):int
+        public function find(input:FrameInput):Boolean
         {
-            var areValid:Boolean = _areValid;
+            if (!_areValid)
+            {
+                return false;
+            }
             // they are not if the search throws
             _areValid = false;
-            var isLikeLast:Boolean = hasConditionsOf(input, anySweeps, limits);
-            takeConditions(input, anySweeps, limits);
-            if (!isLikeLast || !areFew(countRead()))
-            {
-                return SEARCH;
-            }
-            if (!areValid)
-            {
-                return SEARCH_AND_KEEP;
-            }
             _searchNumber++;
-            listChanged(input);
+            findChanged(input);
             if (!areFew(_changed.count))
             {
-                return SEARCH;
+                return false;
             }
             if (_anySweeps)
             {
                 _motions.findMotions(_changed);
             }
-            if (!placeChanged(input) || !_cells.areCellsValid())
+            if (!placeChanged(input) || !_cells.haveRightBucketCounts())
             {
-                return SEARCH_AND_KEEP;
+                return false;
             }
             findPairsOfChanged(input);
             _pairs.drop(_table.list, _changedIn, _searchNumber);
             _pairs.merge(_found, _anySweeps);
             _areValid = true;
-            return FOUND;
-        }
-
-        // Whether the pairs of the last search depend on the same as those of this one. Then the same agents have the same pairs, if the same ones take
-        // part.
-        private function hasConditionsOf(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):Boolean
-        {
-            return _interests === input.interests && _interestsRevision == revisionOf(input) && _anySweeps == anySweeps
-                && _isFiltered == (input.takePart != null) && _maxDepth == depthOf(limits);
-        }
-
-        private function takeConditions(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
-        {
-            _interests = input.interests;
-            _interestsRevision = revisionOf(input);
-            _anySweeps = anySweeps;
-            _isFiltered = input.takePart != null;
-            _maxDepth = depthOf(limits);
+            return true;
         }
 
         private static function revisionOf(input:FrameInput):int
@@ -185,12 +172,12 @@ package starlogo.search
         // Whether so few rows have changed that a search of all rows would take longer.
         private function areFew(changes:int):Boolean
         {
-            var among:int = _table.areSpheres || _interests != null && !_interests.includesAllOfAgents ? ONE_IN_IF_FAST : ONE_IN;
-            return among * changes <= _table.list.rows.count;
+            var oneIn:int = _table.areSpheres || _interests != null && !_interests.includesAllOfAgents ? ONE_IN_IF_FAST : ONE_IN;
+            return oneIn * changes <= _table.list.rows.count;
         }
 
-        // Lists the rows that have changed.
-        private function listChanged(input:FrameInput):void
+        // Finds the rows that have changed.
+        private function findChanged(input:FrameInput):void
         {
             var length:int = _table.list.agents.length;
             _changed.count = 0;
@@ -199,27 +186,27 @@ package starlogo.search
                 _changedIn.length = length;
             }
             _cells.makeRows(length);
-            mark(_table.places.changed);
-            mark(_table.list.leftOrReordered);
+            addAll(_table.places.changed);
+            addAll(_table.list.leftOrReordered);
             if (_anySweeps)
             {
-                mark(_table.places.previouslyChanged);
+                addAll(_table.places.previouslyChanged);
             }
-            if (input.takePart != null)
+            if (input.admitted != null)
             {
-                markFiltered(input);
+                addFiltered(input);
             }
         }
 
-        private function mark(rows:NumberList):void
+        private function addAll(rows:NumberList):void
         {
             for (var i:int = 0; i < rows.count; i++)
             {
-                markRow(rows.numbers[i]);
+                addChanged(rows.numbers[i]);
             }
         }
 
-        private function markRow(row:int):void
+        private function addChanged(row:int):void
         {
             if (_changedIn[row] != _searchNumber)
             {
@@ -228,8 +215,8 @@ package starlogo.search
             }
         }
 
-        // Marks the rows that become members, or cease to be members. The other rows have their breeds of the last search.
-        private function markFiltered(input:FrameInput):void
+        // Adds the rows that become members, or cease to be members. The other rows have their breeds of the last search.
+        private function addFiltered(input:FrameInput):void
         {
             var rows:NumberList = _table.list.rows;
             for (var i:int = 0; i < rows.count; i++)
@@ -237,18 +224,18 @@ package starlogo.search
                 var row:int = rows.numbers[i];
                 if (input.isMember(_table, row) != _cells.has(row))
                 {
-                    markRow(row);
+                    addChanged(row);
                 }
             }
         }
 
-        // Puts the changed rows to their cells. Returns false if one of them needs a level without cells.
+        // Puts the changed rows to their cells. Returns false if one of them needs a level without buckets.
         private function placeChanged(input:FrameInput):Boolean
         {
             for (var i:int = 0; i < _changed.count; i++)
             {
                 var row:int = _changed.numbers[i];
-                if (_table.list.agents[row] == null || !input.isMember(_table, row))
+                if (!input.isMember(_table, row))
                 {
                     _cells.remove(row);
                 }
@@ -263,17 +250,17 @@ package starlogo.search
         // Finds the pairs of the changed rows.
         private function findPairsOfChanged(input:FrameInput):void
         {
-            _candidates.begin(input, _anySweeps, _found);
+            _finder.begin(input, _anySweeps, _found);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))
                 {
-                    _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _candidates);
+                    _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _finder);
                 }
             }
             findPairsOfWorldAgent(ListedAgents.GROUND_ROW);
             findPairsOfWorldAgent(ListedAgents.EDGES_ROW);
-            _candidates.end();
+            _finder.end();
         }
 
         // The pairs of changed rows with the ground or the edges; of all rows, if the ground or the edges have changed themselves.
@@ -284,7 +271,7 @@ package starlogo.search
             {
                 _changedIn[worldRow] = _searchNumber;
             }
-            _candidates.findPairsOfWorldAgent(worldRow, hasChanged ? _table.list.rows : _changed);
+            _finder.findPairsOfWorldAgent(worldRow, hasChanged ? _table.list.rows : _changed);
         }
     }
 }

@@ -33,6 +33,9 @@ package starlogo.search
         // In place of a form: none.
         private static const NONE:int = -1;
 
+        /** Tests pairs of spheres. Every collider has it. It is null in a LevelShapes while only rays are asked for. */
+        public var sphereTests:SpherePairTests = null;
+
         /** Tests pairs of structures that are not both spheres; null if the choice of shapes has only spheres, and no question needs them. */
         public var structureTests:StructurePairTests = null;
 
@@ -50,9 +53,6 @@ package starlogo.search
 
         /** How far trees are tested. */
         public var treeLimits:TreeLimits = new TreeLimits();
-
-        /** Tests pairs of spheres; null if only rays are asked for. */
-        public var sphereTests:SpherePairTests = null;
 
         /** Says which shape each agent has. */
         public var choice:BaseShapeChoice;
@@ -120,7 +120,9 @@ package starlogo.search
         {
             motion.endAfter(0, 0, 0);
             motion.time = 1;
-            testsOf(a, b).findContact(a, b, motion, out);
+            var tests:PairTests = testsOf(a, b);
+            tests.findContactOfParts(a, b, motion, out);
+            tests.separate(a, b, motion, out);
         }
 
         /**
@@ -131,16 +133,23 @@ package starlogo.search
          */
         public function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
         {
-            if (isSecondFirst(a, b))
+            if (isReversed(a, b))
             {
                 findClosest(b, a, withPoints, out);
                 out.swap();
                 return;
             }
-            testsOf(a, b).findClosest(a, b, withPoints, out);
+            var tests:PairTests = testsOf(a, b);
+            var areTouchingNow:Boolean = tests.areTouching(a, b);
+            if (areTouchingNow && !withPoints)
+            {
+                out.distance = 0;
+                return;
+            }
+            tests.findClosest(a, b, areTouchingNow, out);
         }
 
-        /** Writes the numbers of tests, and sets them to 0. */
+        /** Writes a collider's numbers of tests, and sets them to 0. */
         public function takeCounts(out:SearchCounts):void
         {
             sphereTests.takeCounts(out);
@@ -155,11 +164,10 @@ package starlogo.search
         }
 
         /**
-         * Whether tests take the second of two bodies first, so that rounding errors are the same in either order. A tree comes before a
-         * structure. Of two trees or two structures, the body of the agent that is first in the list comes first. The ground and the edges of the
-         * world come last.
+         * Whether two bodies are in the reverse of the order in which tests take them. Tests have an order so that rounding errors are the same
+         * however the bodies come: a tree before a structure, then by the agents' ranks, and the ground and the edges of the world last.
          */
-        public static function isSecondFirst(a:Body, b:Body):Boolean
+        public static function isReversed(a:Body, b:Body):Boolean
         {
             if (a.isOfWorld || b.isOfWorld)
             {

@@ -12,21 +12,20 @@ package starlogo.search
     public final class PairOrder
     {
         // If there are at least so many agents for each pair, comparing pairs is faster than counting those of each agent.
-        private static const FEW:int = 12;
+        private static const MANY_AGENTS:int = 12;
 
-        // The factor of the first rank in a key of both. There are fewer ranks.
-        private static const RANKS:Number = 1 << 26;
+        // The factor of the first rank in a key of both ranks. All ranks are less.
+        private static const RANK_FACTOR:Number = 1 << 26;
 
-        // The numbers of the pairs in their new order, and their keys.
+        // The indices of the pairs in their new order, and their keys.
         private var _order:KeyedList = new KeyedList();
 
-        // By rank: where the next pair goes that has it first, or second.
+        // By rank: where the next pair goes whose first row has it, and where the next one goes whose second row has it.
         private var _firsts:Vector.<int> = new Vector.<int>();
         private var _seconds:Vector.<int> = new Vector.<int>();
 
-        // The memory that the pairs and their times had before.
+        // The memory that the pairs had before.
         private var _spare:Vector.<int> = new Vector.<int>();
-        private var _spareTimes:Vector.<Number> = new Vector.<Number>();
 
         /**
          * Puts pairs into order.
@@ -39,19 +38,15 @@ package starlogo.search
             {
                 return;
             }
-            if (FEW * pairs.count < pairs.list.rows.count)
+            if (haveTimes || MANY_AGENTS * pairs.count < pairs.list.rows.count)
             {
                 sortByKeys(pairs, haveTimes);
             }
             else
             {
                 countRanks(pairs);
-                scatter(pairs, 1, _seconds, haveTimes);
-                scatter(pairs, 0, _firsts, haveTimes);
-            }
-            if (haveTimes)
-            {
-                sortByTimes(pairs);
+                scatter(pairs, 1, _seconds);
+                scatter(pairs, 0, _firsts);
             }
         }
 
@@ -85,6 +80,7 @@ package starlogo.search
             return true;
         }
 
+        // Sorts by a key of both ranks, and then by the times.
         private function sortByKeys(pairs:FoundPairs, haveTimes:Boolean):void
         {
             var rows:Vector.<int> = pairs.rows;
@@ -92,15 +88,24 @@ package starlogo.search
             _order.count = 0;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                _order.add(i, ranks[rows[2 * i]] * RANKS + ranks[rows[2 * i + 1]]);
+                _order.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
             }
             _order.sortFirst(pairs.count);
+            if (haveTimes)
+            {
+                // pairs of equal times keep their order
+                for (i = 0; i < pairs.count; i++)
+                {
+                    _order.keys[i] = pairs.times[_order.numbers[i]];
+                }
+                _order.sortFirst(pairs.count);
+            }
             arrange(pairs, haveTimes);
         }
 
         // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). Equals keep their
         // order, so sorting by the second rows and then by the first ones sorts by both.
-        private function scatter(pairs:FoundPairs, side:int, next:Vector.<int>, haveTimes:Boolean):void
+        private function scatter(pairs:FoundPairs, side:int, next:Vector.<int>):void
         {
             makeRoom(pairs);
             var ranks:Vector.<int> = pairs.list.ranks;
@@ -114,12 +119,8 @@ package starlogo.search
                 next[rank] = at + 2;
                 to[at] = from[i];
                 to[int(at + 1)] = from[int(i + 1)];
-                if (haveTimes)
-                {
-                    _spareTimes[at >> 1] = pairs.times[i >> 1];
-                }
             }
-            exchange(pairs);
+            exchangeRows(pairs);
         }
 
         // Finds where the pairs of each rank begin.
@@ -158,18 +159,6 @@ package starlogo.search
             }
         }
 
-        // Sorts by the times. Equal times keep their order.
-        private function sortByTimes(pairs:FoundPairs):void
-        {
-            _order.count = 0;
-            for (var i:int = 0; i < pairs.count; i++)
-            {
-                _order.add(i, pairs.times[i]);
-            }
-            _order.sortFirst(pairs.count);
-            arrange(pairs, true);
-        }
-
         // Puts the pairs, and the times that they have, into the order that was found.
         private function arrange(pairs:FoundPairs, haveTimes:Boolean):void
         {
@@ -180,12 +169,15 @@ package starlogo.search
                 var pair:int = _order.numbers[i];
                 _spare[int(2 * i)] = from[int(2 * pair)];
                 _spare[int(2 * i + 1)] = from[int(2 * pair + 1)];
-                if (haveTimes)
+            }
+            exchangeRows(pairs);
+            if (haveTimes)
+            {
+                for (i = 0; i < pairs.count; i++)
                 {
-                    _spareTimes[i] = pairs.times[pair];
+                    pairs.times[i] = _order.keys[i];
                 }
             }
-            exchange(pairs);
         }
 
         private function makeRoom(pairs:FoundPairs):void
@@ -194,20 +186,13 @@ package starlogo.search
             {
                 _spare.length = pairs.rows.length;
             }
-            if (_spareTimes.length < pairs.times.length)
-            {
-                _spareTimes.length = pairs.times.length;
-            }
         }
 
-        private function exchange(pairs:FoundPairs):void
+        private function exchangeRows(pairs:FoundPairs):void
         {
             var rows:Vector.<int> = pairs.rows;
             pairs.rows = _spare;
             _spare = rows;
-            var times:Vector.<Number> = pairs.times;
-            pairs.times = _spareTimes;
-            _spareTimes = times;
         }
     }
 }

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Bins;
@@ -12,12 +13,13 @@ package starlogo.search
     import starlogo.intersection.sweep.AxisMotion;
     import starlogo.intersection.sweep.ContactInterval;
     import starlogo.search.table.AgentTable;
+    import starlogo.search.table.RowPlaces;
 
     use namespace engine;
 
     /**
-     * Finds the motions of a table's rows between the last two searches, and when two moving rows touch. The motions are found only if an agent
-     * sweeps.
+     * Finds the motions of a table's rows between the last two searches, and when two moving rows touch. They are needed only if an agent sweeps.
+     * Then all rows have motions, because a sweeping agent may meet any other one on its way. Two that do not sweep are tested where they are.
      */
     internal final class RowMotions
     {
@@ -55,7 +57,7 @@ package starlogo.search
         /**
          * Finds the motions of rows. The table has just been read.
          *
-         * @param rows the rows; those without an agent are left out
+         * @param rows the rows; those without a shape are left out, because they are members of no search
          */
         public function findMotions(rows:NumberList):void
         {
@@ -66,37 +68,50 @@ package starlogo.search
                 extents.grow(_sweeps.length);
             }
             sweptPairs = 0;
-            var standing:Extents = _table.extents;
-            var swept:Extents = extents;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (_table.list.agents[row] == null)
-                {
-                    continue;
-                }
-                var hasMotion:Boolean = _table.places.previous.isMotionStart(row, _table.list.agents[row]);
-                var motionX:Number = hasMotion ? _table.places.last.x[row] - _table.places.previous.x[row] : 0;
-                var motionY:Number = hasMotion ? _table.places.last.y[row] - _table.places.previous.y[row] : 0;
-                var motionZ:Number = hasMotion ? _table.places.last.z[row] - _table.places.previous.z[row] : 0;
-                var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
-                var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-                _sweeps[row] = hasMotion && _table.list.agents[row].isSweeping;
-                _motions.x[row] = motionX;
-                _motions.y[row] = motionY;
-                _motions.z[row] = motionZ;
-                swept.x[row] = standing.x[row] - motionX / 2;
-                swept.y[row] = standing.y[row] - motionY / 2;
-                swept.z[row] = standing.z[row] - motionZ / 2;
-                swept.halfX[row] = halfX;
-                swept.halfY[row] = halfY;
-                swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
-                swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
                 if (_table.shapes[row] != null)
                 {
-                    _bins.assignLevel(swept, row);
+                    findMotion(row);
+                    findExtents(row);
                 }
             }
+        }
+
+        // Finds the motion of a row. If the agent has jumped, or the search before the last has not seen it, it is 0.
+        private function findMotion(row:int):void
+        {
+            var start:RowPlaces = _table.places.previous;
+            var end:RowPlaces = _table.places.last;
+            var agent:Agent = _table.list.agents[row];
+            var hasMotion:Boolean = start.isMotionStart(row, agent);
+            var motionX:Number = hasMotion ? end.x[row] - start.x[row] : 0;
+            var motionY:Number = hasMotion ? end.y[row] - start.y[row] : 0;
+            var motionZ:Number = hasMotion ? end.z[row] - start.z[row] : 0;
+            _motions.x[row] = motionX;
+            _motions.y[row] = motionY;
+            _motions.z[row] = motionZ;
+            _sweeps[row] = hasMotion && agent.isSweeping;
+        }
+
+        // Finds the extents of the whole motion of a row.
+        private function findExtents(row:int):void
+        {
+            var standing:Extents = _table.extents;
+            var motionX:Number = _motions.x[row];
+            var motionY:Number = _motions.y[row];
+            var motionZ:Number = _motions.z[row];
+            var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
+            var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
+            extents.x[row] = standing.x[row] - motionX / 2;
+            extents.y[row] = standing.y[row] - motionY / 2;
+            extents.z[row] = standing.z[row] - motionZ / 2;
+            extents.halfX[row] = halfX;
+            extents.halfY[row] = halfY;
+            extents.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
+            extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+            _bins.assignLevel(extents, row);
         }
 
         /**

@@ -32,7 +32,7 @@ package starlogo.search
         /** The number of levels to which the tree of a body is tested. */
         public function depthOf(body:Body):int
         {
-            var depth:int = body.depth == 0 ? _maxDepth : body.depth;
+            var depth:int = body.depthLimit == 0 ? _maxDepth : body.depthLimit;
             return exact || depth > BoxTree.LARGEST_DEPTH ? BoxTree.LARGEST_DEPTH : depth;
         }
     }

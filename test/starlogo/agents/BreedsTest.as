@@ -1,6 +1,7 @@
 package starlogo.agents
 {
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import starlogo.GreatLand;
     import starlogo.blocks.CollisionBlocks;
     import starlogo.blocks.DetectionBlocks;
@@ -13,6 +14,7 @@ package starlogo.agents
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
+    import starlogo.search.BreedInterests;
     import support.landOf;
 
     use namespace engine;
@@ -51,6 +53,27 @@ package starlogo.agents
             var count:int = Breeds.count;
             agent.breed = "cats";
             assertEquals(_agents[_agents.length - 1].breedNumber, agent.breedNumber);
+            assertEquals(count, Breeds.count);
+        }
+
+        [Test]
+        public function noLookUpMakesABreed():void
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            collision.onCollision("cats", Collision.ANY_BREED, log([]));
+            collision.update(_agents);
+            var interests:BreedInterests = new BreedInterests();
+            interests.add("cats", BreedInterests.ANY_BREED);
+            var queries:AgentQueries = new AgentQueries(collision);
+            queries.update(_agents);
+            var filter:AgentFilter = new AgentFilter();
+            filter.exceptBreeds = new <String>["unknown to filters"];
+            var count:int = Breeds.count;
+            assertFalse(collision.removeHandler("unknown", "unknown to handlers", log([])));
+            assertEquals("as any other breed", Breeds.ANY, interests.indexOf("unknown to interests"));
+            assertEquals(-1, new BreedInterests().indexOf("unknown to interests"));
+            assertEquals(0, queries.countNear(_agents[0], Infinity, AgentFilter.ofBreeds("unknown to questions")));
+            assertEquals(_agents.length - 1, queries.countNear(_agents[0], Infinity, filter));
             assertEquals(count, Breeds.count);
         }
 

@@ -32,7 +32,7 @@ package starlogo.broadphase
         }
 
         [Test]
-        public function cellsThatShareANumberMixNothingUp():void
+        public function cellsThatShareABucketMixNothingUp():void
         {
             // wider than the numbers reach, so that cells far from each other have the same ones
             var random:SeededRandom = new SeededRandom(504);

@@ -71,22 +71,21 @@ package starlogo.queries.trees
             }
             else if (filter.exceptBreeds != null)
             {
-                // the set may bring new names, with which sets are exact no longer
-                var excluded:int = setOf(filter.exceptBreeds);
-                breeds = Breeds.count <= RowTree.BREED_BITS ? ~excluded : RowTree.ALL_BREEDS;
+                breeds = Breeds.count <= RowTree.BREED_BITS ? ~setOf(filter.exceptBreeds) : RowTree.ALL_BREEDS;
             }
             except(filter.except);
         }
 
-        // The set of some breeds. A name may be null. A new name becomes a breed.
+        // The set of some breeds. A name may be null. No agent has an unknown breed.
         private static function setOf(names:Vector.<String>):int
         {
             var found:int = 0;
             for (var i:int = 0; i < names.length; i++)
             {
-                if (names[i] != null)
+                var breed:int = names[i] == null ? -1 : Breeds.find(names[i]);
+                if (breed >= 0)
                 {
-                    found |= RowTree.breedBit(Breeds.numberOf(names[i]));
+                    found |= RowTree.breedBit(breed);
                 }
             }
             return found;

@@ -8,24 +8,22 @@ package starlogo.search.pairs
     internal final class DisplacedTreePair extends DisplacedPair
     {
         private var _tests:TreePairTests;
-        private var _stopsAtLeaves:Boolean = false;
+        private var _stopsAtLeaves:Boolean;
 
-        /** @param tests decide whether the bodies touch, and when */
-        public function DisplacedTreePair(tests:TreePairTests)
+        /**
+         * @param tests decide whether the bodies touch, and when
+         * @param stopsAtLeaves whether the leaves of trees decide, even if there are triangles
+         */
+        public function DisplacedTreePair(tests:TreePairTests, stopsAtLeaves:Boolean)
         {
             _tests = tests;
+            _stopsAtLeaves = stopsAtLeaves;
         }
 
         /** @inheritDoc */
         override public function get haveTriangles():Boolean
         {
             return _tests.limits.exact;
-        }
-
-        /** @inheritDoc */
-        override public function stopAtLeaves(value:Boolean):void
-        {
-            _stopsAtLeaves = value;
         }
 
         /** @inheritDoc */

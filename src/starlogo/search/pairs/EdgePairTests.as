@@ -34,7 +34,7 @@ package starlogo.search.pairs
         // By edge: the direction out of the world, and how far the body is beyond the edge (less than 0 if the body is before it).
         private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
-        private var _penetration:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _penetrations:Vector.<Number> = new Vector.<Number>(6, true);
 
         private var _supportSearch:SupportSearch = new SupportSearch();
         private var _farthest:SupportPoint = new SupportPoint();
@@ -58,10 +58,10 @@ package starlogo.search.pairs
         override public function areTouching(a:Body, b:Body):Boolean
         {
             var tolerance:Number = toleranceOf(a);
-            read(a, b, RelativeMotion.NONE, tolerance);
+            findPenetrations(a, b, RelativeMotion.NONE, tolerance);
             for (var edge:int = 0; edge < 6; edge++)
             {
-                if (_penetration[edge] + tolerance >= 0)
+                if (_penetrations[edge] + tolerance >= 0)
                 {
                     return true;
                 }
@@ -70,14 +70,14 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
             var tolerance:Number = toleranceOf(a);
-            read(a, b, motion, tolerance);
+            findPenetrations(a, b, motion, tolerance);
             motion.time = RelativeMotion.NEVER;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                var end:Number = _penetration[edge] + tolerance;
+                var end:Number = _penetrations[edge] + tolerance;
                 var start:Number = end - along(edge, motion.x, motion.y, motion.z);
                 if (start >= 0)
                 {
@@ -87,10 +87,6 @@ package starlogo.search.pairs
                 {
                     motion.time = Math.min(motion.time, start / (start - end));
                 }
-            }
-            if (out != null && motion.time != RelativeMotion.NEVER)
-            {
-                findContactOfParts(a, b, motion, out);
             }
         }
 
@@ -111,11 +107,11 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             var deepest:int = findDeepest(a, b, RelativeMotion.NONE);
             writeContact(deepest, a, b, RelativeMotion.NONE, _contact);
-            var gap:Number = -_penetration[deepest];
+            var gap:Number = -_penetrations[deepest];
             out.aX = _contact.x + gap / 2 * _contact.normalX;
             out.aY = _contact.y + gap / 2 * _contact.normalY;
             out.aZ = _contact.z + gap / 2 * _contact.normalZ;
@@ -130,12 +126,12 @@ package starlogo.search.pairs
         private function findDeepest(a:Body, b:Body, motion:RelativeMotion):int
         {
             // for trees, the points at all edges are needed
-            read(a, b, motion, Infinity);
+            findPenetrations(a, b, motion, Infinity);
             var deepest:int = 0;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                _penetration[edge] -= (1 - motion.time) * along(edge, motion.x, motion.y, motion.z);
-                deepest = _penetration[edge] > _penetration[deepest] ? edge : deepest;
+                _penetrations[edge] -= (1 - motion.time) * along(edge, motion.x, motion.y, motion.z);
+                deepest = _penetrations[edge] > _penetrations[deepest] ? edge : deepest;
             }
             return deepest;
         }
@@ -152,15 +148,16 @@ package starlogo.search.pairs
             for (var edge:int = 0; edge < 6; edge += 2)
             {
                 // of two opposite edges, the one with the larger value counts
-                var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
-                if (_penetration[one] >= -toleranceOf(a) || one == deepest)
+                var one:int = _penetrations[edge] >= _penetrations[int(edge + 1)] ? edge : edge + 1;
+                if (_penetrations[one] >= -toleranceOf(a) || one == deepest)
                 {
-                    addEdge(one, one == deepest, a, b, out);
+                    addHalfSpace(one, one == deepest, a);
+                    moveToMiddle(one, b, out);
                 }
             }
             _halfSpaces.solve(3, 0, _shortest);
             out.setNormal(_shortest.displacement.x / _shortest.length, _shortest.displacement.y / _shortest.length, _shortest.displacement.z / _shortest.length);
-            var depth:Number = Math.max(0, _penetration[deepest]);
+            var depth:Number = Math.max(0, _penetrations[deepest]);
             out.depth = _halfSpaces.count > 1 && depth > 0 ? _shortest.length : depth;
         }
 
@@ -172,18 +169,18 @@ package starlogo.search.pairs
 
         // Finds how far the body is beyond each edge. A tree's own points are computed only for edges that its extents come to, within the
         // tolerance.
-        private function read(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number):void
+        private function findPenetrations(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number):void
         {
             for (var edge:int = 0; edge < 6; edge++)
             {
                 var place:Number = placeOf(edges, edge);
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
                 var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - place);
-                _penetration[edge] = beyond;
+                _penetrations[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
-                    _supportSearch.find(body, _limits, _outwards[edge], _farthest);
-                    _penetration[edge] = _farthest.support - place;
+                    _supportSearch.findSupport(body, _limits, _outwards[edge], _farthest);
+                    _penetrations[edge] = _farthest.support - place;
                 }
             }
         }
@@ -201,23 +198,29 @@ package starlogo.search.pairs
             return x * _outwards[edge].x + y * _outwards[edge].y + z * _outwards[edge].z;
         }
 
-        // Adds the half-space before an edge, and moves the point into the middle of the overlap. For edges other than the deepest, the
-        // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. For the deepest one it
-        // is at least as long as that. A point has no extent; the patch counts in its place.
-        private function addEdge(edge:int, isDeepest:Boolean, body:Body, edges:Body, out:ContactPoint):void
+        // Adds the half-space before an edge. For edges other than the deepest, the way out is longer by a tenth of the tolerance of a contact's
+        // depth, so that it leads away from each of the edges. For the deepest one it is at least as long as that. A point has no extent; the
+        // patch counts in its place.
+        private function addHalfSpace(edge:int, isDeepest:Boolean, body:Body):void
         {
             var outwards:Vector3D = _outwards[edge];
             var half:Number = body.largestHalf == 0 ? 1 : body.largestHalf;
-            var least:Number = Tolerances.SEPARATION / 5 * half;
-            var by:Number = Math.max(0, _penetration[edge]);
-            by = isDeepest ? Math.max(by, least) : by + least;
-            _halfSpaces.add(-outwards.x, -outwards.y, -outwards.z, by);
-            var place:Number = placeOf(edges, edge) + _penetration[edge] / 2 - along(edge, out.x, out.y, out.z);
-            if (isFinite(place))
+            var slack:Number = Tolerances.SEPARATION / 5 * half;
+            var depth:Number = Math.max(0, _penetrations[edge]);
+            depth = isDeepest ? Math.max(depth, slack) : depth + slack;
+            _halfSpaces.add(-outwards.x, -outwards.y, -outwards.z, depth);
+        }
+
+        // Moves the point of a contact into the middle of the overlap with an edge. There may be no such edge: then its place is infinite.
+        private function moveToMiddle(edge:int, edges:Body, out:ContactPoint):void
+        {
+            var outwards:Vector3D = _outwards[edge];
+            var offset:Number = placeOf(edges, edge) + _penetrations[edge] / 2 - along(edge, out.x, out.y, out.z);
+            if (isFinite(offset))
             {
-                out.x += place * outwards.x;
-                out.y += place * outwards.y;
-                out.z += place * outwards.z;
+                out.x += offset * outwards.x;
+                out.y += offset * outwards.y;
+                out.z += offset * outwards.z;
             }
         }
     }

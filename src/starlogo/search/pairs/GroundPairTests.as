@@ -138,7 +138,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             queryOf(a, b).findClosest(areTouching, out);
         }
@@ -148,7 +148,7 @@ package starlogo.search.pairs
         {
             var plane:Number = exit.normalX * exit.x + exit.normalY * exit.y + exit.normalZ * exit.z + exit.depth / 2;
             _inwards.setTo(-exit.normalX, -exit.normalY, -exit.normalZ);
-            _supportSearch.find(a, _limits, _inwards, _farthest);
+            _supportSearch.findSupport(a, _limits, _inwards, _farthest);
             exit.depth = plane + _farthest.support;
         }
 

@@ -15,7 +15,7 @@ package starlogo.search.pairs
      * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs.
      *
      * <p>The order of a pair: the ground or the edges of the world are the second body in all these methods. Other bodies may come in either
-     * order, except in <code>findClosest()</code>. Every subclass answers all of them.</p>
+     * order, except in <code>findClosest()</code>.</p>
      *
      * @private
      */
@@ -37,19 +37,17 @@ package starlogo.search.pairs
          */
         public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findFirst");
+            findTime(a, b, motion);
+            if (out != null && motion.time != RelativeMotion.NEVER)
+            {
+                findContactOfParts(a, b, motion, out);
+            }
         }
 
-        /**
-         * Finds the contact of two bodies, which separates them.
-         *
-         * @param motion as in findFirst, with the time of the first touch
-         * @param out receives the contact. Its normal points from b to a, and b is where it is now
-         */
-        public final function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        /** Finds the time for <code>findFirst()</code>. A subclass overrides this method, or <code>findFirst()</code> if it finds both at once. */
+        protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
-            findContactOfParts(a, b, motion, out);
-            separate(a, b, motion, out);
+            throw new IllegalOperationError(this + " does not implement findTime");
         }
 
         /**
@@ -77,27 +75,14 @@ package starlogo.search.pairs
         }
 
         /**
-         * Finds the distance between two bodies. It is 0 if <code>areTouching()</code> is true for them, and otherwise greater.
-         * NarrowPhase.isSecondFirst is false for the two.
+         * Finds the distance between two bodies, and their closest points. NarrowPhase.isReversed is false for the two.
          *
-         * @param withPoints whether the closest points are needed if the two touch
+         * @param areTouching what <code>areTouching()</code> says of the two. If it is true the distance is 0, and otherwise greater
          * @param out receives the distance and the closest points, in the world
          */
-        public final function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
+        public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            var areTouchingNow:Boolean = areTouching(a, b);
-            if (areTouchingNow && !withPoints)
-            {
-                out.distance = 0;
-                return;
-            }
-            findClosestPoints(a, b, areTouchingNow, out);
-        }
-
-        /** Finds the distance and the closest points of two bodies of which is known whether they touch. Only <code>findClosest()</code> calls it. */
-        public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
-        {
-            throw new IllegalOperationError(this + " does not implement findClosestPoints");
+            throw new IllegalOperationError(this + " does not implement findClosest");
         }
 
         /**
@@ -109,7 +94,7 @@ package starlogo.search.pairs
          */
         public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            OverlapMiddle.setAlong(a, b, out);
+            OverlapMiddle.movePoint(a, b, out);
         }
     }
 }

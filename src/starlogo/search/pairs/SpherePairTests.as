@@ -94,14 +94,10 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
             setTo(a, b);
             sweep(motion);
-            if (out != null && motion.time != RelativeMotion.NEVER)
-            {
-                findContactOfParts(a, b, motion, out);
-            }
         }
 
         /**
@@ -123,7 +119,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             _kernel.findClosest(a.worldStructure(), b.worldStructure(), out);
             out.settle(areTouching);

@@ -67,7 +67,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
             var structureA:BoundingStructure = a.worldStructure();
             var structureB:BoundingStructure = b.worldStructure();
@@ -78,10 +78,6 @@ package starlogo.search.pairs
             {
                 motion.time = 1;
             }
-            if (out != null && motion.time != RelativeMotion.NEVER)
-            {
-                PairTable.findContact(structureA, structureB, motion, out);
-            }
         }
 
         /** @inheritDoc */
@@ -91,7 +87,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             PairTable.findClosest(a.worldStructure(), b.worldStructure(), out);
             out.settle(areTouching);

@@ -49,12 +49,12 @@ package starlogo.search.pairs
          * @param direction a unit vector in the world
          * @param out receives the support
          */
-        public function find(body:Body, limits:TreeLimits, direction:Vector3D, out:SupportPoint):void
+        public function findSupport(body:Body, limits:TreeLimits, direction:Vector3D, out:SupportPoint):void
         {
             var tree:ModelTree = body.shape.hierarchy;
             var at:Placement = body.placement;
             _corners = tree != null && limits.exact && tree.hasTriangles ? tree.prepareCorners() : null;
-            _depth = _corners != null ? BoxTree.EXACT : tree == null ? 0 : limits.depthOf(body);
+            _depth = _corners != null ? BoxTree.EXACT : limits.depthOf(body);
             _direction.x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
             _direction.y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;
             _direction.z = at.r02 * direction.x + at.r12 * direction.y + at.r22 * direction.z;
@@ -65,7 +65,7 @@ package starlogo.search.pairs
             }
             else
             {
-                visit(tree.boxTree);
+                findTreeSupport(tree.boxTree);
             }
             out.support = at.x * direction.x + at.y * direction.y + at.z * direction.z + at.size * _best;
         }
@@ -73,15 +73,15 @@ package starlogo.search.pairs
         /**
          * Finds the farthest point too.
          *
-         * @param body as in find
-         * @param limits as in find
-         * @param direction as in find
+         * @param body as in findSupport
+         * @param limits as in findSupport
+         * @param direction as in findSupport
          * @param half half of the body's largest extent. Points are equally far if their distances differ by less than a small part of it
          * @param out receives the support and the point
          */
         public function findPoint(body:Body, limits:TreeLimits, direction:Vector3D, half:Number, out:SupportPoint):void
         {
-            find(body, limits, direction, out);
+            findSupport(body, limits, direction, out);
             _least = _best - Tolerances.SEPARATION * half / body.placement.size;
             _low.setTo(Infinity, Infinity, Infinity);
             _high.setTo(-Infinity, -Infinity, -Infinity);
@@ -91,7 +91,7 @@ package starlogo.search.pairs
             }
             else
             {
-                collect(body.shape.hierarchy.boxTree);
+                addFarthestOfTree(body.shape.hierarchy.boxTree);
             }
             var at:Placement = body.placement;
             var x:Number = at.size * (_low.x + _high.x) / 2;
@@ -103,7 +103,7 @@ package starlogo.search.pairs
         }
 
         // Finds how far a tree reaches.
-        private function visit(tree:BoxTree):void
+        private function findTreeSupport(tree:BoxTree):void
         {
             _nodes[0] = 0;
             _limits[0] = Infinity;
@@ -131,12 +131,12 @@ package starlogo.search.pairs
                 }
                 else
                 {
-                    visitCorners(tree.first[node], tree.end[node]);
+                    findCornerSupport(tree.first[node], tree.end[node]);
                 }
             }
         }
 
-        private function visitCorners(first:int, end:int):void
+        private function findCornerSupport(first:int, end:int):void
         {
             var farthest:Number = _best;
             for (var i:int = 9 * first; i < 9 * end; i += 3)
@@ -147,7 +147,7 @@ package starlogo.search.pairs
         }
 
         // Adds the farthest points of a tree.
-        private function collect(tree:BoxTree):void
+        private function addFarthestOfTree(tree:BoxTree):void
         {
             _nodes[0] = 0;
             for (var top:int = 0; top >= 0; top--)

@@ -52,7 +52,7 @@ package starlogo.search.pairs
             this.limits = limits;
             _impacts = new TreeImpactQuery(_pair, _overlaps, _counts);
             _distances = new TreeDistanceQuery(_counts);
-            _separation = new PenetrationSearch(new DisplacedTreePair(this));
+            _separation = new PenetrationSearch(new DisplacedTreePair(this, false), new DisplacedTreePair(this, true));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -76,10 +76,9 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b), limits.exact);
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), limits.exact);
             _testCount++;
             _impacts.findFirst(own, out);
-            motion.time = own.time;
             finish(own, motion, out);
         }
 
@@ -117,7 +116,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             setPair(a, b, limits.exact);
             _distances.findClosest(_pair, areTouching, out);
@@ -149,7 +148,7 @@ package starlogo.search.pairs
 
         private function areOverlapping(a:Body, b:Body, exact:Boolean):Boolean
         {
-            if (NarrowPhase.isSecondFirst(a, b))
+            if (NarrowPhase.isReversed(a, b))
             {
                 return areOverlapping(b, a, exact);
             }
@@ -160,10 +159,9 @@ package starlogo.search.pairs
 
         private function findTreeImpact(a:Body, b:Body, motion:RelativeMotion, exact:Boolean, out:ContactPoint):void
         {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b), exact);
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), exact);
             _testCount++;
             _impacts.findImpact(own, out);
-            motion.time = own.time;
             finish(own, motion, out);
         }
 
@@ -181,10 +179,15 @@ package starlogo.search.pairs
             return _reversed;
         }
 
-        // Turns the contact of the pair, if there is one, into that of the two bodies in their own order.
+        // If the two bodies were swapped: gives their motion the time that was found, and turns the contact, if there is one, into theirs.
         private function finish(own:RelativeMotion, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (own !== motion && out != null && motion.time != RelativeMotion.NEVER)
+            if (own === motion)
+            {
+                return;
+            }
+            motion.time = own.time;
+            if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 out.swap(motion);
             }

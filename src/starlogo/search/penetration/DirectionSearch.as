@@ -151,21 +151,21 @@ package starlogo.search.penetration
         // Makes sure, in spite of rounding, that the two do not touch a little beyond a contact's depth, and touch a little before it.
         private function makeSure(along:Displacement, interval:ExitInterval, out:ContactPoint):void
         {
-            var slack:Number = _pair.nearby;
+            var probe:Number = _pair.probeDistance;
             along.setDirection(out.normalX, out.normalY, out.normalZ);
-            interval.outer = out.depth + slack;
-            interval.step = slack;
+            interval.outer = out.depth + probe;
+            interval.step = probe;
             goOut(along, interval);
             if (interval.inner == 0)
             {
-                along.distance = out.depth - slack;
+                along.distance = out.depth - probe;
                 if (along.distance <= 0 || _pair.testAt(along))
                 {
                     return;
                 }
                 interval.outer = along.distance;
             }
-            for (var i:int = 0; i < MOST_STEPS && interval.outer - interval.inner > slack; i++)
+            for (var i:int = 0; i < MOST_STEPS && interval.outer - interval.inner > probe; i++)
             {
                 halve(along, interval);
             }

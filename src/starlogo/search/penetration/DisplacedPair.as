@@ -41,7 +41,7 @@ package starlogo.search.penetration
         public var tolerance:Number = 0;
 
         /** How far before and behind a depth the first body is tried: a quarter of the tolerance. The rest of it is for rounding. */
-        public var nearby:Number = 0;
+        public var probeDistance:Number = 0;
 
         /** The gap across which the two touch because places are rounded. */
         public var rounding:Number = 0;
@@ -65,7 +65,7 @@ package starlogo.search.penetration
             // if both are points, the gap across which they still touch takes the place of the extent
             extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
             tolerance = Tolerances.SEPARATION * extent;
-            nearby = Tolerances.SEPARATION / 4 * extent;
+            probeDistance = Tolerances.SEPARATION / 4 * extent;
         }
 
         /** Whether the second body is the ground. */
@@ -129,14 +129,6 @@ package starlogo.search.penetration
         public function get haveTriangles():Boolean
         {
             return false;
-        }
-
-        /**
-         * Sets whether the leaves of trees decide in place of their triangles. They find every touch that triangles find, in a tenth of the time. Without
-         * triangles it changes nothing.
-         */
-        public function stopAtLeaves(value:Boolean):void
-        {
         }
 
         /**

@@ -141,18 +141,23 @@ package starlogo.search.penetration
             var high:Number = Math.sqrt(highSquared);
             if (!sweepDown(fartherX, fartherY, high, _down))
             {
+                // there is something higher
                 return;
             }
             // halfway between the place of the push and the one farther
-            var endX:Number = fartherX * ((1 + fartherFactor) / (2 * fartherFactor));
-            var endY:Number = fartherY * ((1 + fartherFactor) / (2 * fartherFactor));
-            var endZ:Number = high * (1 - Math.min(_down.time, 1));
-            var length:Number = Math.sqrt(endX * endX + endY * endY + endZ * endZ);
+            var share:Number = (1 + fartherFactor) / (2 * fartherFactor);
+            keepLift(fartherX * share, fartherY * share, high * (1 - Math.min(_down.time, 1)));
+        }
+
+        // Keeps a way out that ends with a lift, if the first body is free a little beyond its end.
+        private function keepLift(x:Number, y:Number, z:Number):void
+        {
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
             if (length == 0)
             {
                 return;
             }
-            _tried.setDirection(endX / length, endY / length, endZ / length);
+            _tried.setDirection(x / length, y / length, z / length);
             _tried.distance = length + _pair.tolerance;
             if (!_pair.testAt(_tried))
             {

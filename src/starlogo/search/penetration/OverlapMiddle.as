@@ -23,14 +23,14 @@ package starlogo.search.penetration
          * @param b the second body
          * @param out the contact. Its point is half of the depth away from the second body's end, along the normal
          */
-        public static function setAlong(a:Body, b:Body, out:ContactPoint):void
+        public static function movePoint(a:Body, b:Body, out:ContactPoint):void
         {
-            var low:Number = Math.max(0, out.depth - across(b, out));
-            var high:Number = Math.min(out.depth, across(a, out));
-            var by:Number = (low + high - out.depth) / 2;
-            out.x += by * out.normalX;
-            out.y += by * out.normalY;
-            out.z += by * out.normalZ;
+            var low:Number = Math.max(0, out.depth - lengthOf(b, out));
+            var high:Number = Math.min(out.depth, lengthOf(a, out));
+            var offset:Number = (low + high - out.depth) / 2;
+            out.x += offset * out.normalX;
+            out.y += offset * out.normalY;
+            out.z += offset * out.normalZ;
         }
 
         /** Moves a contact's point into the extents of a body, if it is outside. The ground has none. */
@@ -46,7 +46,7 @@ package starlogo.search.penetration
         }
 
         // The length of a body along a normal. For bodies other than spheres it is the length of their extents.
-        private static function across(body:Body, out:ContactPoint):Number
+        private static function lengthOf(body:Body, out:ContactPoint):Number
         {
             if (body.form == ModelShape.GROUND)
             {

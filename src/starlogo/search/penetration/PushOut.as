@@ -170,7 +170,7 @@ package starlogo.search.penetration
         private function goToBlocked():Boolean
         {
             _tried.setDirection(_pushes.push.x / _pushes.length, _pushes.push.y / _pushes.length, _pushes.push.z / _pushes.length);
-            var farther:Number = _pushes.length + _pair.nearby;
+            var farther:Number = _pushes.length + _pair.probeDistance;
             if (_pushes.deciding > 1)
             {
                 // beyond its end, a push out of several contacts may lead into one of them again
@@ -203,7 +203,7 @@ package starlogo.search.penetration
             {
                 return;
             }
-            _tried.distance = _pushes.length - _pair.nearby;
+            _tried.distance = _pushes.length - _pair.probeDistance;
             if (_tried.distance > 0 && !_pair.testAt(_tried))
             {
                 _directions.shorten(_tried, out);

@@ -94,13 +94,13 @@ package starlogo.search.table
             forgetReplaced();
             list.beginRead();
             var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
-            // it finds out whether the list is the same while it reads
-            isSame &&= readChanged(agents, list.rows, _reshaped);
+            // whether the list is the same is found out on the way
+            isSame &&= findChanged(agents, list.rows);
             if (!isSame)
             {
                 list.propose(agents);
-                makeRows();
-                readChanged(agents, list.proposed, _reshaped);
+                emptyArrived();
+                findChanged(agents, list.proposed);
             }
             findShapes(_reshaped, _newShapes);
             // nothing below throws
@@ -109,7 +109,7 @@ package starlogo.search.table
                 list.accept();
                 followList();
             }
-            places.acceptRead(list.rows.count);
+            places.read(list);
             loadingCount = takeShapes(_reshaped, _newShapes);
         }
 
@@ -203,10 +203,11 @@ package starlogo.search.table
         }
 
         /**
-         * The body of an agent as it is now: that of its row, if the agent has not changed since, and else a body that is made. Its shape is null
-         * while the agent's model is loading.
+         * The body of an agent as it is now. Its shape is null while the agent's model is loading.
+         *
+         * @param spare becomes this body if the agent has changed since it was read, or has no row. Otherwise the body is that of its row
          */
-        public function currentBodyOf(agent:Agent, made:Body):Body
+        public function currentBodyOf(agent:Agent, spare:Body):Body
         {
             forgetReplaced();
             var row:int = list.rowOf(agent);
@@ -215,12 +216,12 @@ package starlogo.search.table
                 return bodyOf(row);
             }
             var ofWorld:WorldAgent = agent as WorldAgent;
-            made.readAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
+            spare.readAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
             if (row >= 0)
             {
-                made.rank = list.ranks[row];
+                spare.rank = list.ranks[row];
             }
-            return made;
+            return spare;
         }
 
         /** The body of a row whose model is not loading, as the last search has read it. */
@@ -236,21 +237,18 @@ package starlogo.search.table
             return body;
         }
 
-        /**
-         * Reads the places of agents that have changed since the last search.
-         *
-         * @param reshaped receives the rows of those whose bodies have changed
-         * @return false if the rows do not belong to the agents
-         */
-        private function readChanged(agents:Vector.<Agent>, listed:NumberList, reshaped:NumberList):Boolean
+        // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). Returns false if the rows do not
+        // belong to the agents.
+        private function findChanged(agents:Vector.<Agent>, listed:NumberList):Boolean
         {
             var rows:Vector.<int> = listed.numbers;
             var byRow:Vector.<Agent> = list.agents;
             var seen:Vector.<int> = places.last.revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var end:int = agents.length;
-            places.beginRead();
-            reshaped.count = 0;
+            var changed:NumberList = places.proposed;
+            var reshaped:NumberList = _reshaped;
+            changed.count = reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
@@ -265,7 +263,7 @@ package starlogo.search.table
                     {
                         reshaped.add(row);
                     }
-                    places.read(row, agent);
+                    changed.add(row);
                     // also if the list is refused: then the next search reads the row again
                     breeds[row] = agent.breedNumber;
                 }
@@ -273,8 +271,8 @@ package starlogo.search.table
             return true;
         }
 
-        // Makes room for the rows of the proposed list. What is left over from other agents in those that have arrived is void.
-        private function makeRows():void
+        // Makes room for the rows of the proposed list, and empties those that have arrived: what other agents have left there is void.
+        private function emptyArrived():void
         {
             if (list.agents.length > shapes.length)
             {
@@ -438,7 +436,7 @@ package starlogo.search.table
             }
             body.readShape(agent, shape);
             body.rank = list.ranks[row];
-            places.reshape(row, body);
+            places.readExtents(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
             _placedRevisions[row] = STALE;
         }

@@ -24,10 +24,7 @@ package starlogo.search.table
         /** The places in the last search. */
         public var last:RowPlaces = new RowPlaces();
 
-        /**
-         * The places in the search before the last. A row that has not changed has the same place in both. Between <code>beginRead()</code> and
-         * <code>acceptRead()</code> it receives the new places, so it holds neither search then.
-         */
+        /** The places in the search before the last. A row that has not changed has the same place in both. */
         public var previous:RowPlaces = new RowPlaces();
 
         /** The rows that the last search has read again, because their agents had changed. */
@@ -35,6 +32,9 @@ package starlogo.search.table
 
         /** The rows that the search before has read again. */
         public var previouslyChanged:NumberList = new NumberList();
+
+        /** The rows that the next search has to read again. <code>read()</code> takes them. */
+        internal var proposed:NumberList = new NumberList();
 
         // By row: the way from the agent's place to the middle of its extents.
         private var _offsets:Points = new Points();
@@ -46,51 +46,47 @@ package starlogo.search.table
         // when it comes back.
         private var _wasOneFarOut:Boolean = false;
 
-        // The rows that a new search reads.
-        private var _read:NumberList = new NumberList();
-
         /** @param bins assign levels to extents; null if none are needed */
         public function PlaceHistory(bins:Bins)
         {
             _bins = bins;
         }
 
-        /** Begins to read the places of a new search. The places of the search before last are lost. */
-        public function beginRead():void
-        {
-            _read.count = 0;
-        }
-
-        /** Reads the place of an agent that has changed. The last places count until <code>acceptRead()</code>. */
-        public function read(row:int, agent:Agent):void
-        {
-            _read.add(row);
-            previous.read(row, agent);
-        }
-
         /**
-         * Makes the places that were read the last ones.
+         * Reads the places of the proposed rows for a new search.
          *
-         * @param agentCount the number of listed agents
+         * @param list has the agents of the rows
          */
-        public function acceptRead(agentCount:int):void
+        internal function read(list:ListedAgents):void
         {
-            var older:RowPlaces = previous;
-            previous = last;
-            last = older;
             var spare:NumberList = previouslyChanged;
             previouslyChanged = changed;
-            changed = _read;
-            _read = spare;
-            if (changed.count < agentCount)
+            changed = proposed;
+            proposed = spare;
+            if (changed.count < list.rows.count)
             {
-                copyStill();
+                // for the rows that have changed before, and not now
+                keepLast(previouslyChanged);
+            }
+            keepLast(changed);
+            for (var i:int = 0; i < changed.count; i++)
+            {
+                last.read(changed.numbers[i], list.agents[changed.numbers[i]]);
             }
             moveExtents();
         }
 
-        /** Takes the extents of a row's body, which has another shape, turn or size than before. */
-        public function reshape(row:int, body:Body):void
+        // Makes the last places of rows the previous ones too.
+        private function keepLast(rows:NumberList):void
+        {
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                previous.copyRow(last, rows.numbers[i]);
+            }
+        }
+
+        /** Reads the extents of a row's body, which has another shape, turn or size than before. */
+        public function readExtents(row:int, body:Body):void
         {
             _offsets.x[row] = body.offsetX;
             _offsets.y[row] = body.offsetY;
@@ -135,7 +131,7 @@ package starlogo.search.table
             }
         }
 
-        /** Makes sure that there are this many rows. */
+        /** Makes room for so many rows, which are more than before. */
         public function grow(length:int):void
         {
             last.grow(length);
@@ -193,19 +189,6 @@ package starlogo.search.table
             if (_bins != null && row >= ListedAgents.FIRST_LISTED && _bins.assignLevel(extents, row))
             {
                 _wasOneFarOut = true;
-            }
-        }
-
-        // Gives rows that changed before, and not now, their present place in both searches.
-        private function copyStill():void
-        {
-            for (var i:int = 0; i < previouslyChanged.count; i++)
-            {
-                var row:int = previouslyChanged.numbers[i];
-                if (last.revisions[row] < previous.revisions[row])
-                {
-                    last.copyRow(previous, row);
-                }
             }
         }
     }

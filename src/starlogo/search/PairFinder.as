@@ -10,10 +10,10 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Takes the candidates of the broad phase, and writes those pairs of them that touch and whose breeds are of interest. Agents that sweep are
-     * tested along their motions.
+     * Finds the pairs of rows that touch and whose breeds are of interest, among the candidates that the broad phase gives it. Agents that
+     * sweep are tested along their motions.
      */
-    internal final class CandidateFilter extends PairSink
+    internal final class PairFinder extends PairSink
     {
         /** The number of candidates whose breeds are of interest. */
         public var candidatePairs:int = 0;
@@ -36,15 +36,15 @@ package starlogo.search
         // The times of a row's pairs, if an agent sweeps.
         private var _times:Vector.<Number> = new Vector.<Number>();
 
-        // The rows that are tested with the ground or the edges of the world.
-        private var _atWorldAgent:Vector.<int> = new Vector.<int>();
+        // The members that are tested with the ground or the edges of the world.
+        private var _members:Vector.<int> = new Vector.<int>();
 
         /**
          * @param table has the rows
          * @param narrowPhase tests which of them touch
          * @param motions of the rows, if an agent sweeps
          */
-        public function CandidateFilter(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions)
+        public function PairFinder(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions)
         {
             _table = table;
             _narrowPhase = narrowPhase;
@@ -69,9 +69,7 @@ package starlogo.search
         /** Ends the search: puts the pairs into order. */
         public function end():void
         {
-            var found:FoundPairs = _out;
-            _out = null;
-            _order.sort(found, _anySweeps);
+            _order.sort(_out, _anySweeps);
         }
 
         /** @inheritDoc */
@@ -99,7 +97,7 @@ package starlogo.search
             {
                 return;
             }
-            var others:Vector.<int> = _atWorldAgent;
+            var others:Vector.<int> = _members;
             var count:int = 0;
             for (var i:int = 0; i < rows.count; i++)
             {

@@ -1,0 +1,102 @@
+package starlogo.search
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import starlogo.agents.Agent;
+    import starlogo.search.table.ListedAgents;
+
+    /** The order of pairs, compared with a sort by comparisons. */
+    public class PairOrderTest
+    {
+        private var _random:SeededRandom = new SeededRandom(7215);
+        private var _order:PairOrder = new PairOrder();
+
+        [Test]
+        public function isThatOfTheList():void
+        {
+            checkAll(false);
+        }
+
+        [Test]
+        public function isThatOfTheTimesAndThenOfTheList():void
+        {
+            checkAll(true);
+        }
+
+        // Few pairs are sorted otherwise than many. The same object sorts them all.
+        private function checkAll(haveTimes:Boolean):void
+        {
+            for each (var agentCount:int in [2, 30, 900])
+            {
+                var list:ListedAgents = listOf(agentCount);
+                for each (var pairCount:int in [0, 1, 8, 60, 250])
+                {
+                    check(list, Math.min(pairCount, agentCount * (agentCount - 1) / 2), haveTimes);
+                }
+            }
+        }
+
+        private function check(list:ListedAgents, pairCount:int, haveTimes:Boolean):void
+        {
+            var pairs:FoundPairs = new FoundPairs();
+            var expected:Array = [];
+            var have:Object = {};
+            pairs.begin(list);
+            while (expected.length < pairCount)
+            {
+                var first:int = _random.integer(0, list.rows.count - 2);
+                var second:int = _random.integer(first + 1, list.rows.count);
+                var time:Number = haveTimes ? _random.integer(0, 4) / 4 : 0;
+                if (!have[first + " " + second])
+                {
+                    have[first + " " + second] = true;
+                    expected.push([time, first, second]);
+                    pairs.times[pairs.count] = time;
+                    // after the agents comes the ground
+                    pairs.add(list.rows.numbers[first], second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.numbers[second]);
+                }
+            }
+            expected.sort(compare);
+            _order.sort(pairs, haveTimes);
+            assertEquals(pairCount, pairs.count);
+            for (var i:int = 0; i < pairCount; i++)
+            {
+                var found:Array = [haveTimes ? pairs.times[i] : 0, list.ranks[pairs.rows[2 * i]], list.ranks[pairs.rows[2 * i + 1]]];
+                assertEquals(i + " of " + pairCount + " pairs of " + list.rows.count, expected[i].join(), found.join());
+            }
+        }
+
+        private static function compare(a:Array, b:Array):Number
+        {
+            return a[0] - b[0] || a[1] - b[1] || a[2] - b[2];
+        }
+
+        // A list of agents, whose rows have another order.
+        private function listOf(count:int):ListedAgents
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < count; i++)
+            {
+                agents.push(new Agent("sphere"));
+            }
+            var list:ListedAgents = new ListedAgents();
+            propose(list, agents);
+            for (i = 0; i < count; i++)
+            {
+                var other:int = _random.integer(0, count - 1);
+                var agent:Agent = agents[i];
+                agents[i] = agents[other];
+                agents[other] = agent;
+            }
+            propose(list, agents);
+            return list;
+        }
+
+        private static function propose(list:ListedAgents, agents:Vector.<Agent>):void
+        {
+            list.beginRead();
+            list.propose(agents);
+            list.accept();
+        }
+    }
+}

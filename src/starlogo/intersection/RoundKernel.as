@@ -155,7 +155,7 @@ package starlogo.intersection
                 if (squared <= touchingDistance * touchingDistance)
                 {
                     // They touch to within rounding. One more step makes up for a step that rounding may have skipped.
-                    motion.time = next <= 1 ? next : time;
+                    motion.time = next <= motion.latest ? next : time;
                     return true;
                 }
                 if (!(next > time))

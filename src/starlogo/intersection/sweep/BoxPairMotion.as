@@ -22,7 +22,7 @@ package starlogo.intersection.sweep
         public var motionZ:Number = 0;
 
         /** The gap across which the boxes still touch: the sum of the margins (see Touching). */
-        public var tolerance:Number = 0;
+        public var margin:Number = 0;
 
         /** The vector from a's middle to b's at time 0. */
         public var x:Number = 0;
@@ -39,13 +39,13 @@ package starlogo.intersection.sweep
         public var bY:Number = 0;
         public var bZ:Number = 0;
 
-        /** The latest time that counts. */
+        /** The latest time that counts: see RelativeMotion. */
         public var latest:Number = 1;
 
         /** The result: the time from which the axes that were tried do not separate the boxes, or RelativeMotion.NEVER. */
         public var time:Number = RelativeMotion.NEVER;
 
-        /** Sets two boxes and the motion of a. While a moves, b moves in the opposite direction as seen from a. The latest time stays. */
+        /** Sets two boxes and the motion of a. While a moves, b moves in the opposite direction as seen from a. */
         public function setBoxes(a:Box, b:Box, motion:RelativeMotion):void
         {
             var cosines:BoxAxes = axes;
@@ -84,7 +84,8 @@ package starlogo.intersection.sweep
             bY = b.halfY;
             bZ = b.halfZ;
             include "../../convex/motionMargin.inc";
-            tolerance = margin;
+            this.margin = margin;
+            latest = motion.latest;
         }
     }
 }

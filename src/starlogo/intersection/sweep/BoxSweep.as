@@ -59,51 +59,51 @@ package starlogo.intersection.sweep
             var b:BoxAxes = pair.axes;
             var along:AxisMotion = _along;
             times.begin(pair.latest);
-            along.tolerance = pair.tolerance;
+            along.margin = pair.margin;
             var fromX:Number = pair.x;
             var fromY:Number = pair.y;
             var fromZ:Number = pair.z;
             var halfX:Number = pair.bX;
             var halfY:Number = pair.bY;
             var halfZ:Number = pair.bZ;
-            along.at = fromX;
-            along.speed = pair.motionX;
-            along.radius = pair.aX + halfX * b.abs00 + halfY * b.abs01 + halfZ * b.abs02;
+            along.offset = fromX;
+            along.travel = pair.motionX;
+            along.halfExtents = pair.aX + halfX * b.abs00 + halfY * b.abs01 + halfZ * b.abs02;
             if (!times.narrow(along))
             {
                 return;
             }
-            along.at = fromY;
-            along.speed = pair.motionY;
-            along.radius = pair.aY + halfX * b.abs10 + halfY * b.abs11 + halfZ * b.abs12;
+            along.offset = fromY;
+            along.travel = pair.motionY;
+            along.halfExtents = pair.aY + halfX * b.abs10 + halfY * b.abs11 + halfZ * b.abs12;
             if (!times.narrow(along))
             {
                 return;
             }
-            along.at = fromZ;
-            along.speed = pair.motionZ;
-            along.radius = pair.aZ + halfX * b.abs20 + halfY * b.abs21 + halfZ * b.abs22;
+            along.offset = fromZ;
+            along.travel = pair.motionZ;
+            along.halfExtents = pair.aZ + halfX * b.abs20 + halfY * b.abs21 + halfZ * b.abs22;
             if (!times.narrow(along))
             {
                 return;
             }
-            along.at = fromX * b.m00 + fromY * b.m10 + fromZ * b.m20;
-            along.speed = b.m00 * pair.motionX + b.m10 * pair.motionY + b.m20 * pair.motionZ;
-            along.radius = halfX + pair.aX * b.abs00 + pair.aY * b.abs10 + pair.aZ * b.abs20;
+            along.offset = fromX * b.m00 + fromY * b.m10 + fromZ * b.m20;
+            along.travel = b.m00 * pair.motionX + b.m10 * pair.motionY + b.m20 * pair.motionZ;
+            along.halfExtents = halfX + pair.aX * b.abs00 + pair.aY * b.abs10 + pair.aZ * b.abs20;
             if (!times.narrow(along))
             {
                 return;
             }
-            along.at = fromX * b.m01 + fromY * b.m11 + fromZ * b.m21;
-            along.speed = b.m01 * pair.motionX + b.m11 * pair.motionY + b.m21 * pair.motionZ;
-            along.radius = halfY + pair.aX * b.abs01 + pair.aY * b.abs11 + pair.aZ * b.abs21;
+            along.offset = fromX * b.m01 + fromY * b.m11 + fromZ * b.m21;
+            along.travel = b.m01 * pair.motionX + b.m11 * pair.motionY + b.m21 * pair.motionZ;
+            along.halfExtents = halfY + pair.aX * b.abs01 + pair.aY * b.abs11 + pair.aZ * b.abs21;
             if (!times.narrow(along))
             {
                 return;
             }
-            along.at = fromX * b.m02 + fromY * b.m12 + fromZ * b.m22;
-            along.speed = b.m02 * pair.motionX + b.m12 * pair.motionY + b.m22 * pair.motionZ;
-            along.radius = halfZ + pair.aX * b.abs02 + pair.aY * b.abs12 + pair.aZ * b.abs22;
+            along.offset = fromX * b.m02 + fromY * b.m12 + fromZ * b.m22;
+            along.travel = b.m02 * pair.motionX + b.m12 * pair.motionY + b.m22 * pair.motionZ;
+            along.halfExtents = halfZ + pair.aX * b.abs02 + pair.aY * b.abs12 + pair.aZ * b.abs22;
             if (times.narrow(along))
             {
                 pair.time = times.touch < times.last ? times.touch : times.last;
@@ -161,10 +161,10 @@ package starlogo.intersection.sweep
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeY + sizeZ > SHORTEST)
             {
-                along.at = pair.z * pY - pair.y * pZ;
-                along.speed = pair.motionZ * pY - pair.motionY * pZ;
-                along.radius = pair.aY * sizeZ + pair.aZ * sizeY + alongQ + alongR;
-                along.tolerance = pair.tolerance * (sizeY + sizeZ);
+                along.offset = pair.z * pY - pair.y * pZ;
+                along.travel = pair.motionZ * pY - pair.motionY * pZ;
+                along.halfExtents = pair.aY * sizeZ + pair.aZ * sizeY + alongQ + alongR;
+                along.margin = pair.margin * (sizeY + sizeZ);
                 if (!times.narrow(along))
                 {
                     return false;
@@ -176,10 +176,10 @@ package starlogo.intersection.sweep
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeX + sizeZ > SHORTEST)
             {
-                along.at = pair.x * pZ - pair.z * pX;
-                along.speed = pair.motionX * pZ - pair.motionZ * pX;
-                along.radius = pair.aZ * sizeX + pair.aX * sizeZ + alongQ + alongR;
-                along.tolerance = pair.tolerance * (sizeX + sizeZ);
+                along.offset = pair.x * pZ - pair.z * pX;
+                along.travel = pair.motionX * pZ - pair.motionZ * pX;
+                along.halfExtents = pair.aZ * sizeX + pair.aX * sizeZ + alongQ + alongR;
+                along.margin = pair.margin * (sizeX + sizeZ);
                 if (!times.narrow(along))
                 {
                     return false;
@@ -193,10 +193,10 @@ package starlogo.intersection.sweep
             alongQ = alongQ < 0 ? -alongQ : alongQ;
             alongR = rY * pX - rX * pY;
             alongR = alongR < 0 ? -alongR : alongR;
-            along.at = pair.y * pX - pair.x * pY;
-            along.speed = pair.motionY * pX - pair.motionX * pY;
-            along.radius = pair.aX * sizeY + pair.aY * sizeX + alongQ + alongR;
-            along.tolerance = pair.tolerance * (sizeX + sizeY);
+            along.offset = pair.y * pX - pair.x * pY;
+            along.travel = pair.motionY * pX - pair.motionX * pY;
+            along.halfExtents = pair.aX * sizeY + pair.aY * sizeX + alongQ + alongR;
+            along.margin = pair.margin * (sizeX + sizeY);
             return times.narrow(along);
         }
     }

@@ -5,6 +5,7 @@ package starlogo.bounding
     import flash.errors.IllegalOperationError;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -238,14 +239,14 @@ package starlogo.bounding
         }
 
         /**
-         * Writes the hull and the radius that the package convex tests. Every structure of the kind HULL implements it. The lists are the
-         * structure's own.
+         * Sets a shape to this structure, for the package convex. Every structure that is collided implements it. The shape may keep the
+         * structure's own lists of points, faces and edges.
          *
          * @private
          */
-        engine function roundedHullInto(out:RoundedHull):void
+        engine function shapeInto(out:ConvexShape):void
         {
-            throw new IllegalOperationError(this + " does not implement roundedHullInto");
+            throw new IllegalOperationError(this + " does not implement shapeInto");
         }
 
         /**

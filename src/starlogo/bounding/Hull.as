@@ -2,6 +2,7 @@ package starlogo.bounding
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Placement;
@@ -348,12 +349,9 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function roundedHullInto(out:RoundedHull):void
+        override engine function shapeInto(out:ConvexShape):void
         {
-            out.center = center;
-            out.points = points;
-            out.faces = topology.faces;
-            out.edges = topology.edges;
+            out.setHull(center, points, topology.faces, topology.edges);
             out.radius = radius;
         }
 

@@ -70,7 +70,7 @@ package starlogo.convex
         /**
          * Finds when a moving shape first touches another one.
          *
-         * @param motion the motion of a; receives the time: 0 if they touch at the beginning, or RelativeMotion.NEVER
+         * @param motion the motion of a; receives the time
          */
         public function findTime(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {

@@ -6,8 +6,8 @@ package starlogo.convex
     /**
      * Finds the shortest displacement that separates two cores that touch or overlap. Its direction is the normal of a face of one, or
      * perpendicular to an edge of each. Of the pairs of edges, only those count whose common perpendicular points out of both (Gregorius, "The
-     * separating axis test between convex polyhedra", 2013). The edges of boxes and segments say nothing
-     * of faces, so nothing is known to be on a side of them.
+     * separating axis test between convex polyhedra", 2013). The edges of boxes, triangles and segments say nothing of faces, so nothing is known to
+     * be on a side of them.
      *
      * <p>If two displacements are equally short, the first one is taken that is tried: faces of the second core, faces of the first, edges. Of two
      * opposite ones, it is the one against the pair's motion; if the pair has none, rounding decides. Points and parallel segments move upwards as
@@ -94,7 +94,7 @@ package starlogo.convex
         private function tryEdges(cores:CorePair, out:CoreWitness):void
         {
             var first:ConvexShape = cores.first;
-            var areBare:Boolean = first.areEdgesBare && cores.second.areEdgesBare;
+            var areBare:Boolean = isBare(first.edges) && isBare(cores.second.edges);
             var end:int = readEdges(cores.second);
             for (var i:int = 0; i < first.edges.length; i += 4)
             {
@@ -107,6 +107,12 @@ package starlogo.convex
                     }
                 }
             }
+        }
+
+        // Whether edges say nothing of faces: see ConvexShape.edges.
+        private static function isBare(edges:Vector.<int>):Boolean
+        {
+            return edges[2] == edges[0];
         }
 
         // Whether the perpendicular of an edge of the first core and one of the second points out of both cores: all of each core is on one side of

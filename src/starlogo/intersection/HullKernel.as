@@ -65,8 +65,8 @@ package starlogo.intersection
 
         private function setShapes(a:BoundingStructure, b:BoundingStructure):void
         {
-            _a.setStructure(a);
-            _b.setStructure(b);
+            a.shapeInto(_a);
+            b.shapeInto(_b);
         }
     }
 }

@@ -16,9 +16,6 @@ package starlogo.solid
         private var _radius:Number = 0;
         private var _motion:RelativeMotion;
 
-        // The count of the numbers of a segment's points.
-        private static const SEGMENT:int = 6;
-
         // Six numbers for each axis: the axis, the least place along it that the shape comes to, the greatest place at time 0, and the speed along it,
         // which is not negative. Then the end of these numbers.
         private var _axes:Vector.<Number> = new Vector.<Number>(36, true);
@@ -43,22 +40,22 @@ package starlogo.solid
             _motion = motion;
             _end = 0;
             var p:Vector.<Number> = shape.points;
-            if (shape.end <= SEGMENT)
+            if (shape.end <= ConvexShape.SEGMENT)
             {
-                var x:Number = shape.end < SEGMENT ? 0 : p[3] - p[0];
-                var y:Number = shape.end < SEGMENT ? 0 : p[4] - p[1];
-                var z:Number = shape.end < SEGMENT ? 0 : p[5] - p[2];
+                var x:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[3] - p[0];
+                var y:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[4] - p[1];
+                var z:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[5] - p[2];
                 var squared:Number = x * x + y * y + z * z;
                 var share:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
                 addAxis(motion.x - share * x, motion.y - share * y, motion.z - share * z);
             }
             var edges:Vector.<int> = shape.edges;
-            for (var i:int = 1; shape.areEdgesBare && i < edges.length; i += 4)
+            for (var i:int = 1; shape.areEdgesPerpendicular && i < edges.length; i += 4)
             {
                 var to:int = edges[i];
                 addEdge(p[to] - p[0], p[int(to + 1)] - p[1], p[int(to + 2)] - p[2]);
             }
-            if (!shape.areEdgesBare && shape.end > SEGMENT)
+            if (!shape.areEdgesPerpendicular && shape.end > ConvexShape.SEGMENT)
             {
                 addEdge(1, 0, 0);
                 addEdge(0, 1, 0);

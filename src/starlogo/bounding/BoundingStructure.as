@@ -1,5 +1,5 @@
 // This room has the structures that enclose models. A structure has its numbers in public fields, and is placed into another one of its
-// kind; the rooms convex and intersection compare two of them. Read this file first, then Sphere, and then Hull with its HullTopology.
+// kind, and sets a ConvexShape; the room intersection compares two of them. Read this file first, then Sphere, and then Hull with its HullTopology.
 package starlogo.bounding
 {
     import flash.errors.IllegalOperationError;

@@ -18,27 +18,27 @@ package starlogo.convex
         public function find(cores:CorePair, out:ContactPoint):void
         {
             findFeatures(cores, out);
-            // how far the place halfway between the surfaces is from the common part, along the normal
-            var by:Number;
+            // how far the middle between the surfaces is from the common part, along the normal
+            var offset:Number;
             if (_first.end == ContactFeature.CORNER)
             {
                 writeMean(_first.points, ContactFeature.CORNER, out);
-                by = out.depth / 2 - cores.first.radius;
+                offset = out.depth / 2 - cores.first.radius;
             }
             else if (_second.end == ContactFeature.CORNER)
             {
                 writeMean(_second.points, ContactFeature.CORNER, out);
-                by = cores.second.radius - out.depth / 2;
+                offset = cores.second.radius - out.depth / 2;
             }
             else
             {
                 findShared(out);
                 var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _first.farthest - cores.first.radius;
-                by = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
+                offset = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
             }
-            out.x += by * out.normalX;
-            out.y += by * out.normalY;
-            out.z += by * out.normalZ;
+            out.x += offset * out.normalX;
+            out.y += offset * out.normalY;
+            out.z += offset * out.normalZ;
         }
 
         // Finds both features, first that of the core with fewer points. If it is a corner, it is the common part, and the other feature is left

@@ -17,9 +17,11 @@ package starlogo.convex
      */
     internal final class CoreOverlap
     {
-        // How many numbers describe an edge: its vector; two vectors across it, in the planes of its faces, turned by a right angle; its start.
+        // How many numbers describe an edge: from 0 on its vector; from 3 on and from 6 on, for each of its faces, a normal of the face with the length of
+        // the edge and of what the face's other point is across it; from 9 on its start. The normals of bare edges are 0.
         private static const PER_EDGE:int = 12;
 
+        // An edge of the first core, and all edges of the second.
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
 

@@ -117,7 +117,7 @@ package starlogo.convex
                     -0.5042777998141063, 4.443023827606398, 0.000023186407971213918, 45562.39164223907);
             var capsule:ConvexShape = new ConvexShape();
             new Capsule(new Vector3D(-90107.6704399277, -54208.699588471034, -12601.417580838483),
-                        new Vector3D(90107.6704399277, 54208.699588471034, 12601.417580838483), 66635.3380510143).shapeInto(capsule);
+                    new Vector3D(90107.6704399277, 54208.699588471034, 12601.417580838483), 66635.3380510143).shapeInto(capsule);
             checkContactPoint(needle, capsule, 1e-3);
             _wrong.assertNone();
         }
@@ -160,7 +160,7 @@ package starlogo.convex
         {
             var capsule:ConvexShape = new ConvexShape();
             new Capsule(new Vector3D(0.0000025034947588320478, -0.3430067765085749, -9.470828950530752e-7),
-                        new Vector3D(3.377203041665666e-7, -0.34300726683642435, 5.337812969408162e-10), 2.732622363985613e-9).shapeInto(capsule);
+                    new Vector3D(3.377203041665666e-7, -0.34300726683642435, 5.337812969408162e-10), 2.732622363985613e-9).shapeInto(capsule);
             var needle:ConvexShape = new ConvexShape();
             needle.setTriangle(new <Number>[-3.366928442494316e-7, -0.34300726614292376, 0, 3.366928442494316e-7, -0.34300726614292376, 0,
                         1.4118034968611342e-8, 0.34300726614292376, 0], 0);

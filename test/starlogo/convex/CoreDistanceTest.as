@@ -35,7 +35,7 @@ package starlogo.convex
                         search.find(_cores, _witness);
                         var most:Number = Math.max(0, _witness.separation) + 1e-14 * (disc.extent + needle.extent);
                         _wrong.addIf(!(_witness.distance <= most), "distance", count + " points, " + thickness + " thick: " + _witness.distance + ", proven "
-                            + _witness.separation);
+                                + _witness.separation);
                         apart += _witness.distance > 0.01 ? 1 : 0;
                     }
                 }

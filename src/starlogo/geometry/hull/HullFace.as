@@ -116,10 +116,8 @@ package starlogo.geometry.hull
             }
         }
 
-        /**
-         * The side of the face's plane on which a point is: positive beyond it, negative behind it, and 0 if it is exactly in the plane.
-         */
-        public function side(points:Vector.<Number>, point:int):Number
+        /** The side of the face's plane on which a point is: 1 beyond it, -1 behind it, and 0 if it is exactly in the plane. */
+        public function side(points:Vector.<Number>, point:int):int
         {
             var x:Number = points[3 * point];
             var y:Number = points[3 * point + 1];
@@ -127,7 +125,7 @@ package starlogo.geometry.hull
             var distance:Number = normalX * x + normalY * y + normalZ * z - offset;
             if (distance > CERTAIN || distance < -CERTAIN)
             {
-                return distance;
+                return distance > 0 ? 1 : -1;
             }
             x -= points[3 * a];
             y -= points[3 * a + 1];
@@ -138,7 +136,8 @@ package starlogo.geometry.hull
             var high:Number = highX * x + highY * y + highZ * z;
             var low:Number = (exactX - highX * SPLIT) * x + (exactY - highY * SPLIT) * y
                 + (exactZ - highZ * SPLIT) * z;
-            return high * SPLIT + low;
+            var exact:Number = high * SPLIT + low;
+            return exact > 0 ? 1 : exact < 0 ? -1 : 0;
         }
 
         /** Whether a point is over the triangle, not just over its plane. */

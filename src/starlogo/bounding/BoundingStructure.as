@@ -176,8 +176,10 @@ package starlogo.bounding
         }
 
         /**
-         * A new structure for the result of <code>place</code> if out is null, or of another class with the same kind. If out is of another
-         * kind, throws an error.
+         * Returns a new structure for the result of <code>place()</code>, which was given no structure of this class.
+         *
+         * @param out what it was given: null, or of another class of the kind HULL
+         * @throws ArgumentError if out is anything else
          */
         protected final function newFor(out:BoundingStructure):BoundingStructure
         {

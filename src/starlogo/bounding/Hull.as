@@ -391,7 +391,8 @@ package starlogo.bounding
             return Math.sqrt(most);
         }
 
-        // Sets the corners, and finds the faces and edges. Of the same corners it always makes the same hull, and all of them stay.
+        // Sets the corners, and finds the faces and edges. Corners that a ConvexHull drops are dropped until it keeps all. So a hull of the corners of
+        // another one is the same hull.
         private function setCorners(corners:Vector.<Number>):void
         {
             var hull:ConvexHull = new ConvexHull(corners);

@@ -8,15 +8,15 @@ package starlogo.intersection
     import starlogo.intersection.sweep.BoxPairMotion;
     import starlogo.intersection.sweep.BoxSweep;
 
-    /** The kernel of two boxes. BoxSweep finds the time of impact. The HullKernel finds the contact and the distance. */
+    /** The kernel of two boxes. BoxSweep finds the time of impact. The ConvexPairKernel finds the contact and the distance. */
     internal final class BoxBoxKernel extends PairKernel
     {
         private var _sweep:BoxSweep = new BoxSweep();
         private var _motion:BoxPairMotion = new BoxPairMotion();
-        private var _convex:HullKernel;
+        private var _convex:ConvexPairKernel;
 
         /** @param convex finds the contact and the distance */
-        public function BoxBoxKernel(convex:HullKernel)
+        public function BoxBoxKernel(convex:ConvexPairKernel)
         {
             _convex = convex;
         }

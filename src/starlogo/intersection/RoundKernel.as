@@ -10,7 +10,7 @@ package starlogo.intersection
     /**
      * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
      * and the radii. A GapFinder for each pair of kinds finds the gap, and tests structures that stand. If the cores overlap, there is no gap, and
-     * the HullKernel finds the contact.
+     * the ConvexPairKernel finds the contact.
      *
      * <p>Two cores have a distance that is a convex function of time if one moves along a straight line. So Newton's method finds the time of
      * impact (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection", 2004). ConvexSweep
@@ -24,7 +24,7 @@ package starlogo.intersection
         private static const MOST_STEPS:int = 80;
 
         private var _finder:GapFinder;
-        private var _convex:HullKernel;
+        private var _convex:ConvexPairKernel;
 
         // The gap at the motion's time.
         private var _gap:CoreGap = new CoreGap();
@@ -33,7 +33,7 @@ package starlogo.intersection
          * @param finder finds the gap of the kernel's pairs
          * @param convex finds their contact if the cores overlap
          */
-        public function RoundKernel(finder:GapFinder, convex:HullKernel)
+        public function RoundKernel(finder:GapFinder, convex:ConvexPairKernel)
         {
             _finder = finder;
             _convex = convex;

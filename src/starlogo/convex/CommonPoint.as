@@ -41,30 +41,38 @@ package starlogo.convex
             out.z += offset * out.normalZ;
         }
 
-        // Finds both features, first that of the core with fewer points. If it is a corner, it is the common part, and the other feature is left
-        // empty.
+        // Finds both features, that of the core with fewer points first. If it is a corner, it is the common part, and the other feature is left empty.
         private function findFeatures(cores:CorePair, contact:ContactPoint):void
         {
-            _first.clear();
-            _second.clear();
             if (cores.second.end < cores.first.end)
             {
+                _first.clear();
                 _second.find(cores.second, 1, contact);
+                if (_second.end > ContactFeature.CORNER)
+                {
+                    findFirst(cores, contact);
+                }
             }
-            if (_second.end != ContactFeature.CORNER)
+            else
             {
-                _first.find(cores.first, -1, contact);
-                _first.move(cores.x, cores.y, cores.z);
-            }
-            if (_first.end > ContactFeature.CORNER && _second.end == 0)
-            {
-                _second.find(cores.second, 1, contact);
+                _second.clear();
+                findFirst(cores, contact);
+                if (_first.end > ContactFeature.CORNER)
+                {
+                    _second.find(cores.second, 1, contact);
+                }
             }
             if (_first.end > ContactFeature.CORNER && _second.end > ContactFeature.CORNER)
             {
                 _first.order(contact);
                 _second.order(contact);
             }
+        }
+
+        private function findFirst(cores:CorePair, contact:ContactPoint):void
+        {
+            _first.find(cores.first, -1, contact);
+            _first.move(cores.x, cores.y, cores.z);
         }
 
         // Writes the middle of what two edges or faces share when seen along the normal. It is in the plane of either.

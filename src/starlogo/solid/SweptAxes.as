@@ -16,6 +16,9 @@ package starlogo.solid
         private var _radius:Number = 0;
         private var _motion:RelativeMotion;
 
+        // The count of the numbers of a segment's points.
+        private static const SEGMENT:int = 6;
+
         // How many numbers describe an axis: the axis itself; the least place along it that the shape comes to; the greatest one at time 0; how far the
         // shape moves along it until time 1, which is not negative.
         private static const PER_AXIS:int = 6;
@@ -44,11 +47,11 @@ package starlogo.solid
             _motion = motion;
             _end = 0;
             var p:Vector.<Number> = shape.points;
-            if (shape.end <= ConvexShape.SEGMENT)
+            if (shape.end <= SEGMENT)
             {
-                var x:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[3] - p[0];
-                var y:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[4] - p[1];
-                var z:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[5] - p[2];
+                var x:Number = shape.end < SEGMENT ? 0 : p[3] - p[0];
+                var y:Number = shape.end < SEGMENT ? 0 : p[4] - p[1];
+                var z:Number = shape.end < SEGMENT ? 0 : p[5] - p[2];
                 var squared:Number = x * x + y * y + z * z;
                 var share:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
                 addAxis(motion.x - share * x, motion.y - share * y, motion.z - share * z);
@@ -59,7 +62,7 @@ package starlogo.solid
                 var to:int = edges[i];
                 addEdge(p[to] - p[0], p[int(to + 1)] - p[1], p[int(to + 2)] - p[2]);
             }
-            if (!shape.areEdgesPerpendicular && shape.end > ConvexShape.SEGMENT)
+            if (!shape.areEdgesPerpendicular && shape.end > SEGMENT)
             {
                 addEdge(1, 0, 0);
                 addEdge(0, 1, 0);

@@ -26,11 +26,6 @@ package starlogo.geometry.hull
         /** The face across the edge from c to a. */
         public var acrossCA:HullFace;
 
-        /** The outward normal (b - a) x (c - a). It is exact, because its components are whole numbers below 2^53. */
-        public var exactX:Number;
-        public var exactY:Number;
-        public var exactZ:Number;
-
         /** The outward unit normal, rounded. */
         public var normalX:Number;
         public var normalY:Number;
@@ -57,6 +52,11 @@ package starlogo.geometry.hull
 
         /** Whether a walk over the finished hull has visited this face. */
         public var isVisited:Boolean;
+
+        // The outward normal (b - a) x (c - a). It is exact, because its components are whole numbers below 2^53.
+        private var _exactX:Number;
+        private var _exactY:Number;
+        private var _exactZ:Number;
 
         /**
          * Makes this a new face, which has no neighbours yet, and no points beyond it. A buried face may become a new one.
@@ -90,9 +90,9 @@ package starlogo.geometry.hull
             var crossY:Number = abZ * acX - abX * acZ;
             var crossZ:Number = abX * acY - abY * acX;
             var scale:Number = 1 / Math.sqrt(crossX * crossX + crossY * crossY + crossZ * crossZ);
-            exactX = crossX;
-            exactY = crossY;
-            exactZ = crossZ;
+            _exactX = crossX;
+            _exactY = crossY;
+            _exactZ = crossZ;
             normalX = crossX * scale;
             normalY = crossY * scale;
             normalZ = crossZ * scale;
@@ -130,12 +130,12 @@ package starlogo.geometry.hull
             x -= points[3 * a];
             y -= points[3 * a + 1];
             z -= points[3 * a + 2];
-            var highX:Number = Math.floor(exactX / SPLIT);
-            var highY:Number = Math.floor(exactY / SPLIT);
-            var highZ:Number = Math.floor(exactZ / SPLIT);
+            var highX:Number = Math.floor(_exactX / SPLIT);
+            var highY:Number = Math.floor(_exactY / SPLIT);
+            var highZ:Number = Math.floor(_exactZ / SPLIT);
             var high:Number = highX * x + highY * y + highZ * z;
-            var low:Number = (exactX - highX * SPLIT) * x + (exactY - highY * SPLIT) * y
-                + (exactZ - highZ * SPLIT) * z;
+            var low:Number = (_exactX - highX * SPLIT) * x + (_exactY - highY * SPLIT) * y
+                + (_exactZ - highZ * SPLIT) * z;
             var exact:Number = high * SPLIT + low;
             return exact > 0 ? 1 : exact < 0 ? -1 : 0;
         }

@@ -1,5 +1,6 @@
 package starlogo.intersection.sweep
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
@@ -23,9 +24,11 @@ package starlogo.intersection.sweep
         private var _times:ContactInterval = new ContactInterval();
         private var _along:AxisMotion = new AxisMotion();
 
+        // The pair of two boxes that are given as structures.
+        private var _boxes:BoxPairMotion = new BoxPairMotion();
+
         // For boxes that stand.
         private static const STANDING:BoxSweep = new BoxSweep();
-        private static const STANDING_PAIR:BoxPairMotion = new BoxPairMotion();
 
         /**
          * Whether two boxes touch where they stand. It takes longer than <code>boxBox()</code>, but its axes across edges do not cancel if the edges
@@ -33,9 +36,21 @@ package starlogo.intersection.sweep
          */
         public static function areTouching(a:Box, b:Box):Boolean
         {
-            STANDING_PAIR.setBoxes(a, b, RelativeMotion.NONE);
-            STANDING.findTime(STANDING_PAIR);
-            return STANDING_PAIR.time == 0;
+            STANDING.setBoxes(a, b, RelativeMotion.NONE);
+            STANDING.findTime(STANDING._boxes);
+            return STANDING._boxes.time == 0;
+        }
+
+        /**
+         * Finds when a moving box first touches another one.
+         *
+         * @param motion the motion of a; receives the time
+         */
+        public function findTimeOfBoxes(a:Box, b:Box, motion:RelativeMotion):void
+        {
+            setBoxes(a, b, motion);
+            findTime(_boxes);
+            motion.time = _boxes.time;
         }
 
         /** Sets the pair's time to the first at which the boxes touch. It is NEVER if it is after the latest time. */
@@ -108,6 +123,50 @@ package starlogo.intersection.sweep
             {
                 pair.time = times.touch < times.last ? times.touch : times.last;
             }
+        }
+
+        // Sets the pair of two boxes. While a moves, b moves in the opposite direction as seen from a.
+        private function setBoxes(a:Box, b:Box, motion:RelativeMotion):void
+        {
+            var pair:BoxPairMotion = _boxes;
+            var cosines:BoxAxes = pair.axes;
+            var edgeX:Vector3D = b.axisX;
+            var edgeY:Vector3D = b.axisY;
+            var edgeZ:Vector3D = b.axisZ;
+            var moveX:Number = motion.x;
+            var moveY:Number = motion.y;
+            var moveZ:Number = motion.z;
+            var fromX:Number = b.center.x - a.center.x - motion.startX;
+            var fromY:Number = b.center.y - a.center.y - motion.startY;
+            var fromZ:Number = b.center.z - a.center.z - motion.startZ;
+            var axis:Vector3D = a.axisX;
+            cosines.m00 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            cosines.m01 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            cosines.m02 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            pair.motionX = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
+            pair.x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            axis = a.axisY;
+            cosines.m10 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            cosines.m11 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            cosines.m12 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            pair.motionY = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
+            pair.y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            axis = a.axisZ;
+            cosines.m20 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            cosines.m21 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            cosines.m22 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            pair.motionZ = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
+            pair.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            cosines.measureAxes();
+            pair.aX = a.halfX;
+            pair.aY = a.halfY;
+            pair.aZ = a.halfZ;
+            pair.bX = b.halfX;
+            pair.bY = b.halfY;
+            pair.bZ = b.halfZ;
+            include "../../convex/motionMargin.inc";
+            pair.margin = margin;
+            pair.latest = motion.latest;
         }
 
         // Goes on from the faces to the edges. The boxes are projected in full on the cross product of an edge of each. So even a short cross product

@@ -8,6 +8,9 @@ package support
     import starlogo.bounding.Sphere;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /** Reads test/fixtures/convex: pairs of convex shapes of all kinds, with their exact distances and times. manifest.json says what is in it. */
     public final class ConvexVectors
@@ -101,13 +104,13 @@ package support
             switch (kind)
             {
                 case "sphere":
-                    shape.setSphere(new Sphere(vector(n, 0), n[3]));
+                    new Sphere(vector(n, 0), n[3]).shapeInto(shape);
                     break;
                 case "capsule":
-                    shape.setCapsule(new Capsule(vector(n, 0), vector(n, 3), n[6]));
+                    new Capsule(vector(n, 0), vector(n, 3), n[6]).shapeInto(shape);
                     break;
                 case "box":
-                    shape.setBox(new Box(vector(n, 0), vector(n, 3), vector(n, 6), vector(n, 9), n[12], n[13], n[14]));
+                    new Box(vector(n, 0), vector(n, 3), vector(n, 6), vector(n, 9), n[12], n[13], n[14]).shapeInto(shape);
                     break;
                 case "triangle":
                     shape.setTriangle(n, 0);

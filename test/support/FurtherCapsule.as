@@ -3,7 +3,7 @@ package support
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
-    import starlogo.bounding.RoundedHull;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
 
@@ -86,7 +86,7 @@ package support
             capsule.farthestPoint(direction, least, out);
         }
 
-        override engine function roundedHullInto(out:RoundedHull):void
+        override engine function shapeInto(out:ConvexShape):void
         {
             _center.setTo((capsule.start.x + capsule.end.x) / 2, (capsule.start.y + capsule.end.y) / 2, (capsule.start.z + capsule.end.z) / 2);
             for (var i:int = 0; i < 6; i += 3)
@@ -96,10 +96,7 @@ package support
                 _points[i + 1] = from.y - _center.y;
                 _points[i + 2] = from.z - _center.z;
             }
-            out.center = _center;
-            out.points = _points;
-            out.faces = NONE;
-            out.edges = EDGES;
+            out.setHull(_center, _points, NONE, EDGES);
             out.radius = capsule.radius;
         }
     }

@@ -7,6 +7,9 @@ package support
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.convex.ConvexShape;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /** Draws convex shapes of all kinds, in families of difficulty. */
     public final class RandomConvex
@@ -43,13 +46,13 @@ package support
             switch (kind)
             {
                 case 0:
-                    shape.setSphere(new Sphere(at, extents[0]));
+                    new Sphere(at, extents[0]).shapeInto(shape);
                     break;
                 case 1:
-                    shape.setCapsule(new Capsule(along(at, axes, [-extents[0], 0, 0]), along(at, axes, [extents[0], 0, 0]), extents[1]));
+                    new Capsule(along(at, axes, [-extents[0], 0, 0]), along(at, axes, [extents[0], 0, 0]), extents[1]).shapeInto(shape);
                     break;
                 case 2:
-                    shape.setBox(new Box(at, axes[0], axes[1], axes[2], extents[0], extents[1], extents[2]));
+                    new Box(at, axes[0], axes[1], axes[2], extents[0], extents[1], extents[2]).shapeInto(shape);
                     break;
                 case 3:
                     var corners:Vector.<Number> = new Vector.<Number>();

@@ -1,10 +1,11 @@
 // This room has the structures that enclose models. A structure has its numbers in public fields, and is placed into another one of its
-// kind; the rooms convex and intersection compare two of them. Read this file first, then Sphere, and then Hull with its HullTopology.
+// kind, and sets a ConvexShape; the room intersection compares two of them. Read this file first, then Sphere, and then Hull with its HullTopology.
 package starlogo.bounding
 {
     import flash.errors.IllegalOperationError;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -175,8 +176,10 @@ package starlogo.bounding
         }
 
         /**
-         * A new structure for the result of <code>place</code> if out is null, or of another class with the same kind. If out is of another
-         * kind, throws an error.
+         * Returns a new structure for the result of <code>place()</code>, which was given no structure of this class.
+         *
+         * @param out what it was given: null, or of another class of the kind HULL
+         * @throws ArgumentError if out is anything else
          */
         protected final function newFor(out:BoundingStructure):BoundingStructure
         {
@@ -238,14 +241,14 @@ package starlogo.bounding
         }
 
         /**
-         * Writes the hull and the radius that the package convex tests. Every structure of the kind HULL implements it. The lists are the
-         * structure's own.
+         * Sets a shape to this structure, for the package convex. Every structure that is collided implements it. The shape may keep the
+         * structure's own lists of points, faces and edges.
          *
          * @private
          */
-        engine function roundedHullInto(out:RoundedHull):void
+        engine function shapeInto(out:ConvexShape):void
         {
-            throw new IllegalOperationError(this + " does not implement roundedHullInto");
+            throw new IllegalOperationError(this + " does not implement shapeInto");
         }
 
         /**

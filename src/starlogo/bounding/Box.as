@@ -2,6 +2,7 @@ package starlogo.bounding
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -18,6 +19,7 @@ package starlogo.bounding
     public final class Box extends BoundingStructure
     {
         private static var sTurned:Vector3D = new Vector3D();
+        private static var sHalves:Vector3D = new Vector3D();
 
         /** The middle. */
         public var center:Vector3D;
@@ -195,6 +197,16 @@ package starlogo.bounding
             out[3] = extentX + z * Math.abs(turned.x) + margin;
             out[4] = extentY + z * Math.abs(turned.y) + margin;
             out[5] = extentZ + z * Math.abs(turned.z) + margin;
+        }
+
+        /** @private */
+        override engine function shapeInto(out:ConvexShape):void
+        {
+            // V8 would make objects for Numbers that are passed
+            sHalves.x = halfX;
+            sHalves.y = halfY;
+            sHalves.z = halfZ;
+            out.setBox(center, axisX, axisY, axisZ, sHalves);
         }
 
         /** @private */

@@ -1,6 +1,7 @@
 package starlogo.bounding
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -87,6 +88,13 @@ package starlogo.bounding
         {
             // as of a Box
             widen(2 * Tolerances.SURFACES * (radius + 0.5 * Vector3D.distance(start, end)));
+        }
+
+        /** @private */
+        override engine function shapeInto(out:ConvexShape):void
+        {
+            out.setSegment(start, end);
+            out.radius = radius;
         }
 
         /** @private */

@@ -2,6 +2,7 @@ package starlogo.bounding
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Placement;
@@ -348,12 +349,9 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function roundedHullInto(out:RoundedHull):void
+        override engine function shapeInto(out:ConvexShape):void
         {
-            out.center = center;
-            out.points = points;
-            out.faces = topology.faces;
-            out.edges = topology.edges;
+            out.setHull(center, points, topology.faces, topology.edges);
             out.radius = radius;
         }
 
@@ -393,7 +391,8 @@ package starlogo.bounding
             return Math.sqrt(most);
         }
 
-        // Sets the corners, and finds the faces and edges. Of the same corners it always makes the same hull, and all of them stay.
+        // Sets the corners, and finds the faces and edges. Corners that a ConvexHull drops are dropped until it keeps all. So a hull of the corners of
+        // another one is the same hull.
         private function setCorners(corners:Vector.<Number>):void
         {
             var hull:ConvexHull = new ConvexHull(corners);

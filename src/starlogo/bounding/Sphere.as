@@ -1,6 +1,7 @@
 package starlogo.bounding
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -109,6 +110,13 @@ package starlogo.bounding
         override engine function widen(by:Number):void
         {
             radius += by;
+        }
+
+        /** @private */
+        override engine function shapeInto(out:ConvexShape):void
+        {
+            out.setPoint(center);
+            out.radius = radius;
         }
 
         /** @private */

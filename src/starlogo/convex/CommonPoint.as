@@ -18,53 +18,61 @@ package starlogo.convex
         public function find(cores:CorePair, out:ContactPoint):void
         {
             findFeatures(cores, out);
-            // how far the place halfway between the surfaces is from the common part, along the normal
-            var by:Number;
+            // how far the middle between the surfaces is from the common part, along the normal
+            var offset:Number;
             if (_first.end == ContactFeature.CORNER)
             {
                 writeMean(_first.points, ContactFeature.CORNER, out);
-                by = out.depth / 2 - cores.first.radius;
+                offset = out.depth / 2 - cores.first.radius;
             }
             else if (_second.end == ContactFeature.CORNER)
             {
                 writeMean(_second.points, ContactFeature.CORNER, out);
-                by = cores.second.radius - out.depth / 2;
+                offset = cores.second.radius - out.depth / 2;
             }
             else
             {
                 findShared(out);
                 var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _first.farthest - cores.first.radius;
-                by = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
+                offset = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
             }
-            out.x += by * out.normalX;
-            out.y += by * out.normalY;
-            out.z += by * out.normalZ;
+            out.x += offset * out.normalX;
+            out.y += offset * out.normalY;
+            out.z += offset * out.normalZ;
         }
 
-        // Finds both features, first that of the core with fewer points. If it is a corner, it is the common part, and the other feature is left
-        // empty.
+        // Finds both features, that of the core with fewer points first. If it is a corner, it is the common part, and the other feature is left empty.
         private function findFeatures(cores:CorePair, contact:ContactPoint):void
         {
-            _first.clear();
-            _second.clear();
             if (cores.second.end < cores.first.end)
             {
+                _first.clear();
                 _second.find(cores.second, 1, contact);
+                if (_second.end > ContactFeature.CORNER)
+                {
+                    findFirst(cores, contact);
+                }
             }
-            if (_second.end != ContactFeature.CORNER)
+            else
             {
-                _first.find(cores.first, -1, contact);
-                _first.move(cores.x, cores.y, cores.z);
-            }
-            if (_first.end > ContactFeature.CORNER && _second.end == 0)
-            {
-                _second.find(cores.second, 1, contact);
+                _second.clear();
+                findFirst(cores, contact);
+                if (_first.end > ContactFeature.CORNER)
+                {
+                    _second.find(cores.second, 1, contact);
+                }
             }
             if (_first.end > ContactFeature.CORNER && _second.end > ContactFeature.CORNER)
             {
                 _first.order(contact);
                 _second.order(contact);
             }
+        }
+
+        private function findFirst(cores:CorePair, contact:ContactPoint):void
+        {
+            _first.find(cores.first, -1, contact);
+            _first.move(cores.x, cores.y, cores.z);
         }
 
         // Writes the middle of what two edges or faces share when seen along the normal. It is in the plane of either.

@@ -22,8 +22,8 @@ package starlogo.convex
         /** The length of the overlap along the normal: 0 if the shapes just touch. */
         public var depth:Number = 0;
 
-        /** What a test of the ground knows of the depth besides. Null if the record has never had a contact with the ground. */
-        public var ground:GroundDepth = null;
+        /** What is known of the depth besides. Null if the record has never had a contact with such knowledge. */
+        public var proof:DepthProof = null;
 
         /** Becomes the same as another contact. */
         public function copyFrom(other:ContactPoint):void
@@ -35,22 +35,22 @@ package starlogo.convex
             normalY = other.normalY;
             normalZ = other.normalZ;
             depth = other.depth;
-            if (other.ground != null)
+            if (other.proof != null)
             {
-                resetGround().copyFrom(other.ground);
+                resetProof().copyFrom(other.proof);
             }
-            else if (ground != null)
+            else if (proof != null)
             {
-                ground.clear();
+                proof.clear();
             }
         }
 
-        /** Returns what the ground knows of the depth, for a contact of which it knows nothing yet. */
-        public function resetGround():GroundDepth
+        /** Returns the record of what is known of the depth, for a contact of which nothing is known yet. */
+        public function resetProof():DepthProof
         {
-            ground ||= new GroundDepth();
-            ground.clear();
-            return ground;
+            proof ||= new DepthProof();
+            proof.clear();
+            return proof;
         }
 
         /**

@@ -9,8 +9,8 @@ package starlogo.convex
      * ConvexShape first, then this class from the top, then CorePair and CoreDistance.
      *
      * <p>In all packages a kernel decides about two shapes or structures, and a pair is two of them. a and b are the two of a question, in the order
-     * of the call; a is the one that moves. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint) stand here for all
-     * packages, because this is the first of those that fill them. GroundDepth is a part of a contact that the ground alone fills.</p>
+     * of the call; a is the one that moves. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint with its DepthProof) stand
+     * here for all packages, because this is the first of those that fill them.</p>
      *
      * <p>areTouching and findTime agree about what touches: see Touching. findTime adds the margin of the motion. The distance and the depth leave
      * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. The same two shapes in the other order
@@ -70,7 +70,7 @@ package starlogo.convex
         /**
          * Finds when a moving shape first touches another one.
          *
-         * @param motion the motion of a; receives the time: 0 if they touch at the beginning, or RelativeMotion.NEVER
+         * @param motion the motion of a; receives the time
          */
         public function findTime(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {

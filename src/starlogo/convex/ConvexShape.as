@@ -1,20 +1,13 @@
 package starlogo.convex
 {
     import flash.geom.Vector3D;
-    import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.RoundedHull;
-    import starlogo.bounding.Sphere;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
-
-    use namespace engine;
 
     /**
      * A convex shape where it stands: a core and a radius around it. The core is the convex hull of points: one for a sphere, two for a capsule,
      * three for a triangle, eight for a box. Any number of points is a hull. A shape is set once for a body, and then takes part in any number of
-     * questions. Its fields are read only but for the margin.
+     * questions. A structure sets it by <code>BoundingStructure.shapeInto()</code>. Its fields are read only but for the radius and the margin, which
+     * whoever sets the shape sets afterwards.
      *
      * <p>The points are relative to an origin near them, so nothing is lost far from the origin of the world.</p>
      *
@@ -22,6 +15,11 @@ package starlogo.convex
      */
     public final class ConvexShape
     {
+        /** The count of the numbers of a point, a segment and a triangle: see end. */
+        public static const POINT:int = 3;
+        public static const SEGMENT:int = 6;
+        public static const TRIANGLE:int = 9;
+
         // A list for shapes without faces, or without edges.
         private static const NONE:Vector.<int> = new Vector.<int>(0);
 
@@ -38,12 +36,12 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** The radius around the core. */
+        /** The radius around the core. A new core has none. */
         public var radius:Number = 0;
 
         /**
          * How far beyond its surface other shapes still touch it, because its place or its surface is rounded (see Touching). Distances do not
-         * include it. Who sets the shape adds to it afterwards.
+         * include it. A new core has none, but for hulls.
          */
         public var margin:Number = 0;
 
@@ -69,13 +67,11 @@ package starlogo.convex
         /** Whether the core is a box. */
         public var isBox:Boolean = false;
 
-        /** Whether the edges are those of a box or a segment, which say nothing of faces. All of them start at the first point. */
-        public function get areEdgesBare():Boolean
+        /** Whether the edges are those of a box or a segment: perpendicular to each other, from the first point on. */
+        public function get areEdgesPerpendicular():Boolean
         {
             return isBox || edges === SEGMENT_EDGES;
         }
-
-        private var _rounded:RoundedHull = new RoundedHull();
 
         // The list of points for all shapes but hulls.
         private var _own:Vector.<Number> = new Vector.<Number>(24, true);
@@ -85,83 +81,63 @@ package starlogo.convex
             points = _own;
         }
 
-        /** Sets a structure. A hull that moves has to be set again. */
-        public function setStructure(structure:BoundingStructure):void
+        /** Sets the core to a point. */
+        public function setPoint(at:Vector3D):void
         {
-            if (structure.kind == BoundingStructure.BOX)
-            {
-                setBox(structure as Box);
-            }
-            else if (structure.kind == BoundingStructure.CAPSULE)
-            {
-                setCapsule(structure as Capsule);
-            }
-            else if (structure.kind == BoundingStructure.HULL)
-            {
-                structure.roundedHullInto(_rounded);
-                setHull(_rounded.center, _rounded.points, _rounded.faces, _rounded.edges);
-                radius = _rounded.radius;
-            }
-            else
-            {
-                setSphere(structure as Sphere);
-            }
-        }
-
-        /** Sets a sphere. */
-        public function setSphere(sphere:Sphere):void
-        {
-            setOrigin(sphere.center);
-            begin(3, NONE, NONE);
+            setOrigin(at);
+            begin(POINT, NONE, NONE);
             points[0] = points[1] = points[2] = 0;
-            radius = sphere.radius;
             extent = 0;
         }
 
-        /** Sets a capsule. */
-        public function setCapsule(capsule:Capsule):void
+        /** Sets the core to a segment. */
+        public function setSegment(start:Vector3D, to:Vector3D):void
         {
-            setOrigin(capsule.start);
-            begin(6, NONE, SEGMENT_EDGES);
+            setOrigin(start);
+            begin(SEGMENT, NONE, SEGMENT_EDGES);
             points[0] = points[1] = points[2] = 0;
-            points[3] = capsule.end.x - x;
-            points[4] = capsule.end.y - y;
-            points[5] = capsule.end.z - z;
-            radius = capsule.radius;
+            points[3] = to.x - x;
+            points[4] = to.y - y;
+            points[5] = to.z - z;
             setExtent();
         }
 
-        /** Sets a box. */
-        public function setBox(box:Box):void
+        /**
+         * Sets the core to a box.
+         *
+         * @param axisX a unit vector, as axisY and axisZ are. They are perpendicular
+         * @param halves the half-extents along the axes
+         */
+        public function setBox(center:Vector3D, axisX:Vector3D, axisY:Vector3D, axisZ:Vector3D, halves:Vector3D):void
         {
-            setOrigin(box.center);
+            setOrigin(center);
             begin(24, BOX_FACES, BOX_EDGES);
             isBox = true;
-            extent = 2 * (box.halfX + box.halfY + box.halfZ);
+            extent = 2 * (halves.x + halves.y + halves.z);
             // half of each edge first, in the place of the corner at its end
             var p:Vector.<Number> = points;
-            p[3] = box.halfX * box.axisX.x;
-            p[4] = box.halfX * box.axisX.y;
-            p[5] = box.halfX * box.axisX.z;
-            p[6] = box.halfY * box.axisY.x;
-            p[7] = box.halfY * box.axisY.y;
-            p[8] = box.halfY * box.axisY.z;
-            p[12] = box.halfZ * box.axisZ.x;
-            p[13] = box.halfZ * box.axisZ.y;
-            p[14] = box.halfZ * box.axisZ.z;
+            p[3] = halves.x * axisX.x;
+            p[4] = halves.x * axisX.y;
+            p[5] = halves.x * axisX.z;
+            p[6] = halves.y * axisY.x;
+            p[7] = halves.y * axisY.y;
+            p[8] = halves.y * axisY.z;
+            p[12] = halves.z * axisZ.x;
+            p[13] = halves.z * axisZ.y;
+            p[14] = halves.z * axisZ.z;
             for (var at:int = 0; at < 3; at++)
             {
                 writeCorners(at);
             }
         }
 
-        /** Sets a triangle: nine numbers of a list, from an index on. */
+        /** Sets the core to a triangle: nine numbers of a list, from an index on. */
         public function setTriangle(corners:Vector.<Number>, at:int):void
         {
             x = corners[at];
             y = corners[int(at + 1)];
             z = corners[int(at + 2)];
-            begin(9, TRIANGLE_FACES, TRIANGLE_EDGES);
+            begin(TRIANGLE, TRIANGLE_FACES, TRIANGLE_EDGES);
             var p:Vector.<Number> = points;
             p[0] = p[1] = p[2] = 0;
             p[3] = corners[int(at + 3)] - x;
@@ -174,7 +150,8 @@ package starlogo.convex
         }
 
         /**
-         * Sets a hull: points relative to a center, which may be in one plane, on a line or in one place. The list of points is kept, not copied.
+         * Sets the core to a hull: points relative to a center, which may be in one plane, on a line or in one place. The lists are kept, not copied, so a
+         * hull that moves has to be set again.
          *
          * @param faces three points of each face, counter-clockwise as seen from outside, as indices of their first numbers
          * @param edges of each edge both ends, and one more point of each of its two faces

@@ -18,9 +18,6 @@ package starlogo.convex
         private var _exact:CoreWitness = new CoreWitness();
         private var _balls:CoreGap = new CoreGap();
 
-        // The latest time at which the shapes touch within rounding.
-        private var _lastTouch:Number = 0;
-
         /**
          * Finds the time.
          *
@@ -29,34 +26,46 @@ package starlogo.convex
          */
         public function findTime(cores:CorePair, motion:RelativeMotion):void
         {
+            begin(cores, motion);
+            // The last time at which the shapes touch, but only across the gap for rounding. Then one more step leads to where they touch without it,
+            // and counts if they still touch there.
+            var lastTouch:Number = RelativeMotion.NEVER;
+            for (var step:int = 0; step < MOST_STEPS && motion.time <= motion.latest; step++)
+            {
+                measure(cores, motion, step > 0);
+                if (isTouch(cores))
+                {
+                    if (lastTouch <= 1 || motion.time == 0 || _witness.distance <= cores.first.radius + cores.second.radius)
+                    {
+                        return;
+                    }
+                    lastTouch = motion.time;
+                }
+                else if (lastTouch <= 1)
+                {
+                    break;
+                }
+                else
+                {
+                    refine(cores);
+                }
+                advance(cores, motion);
+            }
+            if (lastTouch <= 1 || !(motion.time <= motion.latest))
+            {
+                motion.time = lastTouch;
+            }
+        }
+
+        // Begins at the motion's earliest time, or when balls around the two first meet if that is later.
+        private function begin(cores:CorePair, motion:RelativeMotion):void
+        {
             motion.time = 0;
             cores.setMotion(motion);
             include "motionMargin.inc";
             cores.touchingDistance += margin;
-            _lastTouch = RelativeMotion.NEVER;
             skipToBalls(cores, motion);
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
-            for (var step:int = 0; step < MOST_STEPS && motion.time <= motion.latest; step++)
-            {
-                cores.moveTo(motion);
-                cores.timeLeft = motion.latest - motion.time;
-                if (step == 0)
-                {
-                    _distance.find(cores, _witness);
-                }
-                else
-                {
-                    _distance.findAgain(cores, _witness);
-                }
-                if (!advance(cores, motion))
-                {
-                    return;
-                }
-            }
-            if (!(motion.time <= motion.latest))
-            {
-                motion.time = _lastTouch;
-            }
         }
 
         // Moves the motion's time on, from 0 to when balls around the two first meet.
@@ -73,50 +82,37 @@ package starlogo.convex
             findSphereEntry(balls, motion);
         }
 
-        // Sets the motion's time to that of the next step. If the search ends, sets it to the time of the first touch and returns false.
-        private function advance(cores:CorePair, motion:RelativeMotion):Boolean
+        // Finds the distance at the motion's time.
+        private function measure(cores:CorePair, motion:RelativeMotion, isAgain:Boolean):void
         {
-            var witness:CoreWitness = _witness;
-            var radii:Number = cores.first.radius + cores.second.radius;
-            // areTouching() stops at the first direction along which the gap is too wide. The distance may be less than that gap by rounding, so the
-            // gap counts here too.
-            var areTouching:Boolean = witness.distance <= cores.touchingDistance && !(witness.separation > cores.touchingDistance);
-            if (_lastTouch <= 1)
+            cores.moveTo(motion);
+            cores.timeLeft = motion.latest - motion.time;
+            if (isAgain)
             {
-                // the last step counts only if they still touch after it
-                motion.time = areTouching ? motion.time : _lastTouch;
-                return false;
+                _distance.findAgain(cores, _witness);
             }
-            if (areTouching && (motion.time == 0 || witness.distance <= radii))
+            else
             {
-                return false;
+                _distance.find(cores, _witness);
             }
-            if (areTouching)
-            {
-                // one more step, to where they touch without the gap for rounding
-                _lastTouch = motion.time;
-            }
-            if (!areTouching && witness.separation <= radii)
-            {
-                refine(cores);
-            }
-            var speed:Number = -(witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
-            var next:Number = speed > 0 ? motion.time + (witness.separation - radii) / speed : RelativeMotion.NEVER;
-            if (!(next > motion.time))
-            {
-                // rounding leaves no step
-                motion.time = _lastTouch;
-                return false;
-            }
-            motion.time = next;
-            return true;
         }
 
-        // Replaces the direction that keeps the cores apart. A short line between two points is too imprecise where an edge or a face is nearly
-        // perpendicular to it. The normals of faces and pairs of edges are precise.
+        // Whether the shapes touch. areTouching() stops at the first direction along which the gap is too wide. The distance may be less than that gap
+        // by rounding, so the gap counts here too.
+        private function isTouch(cores:CorePair):Boolean
+        {
+            return _witness.distance <= cores.touchingDistance && !(_witness.separation > cores.touchingDistance);
+        }
+
+        // Replaces the direction that keeps the cores apart, if no gap is left along it. A short line between two points is too imprecise where an edge
+        // or a face is nearly perpendicular to it. The normals of faces and pairs of edges are precise.
         private function refine(cores:CorePair):void
         {
             var witness:CoreWitness = _witness;
+            if (witness.separation > cores.first.radius + cores.second.radius)
+            {
+                return;
+            }
             _overlap.find(cores, _exact);
             if (_exact.separation > witness.separation)
             {
@@ -125,6 +121,15 @@ package starlogo.convex
                 witness.normalY = _exact.normalY;
                 witness.normalZ = _exact.normalZ;
             }
+        }
+
+        // Moves the motion's time on to when no gap is left along the direction that keeps the cores apart; to NEVER if that is not later.
+        private function advance(cores:CorePair, motion:RelativeMotion):void
+        {
+            var witness:CoreWitness = _witness;
+            var speed:Number = -(witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
+            var next:Number = motion.time + (witness.separation - (cores.first.radius + cores.second.radius)) / speed;
+            motion.time = speed > 0 && next > motion.time ? next : RelativeMotion.NEVER;
         }
     }
 }

@@ -6,8 +6,8 @@ package starlogo.convex
     /**
      * Finds the shortest displacement that separates two cores that touch or overlap. Its direction is the normal of a face of one, or
      * perpendicular to an edge of each. Of the pairs of edges, only those count whose common perpendicular points out of both (Gregorius, "The
-     * separating axis test between convex polyhedra", 2013). The edges of boxes and segments say nothing
-     * of faces, so nothing is known to be on a side of them.
+     * separating axis test between convex polyhedra", 2013). The edges of boxes, triangles and segments say nothing of faces, so nothing is known to
+     * be on a side of them.
      *
      * <p>If two displacements are equally short, the first one is taken that is tried: faces of the second core, faces of the first, edges. Of two
      * opposite ones, it is the one against the pair's motion; if the pair has none, rounding decides. Points and parallel segments move upwards as
@@ -17,9 +17,11 @@ package starlogo.convex
      */
     internal final class CoreOverlap
     {
-        // How many numbers describe an edge: its vector; two vectors across it, in the planes of its faces, turned by a right angle; its start.
+        // How many numbers describe an edge: from 0 on its vector; from 3 on and from 6 on, for each of its faces, a normal of the face with the length of
+        // the edge and of what the face's other point is across it; from 9 on its start. The normals of bare edges are 0.
         private static const PER_EDGE:int = 12;
 
+        // An edge of the first core, and all edges of the second.
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
 
@@ -94,7 +96,7 @@ package starlogo.convex
         private function tryEdges(cores:CorePair, out:CoreWitness):void
         {
             var first:ConvexShape = cores.first;
-            var areBare:Boolean = first.areEdgesBare && cores.second.areEdgesBare;
+            var areBare:Boolean = isBare(first.edges) && isBare(cores.second.edges);
             var end:int = readEdges(cores.second);
             for (var i:int = 0; i < first.edges.length; i += 4)
             {
@@ -107,6 +109,12 @@ package starlogo.convex
                     }
                 }
             }
+        }
+
+        // Whether edges say nothing of faces: see ConvexShape.edges.
+        private static function isBare(edges:Vector.<int>):Boolean
+        {
+            return edges[2] == edges[0];
         }
 
         // Whether the perpendicular of an edge of the first core and one of the second points out of both cores: all of each core is on one side of

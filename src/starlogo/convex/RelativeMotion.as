@@ -5,13 +5,14 @@ package starlogo.convex
      * move, it is the first shape's motion minus the second's.
      *
      * <p>Whoever asks when the two first touch sets the two vectors, and may set the part of the motion that is asked about. The answer is
-     * <code>time</code>. Whoever asks for a contact sets the time too: the shape is where it is then.</p>
+     * <code>time</code>: from 0 to the latest time of that part, or NEVER if the two do not touch until then. It is so in each kernel and each query
+     * of trees and the ground. Whoever asks for a contact sets the time too: the shape is where it is then.</p>
      *
      * @private
      */
     public final class RelativeMotion
     {
-        /** The time of impact of shapes that do not touch. */
+        /** The time of impact of shapes that do not touch in the part of the motion that is asked about. */
         public static const NEVER:Number = Infinity;
 
         /** The motion of a shape that stands still, at time 0. Nobody changes it. */
@@ -30,10 +31,10 @@ package starlogo.convex
         /** Where the part of the motion that is asked about begins. The shapes are known not to touch before, so a test need not begin there. */
         public var earliest:Number = 0;
 
-        /** Where that part ends, at most 1. If the shapes first touch later, the answer is that time or NEVER. */
+        /** Where that part ends, from 0 to 1. No answer is later. */
         public var latest:Number = 1;
 
-        /** When the two first touch, from 0 to 1, or NEVER. */
+        /** When the two first touch, or NEVER. */
         public var time:Number;
 
         public function RelativeMotion(time:Number = NEVER)

@@ -5,7 +5,7 @@ package starlogo.convex
      * sphere is the sum of both radii. The nearest point of the path comes first, so that no digits cancel when the path begins far away.
      *
      * @param gap the vector from the other centre to the moving one at time 0, and the radii
-     * @param motion the motion of the one centre; its start is not used. Receives the time, from 0 to 1, or RelativeMotion.NEVER
+     * @param motion the motion of the one centre; its start is not used. Receives the time
      * @private
      */
     public function findSphereEntry(gap:CoreGap, motion:RelativeMotion):void
@@ -41,7 +41,7 @@ package starlogo.convex
             return;
         }
         var time:Number = nearest - Math.sqrt(half / motionSquared);
-        if (time <= 1)
+        if (time <= motion.latest)
         {
             motion.time = time > 0 ? time : 0;
         }

@@ -6,9 +6,9 @@ package starlogo.debug
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
-    import starlogo.bounding.RoundedHull;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ConvexShape;
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.PointTable;
@@ -171,11 +171,12 @@ package starlogo.debug
         // Draws the edges of a hull, without its margin.
         private static function drawHull(pen:LinePen, structure:BoundingStructure):void
         {
-            var hull:RoundedHull = new RoundedHull();
-            structure.roundedHullInto(hull);
-            for (var i:int = 0; i < hull.edges.length; i += 4)
+            var shape:ConvexShape = new ConvexShape();
+            structure.shapeInto(shape);
+            var center:Vector3D = new Vector3D(shape.x, shape.y, shape.z);
+            for (var i:int = 0; i < shape.edges.length; i += 4)
             {
-                pen.drawLine(hull.center.add(vertexAt(hull.points, hull.edges[i] / 3)), hull.center.add(vertexAt(hull.points, hull.edges[i + 1] / 3)));
+                pen.drawLine(center.add(vertexAt(shape.points, shape.edges[i] / 3)), center.add(vertexAt(shape.points, shape.edges[i + 1] / 3)));
             }
         }
 

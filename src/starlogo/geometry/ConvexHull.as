@@ -184,18 +184,16 @@ package starlogo.geometry
             }
             return work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    snap(from, 3 * first, 3 * end, bounds.minX, bounds.maxX, grid);
-                    snap(from, 3 * first + 1, 3 * end, bounds.minY, bounds.maxY, grid);
-                    snap(from, 3 * first + 2, 3 * end, bounds.minZ, isPlane ? Infinity : bounds.maxZ, grid);
+                    snap(from, 3 * first, 3 * end, bounds.minX, QuickHull.GRID / bounds.extentX, grid);
+                    snap(from, 3 * first + 1, 3 * end, bounds.minY, QuickHull.GRID / bounds.extentY, grid);
+                    snap(from, 3 * first + 2, 3 * end, bounds.minZ, isPlane ? 0 : QuickHull.GRID / bounds.extentZ, grid);
                 });
         }
 
-        // Rounds every third of the numbers from one index up to another, which are between two limits. If the upper limit is infinite, all
-        // become 0.
-        private static function snap(from:Vector.<Number>, first:int, last:int, low:Number, high:Number, grid:Vector.<Number>):void
+        // Rounds every third of the numbers from one index up to another, in steps of the grid from the least of them.
+        private static function snap(from:Vector.<Number>, first:int, end:int, low:Number, scale:Number, grid:Vector.<Number>):void
         {
-            var scale:Number = QuickHull.GRID / (high - low);
-            for (var i:int = first; i < last; i += 3)
+            for (var i:int = first; i < end; i += 3)
             {
                 grid[i] = int((from[i] - low) * scale + 0.5);
             }

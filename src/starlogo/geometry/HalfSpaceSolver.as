@@ -90,7 +90,7 @@ package starlogo.geometry
             {
                 for (var j:int = 0; j < i; j++)
                 {
-                    meet(i, j, mostDeciding, out);
+                    tryLine(i, j, mostDeciding, out);
                 }
             }
             return out.length < Infinity;
@@ -98,7 +98,7 @@ package starlogo.geometry
 
         // Tries the nearest point of the line in which two planes meet, then the points where this line meets planes before them. The sum and the
         // difference of two unit normals are perpendicular, so no digits are lost, even if the planes are nearly parallel.
-        private function meet(i:int, j:int, mostDeciding:int, out:ShortestExit):void
+        private function tryLine(i:int, j:int, mostDeciding:int, out:ShortestExit):void
         {
             var sumX:Number = _xs[i] + _xs[j];
             var sumY:Number = _ys[i] + _ys[j];

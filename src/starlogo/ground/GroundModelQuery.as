@@ -104,7 +104,7 @@ package starlogo.ground
             motion.time = first;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                out.resetGround();
+                out.resetProof();
                 _pairs.moveToWorld(out);
             }
         }

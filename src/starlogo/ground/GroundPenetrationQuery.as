@@ -1,7 +1,7 @@
 package starlogo.ground
 {
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.GroundDepth;
+    import starlogo.convex.DepthProof;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -51,20 +51,20 @@ package starlogo.ground
          */
         public function findContact(out:ContactPoint):void
         {
-            var ground:GroundDepth = out.resetGround();
+            var proof:DepthProof = out.resetProof();
             findDeepestBehind(out);
             // a point of the model is that deep behind a triangle
-            ground.isSure = ground.hasTriangle;
-            if (!ground.hasTriangle)
+            proof.isSure = proof.hasTriangle;
+            if (!proof.hasTriangle)
             {
                 findDeepestOverlap(out);
             }
-            if (!ground.hasTriangle)
+            if (!proof.hasTriangle)
             {
                 findOuterContact(out);
                 return;
             }
-            ground.provenDepth = ground.isSure || isDepthProven(out) ? out.depth : 0;
+            proof.provenDepth = proof.isSure || isDepthProven(out) ? out.depth : 0;
             _pairs.moveToWorld(out);
         }
 
@@ -80,7 +80,7 @@ package starlogo.ground
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
-            out.resetGround();
+            out.resetProof();
             _pairs.moveToWorld(out);
         }
 
@@ -122,13 +122,13 @@ package starlogo.ground
          */
         public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            var ground:GroundDepth = contact.ground;
+            var proof:DepthProof = contact.proof;
             var count:int = 0;
             _pairs.beginWhole(maxDistance);
             while (_pairs.next())
             {
                 _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_pairs.triangle.margin && (!ground.hasTriangle || isBehind(ground)))
+                if (_tried.depth >= -_pairs.triangle.margin && (!proof.hasTriangle || isBehind(proof)))
                 {
                     count = addExit(exits, count);
                 }
@@ -185,7 +185,7 @@ package starlogo.ground
         // Whether the last contact is the deepest one so far, or the first one.
         private function isDeepest(deepest:Number, out:ContactPoint):Boolean
         {
-            return _tried.depth > deepest || _tried.depth == deepest && !out.ground.hasTriangle;
+            return _tried.depth > deepest || _tried.depth == deepest && !out.proof.hasTriangle;
         }
 
         // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
@@ -203,9 +203,9 @@ package starlogo.ground
         private function keep(out:ContactPoint):void
         {
             var origin:Placement = _pairs.search.origin;
-            var ground:GroundDepth = out.ground;
+            var proof:DepthProof = out.proof;
             out.copyFrom(_tried);
-            ground.setTriangle(_pairs.triangle.corners, origin.x, origin.y, origin.z);
+            proof.setTriangle(_pairs.triangle.corners, origin.x, origin.y, origin.z);
         }
 
         // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
@@ -224,18 +224,18 @@ package starlogo.ground
         }
 
         // Whether the triangle of a contact is not in front of the plane of the exit that was tried.
-        private function isBehind(ground:GroundDepth):Boolean
+        private function isBehind(proof:DepthProof):Boolean
         {
             var origin:Placement = _pairs.search.origin;
-            var x:Number = origin.x - ground.x;
-            var y:Number = origin.y - ground.y;
-            var z:Number = origin.z - ground.z;
+            var x:Number = origin.x - proof.x;
+            var y:Number = origin.y - proof.y;
+            var z:Number = origin.z - proof.z;
             var slack:Number = IN_FRONT * _pairs.triangle.margin + x * _tried.normalX + y * _tried.normalY + z * _tried.normalZ;
             if (x != 0 || y != 0 || z != 0)
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
             }
-            return _pairs.kernel.isBehindPlane(ground.corners, slack);
+            return _pairs.kernel.isBehindPlane(proof.corners, slack);
         }
 
         // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

@@ -57,7 +57,7 @@ package starlogo.ground
         private static function findNear(shape:ConvexShape, place:Vector3D, out:Vector3D):void
         {
             out.setTo(shape.x, shape.y, shape.z);
-            if (!shape.areEdgesBare)
+            if (!shape.areEdgesPerpendicular)
             {
                 return;
             }

@@ -10,7 +10,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Finds when two moving trees first touch, from time 0 to time 1. Parents touch no later than their children. The axes of the edges are
+     * Finds when two moving trees first touch, as RelativeMotion says. Parents touch no later than their children. The axes of the edges are
      * tried only for pairs whose boxes decide.
      *
      * @private
@@ -19,6 +19,9 @@ package starlogo.hierarchy
     {
         private var _sweep:BoxSweep = new BoxSweep();
         private var _pair:BoxPairMotion = new BoxPairMotion();
+
+        // The latest time of the motion.
+        private var _latest:Number = 1;
 
         /** @param counts counts the pairs of nodes that are visited */
         public function ImpactTraversal(counts:TreeCounts)
@@ -37,10 +40,11 @@ package starlogo.hierarchy
         {
             var relative:Placement = pose.placement;
             _pair.axes.readAxes(relative, 1);
+            _latest = motion.latest;
             _pair.motionX = motion.x;
             _pair.motionY = motion.y;
             _pair.motionZ = motion.z;
-            _pair.tolerance = pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
+            _pair.margin = pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
             return find(pose, treeA, depthA, treeB, depthB, visitor);
         }
@@ -87,7 +91,7 @@ package starlogo.hierarchy
             pair.aX = boxesA[int(at + 3)];
             pair.aY = boxesA[int(at + 4)];
             pair.aZ = boxesA[int(at + 5)];
-            pair.latest = out.least < 1 ? out.least : 1;
+            pair.latest = out.least < _latest ? out.least : _latest;
             if (withEdges)
             {
                 _sweep.findTime(pair);

@@ -5,18 +5,16 @@ package starlogo.intersection
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.sweep.BoxPairMotion;
     import starlogo.intersection.sweep.BoxSweep;
 
-    /** The kernel of two boxes. BoxSweep finds the time of impact. The HullKernel finds the contact and the distance. */
+    /** The kernel of two boxes. BoxSweep finds the time of impact. The ConvexPairKernel finds the contact and the distance. */
     internal final class BoxBoxKernel extends PairKernel
     {
         private var _sweep:BoxSweep = new BoxSweep();
-        private var _motion:BoxPairMotion = new BoxPairMotion();
-        private var _convex:HullKernel;
+        private var _convex:ConvexPairKernel;
 
         /** @param convex finds the contact and the distance */
-        public function BoxBoxKernel(convex:HullKernel)
+        public function BoxBoxKernel(convex:ConvexPairKernel)
         {
             _convex = convex;
         }
@@ -30,9 +28,7 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            _motion.setBoxes(a as Box, b as Box, motion);
-            _sweep.findTime(_motion);
-            motion.time = _motion.time;
+            _sweep.findTimeOfBoxes(a as Box, b as Box, motion);
         }
 
         /** @inheritDoc */

@@ -31,8 +31,7 @@ package starlogo.intersection
          *
          * @param a of the pair's first kind, which moves
          * @param b of the pair's second kind, in the same space
-         * @param motion the motion of a; receives the time: 0 if they touch at the beginning, at most 1, or RelativeMotion.NEVER if they do not
-         *     touch
+         * @param motion the motion of a; receives the time: see RelativeMotion
          * @throws ArgumentError if the pair has no such test
          */
         public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void

@@ -83,7 +83,7 @@ package starlogo.intersection
         private static function makeKernels():Vector.<PairKernel>
         {
             var kernels:Vector.<PairKernel> = new Vector.<PairKernel>(KINDS * KINDS, true);
-            var convex:HullKernel = new HullKernel();
+            var convex:ConvexPairKernel = new ConvexPairKernel();
             var missing:PairKernel = new PairKernel();
             for (var kind:int = 0; kind < KINDS; kind++)
             {

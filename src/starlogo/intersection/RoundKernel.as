@@ -10,7 +10,7 @@ package starlogo.intersection
     /**
      * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
      * and the radii. A GapFinder for each pair of kinds finds the gap, and tests structures that stand. If the cores overlap, there is no gap, and
-     * the HullKernel finds the contact.
+     * the ConvexPairKernel finds the contact.
      *
      * <p>Two cores have a distance that is a convex function of time if one moves along a straight line. So Newton's method finds the time of
      * impact (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection", 2004). ConvexSweep
@@ -24,7 +24,7 @@ package starlogo.intersection
         private static const MOST_STEPS:int = 80;
 
         private var _finder:GapFinder;
-        private var _convex:HullKernel;
+        private var _convex:ConvexPairKernel;
 
         // The gap at the motion's time.
         private var _gap:CoreGap = new CoreGap();
@@ -33,7 +33,7 @@ package starlogo.intersection
          * @param finder finds the gap of the kernel's pairs
          * @param convex finds their contact if the cores overlap
          */
-        public function RoundKernel(finder:GapFinder, convex:HullKernel)
+        public function RoundKernel(finder:GapFinder, convex:ConvexPairKernel)
         {
             _finder = finder;
             _convex = convex;
@@ -102,14 +102,11 @@ package starlogo.intersection
             }
         }
 
-        // Finds when the gap is as long as the sum of the radii, by Newton's method. When it begins, the gap is that of time 0, and the motion's time
-        // is that of the first step. When it ends, the motion's time is the time of impact. Returns false if that is after the motion's latest time.
-        // The method never steps over the first zero when it starts to the left of it. Each step shrinks the product of the gap and its slope to a
-        // quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding need more, the time of the last step is the time of impact:
-        // the structures do not touch before, and their gap is at most rounding.
-        // If the cores are very close, rounding hides the direction of the gap, and with it the slope. Then a chord takes the place of the tangent: it
-        // goes through this distance and that of the step before, and does not step over the first zero either. A step that went too far because of
-        // rounding is halved.
+        // Finds when the gap is as long as the sum of the radii, by Newton's method, which never steps over the first zero when it starts to the left of
+        // it. When it begins, the gap is that of time 0, and the motion's time is that of the first step. When it ends, the motion's time is the time of
+        // impact. Returns false if that is after the motion's latest time.
+        // Each step shrinks the product of the gap and its slope to a quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding
+        // need more, the time of the last step is the time of impact: the structures do not touch before, and their gap is at most rounding.
         private function findZero(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Boolean
         {
             var gap:CoreGap = _gap;
@@ -130,7 +127,7 @@ package starlogo.intersection
                 var squared:Number = gap.squaredLength;
                 if (4 * squared < radii * radii)
                 {
-                    // the slope had so large a rounding error that the step went beyond the zero
+                    // the slope had so large a rounding error that the step went beyond the zero, so half of it is taken
                     motion.time = (lastTime + time) / 2;
                     hasOvershot = true;
                     continue;
@@ -145,6 +142,7 @@ package starlogo.intersection
                 var next:Number = RelativeMotion.NEVER;
                 if ((hasOvershot || distance < uncertain) && distance < lastDistance)
                 {
+                    // rounding hides the slope, so the chord through this distance and the last one takes its place. It does not step over the zero either
                     next = time + (distance - radii) * (time - lastTime) / (lastDistance - distance);
                 }
                 else if (closing > 0)
@@ -155,7 +153,7 @@ package starlogo.intersection
                 if (squared <= touchingDistance * touchingDistance)
                 {
                     // They touch to within rounding. One more step makes up for a step that rounding may have skipped.
-                    motion.time = next <= 1 ? next : time;
+                    motion.time = next <= motion.latest ? next : time;
                     return true;
                 }
                 if (!(next > time))

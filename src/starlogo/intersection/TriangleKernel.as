@@ -25,7 +25,7 @@ package starlogo.intersection
     public final class TriangleKernel
     {
         // Points of the core are equally deep if their depths differ by less than this fraction of its extent along the normal.
-        private static const LEVEL:Number = 1e-12;
+        private static const SAME_DEPTH:Number = 1e-12;
 
         /** The shape, in the triangles' space. Only its margin may be changed. */
         public var shape:ConvexShape = new ConvexShape();
@@ -36,10 +36,10 @@ package starlogo.intersection
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
         private var _placed:Vector.<Number> = new Vector.<Number>();
 
-        // The triangle: nine numbers of a list. Its shape and its plane are set when they are needed.
+        // The triangle: nine numbers of a list. Its shape and its plane are set at the first question that needs them.
         private var _corners:Vector.<Number> = null;
         private var _at:int = 0;
-        private var _isSet:Boolean = false;
+        private var _isTriangleSet:Boolean = false;
         private var _triangle:ConvexShape = new ConvexShape();
         private var _isPlaneSet:Boolean = false;
         private var _plane:TrianglePlane = new TrianglePlane();
@@ -57,7 +57,7 @@ package starlogo.intersection
         public function setStructure(structure:BoundingStructure, placement:Placement):BoundingStructure
         {
             var placed:BoundingStructure = _structures[structure.kind] = structure.place(placement, _structures[structure.kind]);
-            shape.setStructure(placed);
+            placed.shapeInto(shape);
             return placed;
         }
 
@@ -78,13 +78,13 @@ package starlogo.intersection
         {
             _corners = corners;
             _at = at;
-            _isSet = _isPlaneSet = false;
+            _isTriangleSet = _isPlaneSet = false;
         }
 
         /** Whether the two touch. */
         public function areTouching():Boolean
         {
-            prepare();
+            prepareTriangle();
             return _kernel.areTouching(shape, _triangle);
         }
 
@@ -95,7 +95,7 @@ package starlogo.intersection
          */
         public function findTime(motion:RelativeMotion):void
         {
-            prepare();
+            prepareTriangle();
             _kernel.findTime(shape, _triangle, motion);
         }
 
@@ -107,7 +107,7 @@ package starlogo.intersection
          */
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            prepare();
+            prepareTriangle();
             _kernel.findContact(shape, _triangle, motion, out);
         }
 
@@ -144,8 +144,8 @@ package starlogo.intersection
         {
             preparePlane();
             out.setNormal(_plane.normal.x, _plane.normal.y, _plane.normal.z);
-            findDeepestPoint();
             var deepest:Vector3D = _deepest;
+            findDeepestPoint(deepest);
             deepest.x += motion.startX + motion.time * motion.x;
             deepest.y += motion.startY + motion.time * motion.y;
             deepest.z += motion.startZ + motion.time * motion.z;
@@ -177,33 +177,6 @@ package starlogo.intersection
             return true;
         }
 
-        // Finds the point of the shape that is farthest against the triangle's normal. If there are several, it is their middle.
-        private function findDeepestPoint():void
-        {
-            var normal:Vector3D = _plane.normal;
-            var p:Vector.<Number> = shape.points;
-            var end:int = shape.end;
-            shape.project(normal, _ofShape);
-            var most:Number = _ofShape.least + LEVEL * (_ofShape.greatest - _ofShape.least);
-            var count:int = 0;
-            var x:Number = 0;
-            var y:Number = 0;
-            var z:Number = 0;
-            for (var i:int = 0; i < end; i += 3)
-            {
-                if (normal.x * p[i] + normal.y * p[int(i + 1)] + normal.z * p[int(i + 2)] <= most)
-                {
-                    x += p[i];
-                    y += p[int(i + 1)];
-                    z += p[int(i + 2)];
-                    count++;
-                }
-            }
-            _deepest.x = shape.x + x / count - shape.radius * normal.x;
-            _deepest.y = shape.y + y / count - shape.radius * normal.y;
-            _deepest.z = shape.z + z / count - shape.radius * normal.z;
-        }
-
         /**
          * Whether another triangle is behind the triangle's plane.
          *
@@ -233,7 +206,7 @@ package starlogo.intersection
          */
         public function findCloser(out:ClosestPoints):Boolean
         {
-            prepare();
+            prepareTriangle();
             return _kernel.findCloser(shape, _triangle, out);
         }
 
@@ -251,11 +224,39 @@ package starlogo.intersection
             return _plane.findEntry(shape, margin, motion) > motion.latest;
         }
 
-        private function prepare():void
+        // Finds the point of the shape that is farthest against the triangle's normal. If there are several, it is their middle.
+        private function findDeepestPoint(out:Vector3D):void
         {
-            if (!_isSet)
+            var normal:Vector3D = _plane.normal;
+            var p:Vector.<Number> = shape.points;
+            var end:int = shape.end;
+            shape.project(normal, _ofShape);
+            var most:Number = _ofShape.least + SAME_DEPTH * (_ofShape.greatest - _ofShape.least);
+            var count:int = 0;
+            var x:Number = 0;
+            var y:Number = 0;
+            var z:Number = 0;
+            for (var i:int = 0; i < end; i += 3)
             {
-                _isSet = true;
+                if (normal.x * p[i] + normal.y * p[int(i + 1)] + normal.z * p[int(i + 2)] <= most)
+                {
+                    x += p[i];
+                    y += p[int(i + 1)];
+                    z += p[int(i + 2)];
+                    count++;
+                }
+            }
+            out.x = shape.x + x / count - shape.radius * normal.x;
+            out.y = shape.y + y / count - shape.radius * normal.y;
+            out.z = shape.z + z / count - shape.radius * normal.z;
+        }
+
+        // Sets the triangle's shape, unless a question before has set it.
+        private function prepareTriangle():void
+        {
+            if (!_isTriangleSet)
+            {
+                _isTriangleSet = true;
                 _triangle.setTriangle(_corners, _at);
             }
         }

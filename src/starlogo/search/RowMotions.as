@@ -220,7 +220,7 @@ package starlogo.search
         private function overlapOnMotions(standing:Extents, slack:Number, a:int, b:int):Boolean
         {
             _interval.begin(1);
-            _axisMotion.tolerance = slack;
+            _axisMotion.margin = slack;
             return narrow(standing.x, standing.halfX, _motions.x, a, b) && narrow(standing.y, standing.halfY, _motions.y, a, b)
                 && narrow(standing.z, standing.halfZ, _motions.z, a, b);
         }
@@ -229,9 +229,9 @@ package starlogo.search
         private function narrow(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
         {
             var speed:Number = motion[a] - motion[b];
-            _axisMotion.at = at[a] - at[b] - speed;
-            _axisMotion.speed = speed;
-            _axisMotion.radius = half[a] + half[b];
+            _axisMotion.offset = at[a] - at[b] - speed;
+            _axisMotion.travel = speed;
+            _axisMotion.halfExtents = half[a] + half[b];
             return _interval.narrow(_axisMotion);
         }
     }

@@ -16,10 +16,10 @@ package starlogo.solid
     public class ImpactQuery
     {
         /**
-         * Finds the first moment at which the two overlap while the model moves, and the contact then. Rounding can miss a touch at the end of the
-         * motion. So if nothing is found before, the standing test is made at time 1 too.
+         * Finds the first moment at which the two overlap while the model moves, and the contact then. Rounding can miss a touch at the latest time.
+         * So if nothing is found before, the standing test is made at that time too.
          *
-         * @param motion of the model; receives the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param motion of the model; receives the time
          * @param out receives the contact, in the world; null if only the time is needed
          */
         public final function findFirst(motion:RelativeMotion, out:ContactPoint):void
@@ -32,7 +32,7 @@ package starlogo.solid
                 {
                     return;
                 }
-                time = overlapsAt(motion, 1) ? 1 : RelativeMotion.NEVER;
+                time = overlapsAt(motion, motion.latest) ? motion.latest : RelativeMotion.NEVER;
             }
             motion.time = time;
             if (out != null && time != RelativeMotion.NEVER)

@@ -19,9 +19,13 @@ package starlogo.solid
         private var _radius:Number = 0;
         private var _motion:RelativeMotion;
 
-        // Six numbers for each axis: the axis, the least place along it that the shape comes to, the greatest place at time 0, and the speed along it,
-        // which is not negative. Then the end of these numbers.
-        private var _axes:Vector.<Number> = new Vector.<Number>(36, true);
+        // How many numbers describe an axis: the axis itself; the least place along it that the shape comes to; the greatest one at time 0; how far the
+        // shape moves along it until time 1, which is not negative.
+        private static const PER_AXIS:int = 6;
+        private static const MOST_AXES:int = 6;
+
+        // The numbers of all axes, and their end.
+        private var _axes:Vector.<Number> = new Vector.<Number>(PER_AXIS * MOST_AXES, true);
         private var _end:int = 0;
 
         // The axis that is added, and how far the core extends along it.
@@ -53,12 +57,12 @@ package starlogo.solid
                 addAxis(motion.x - share * x, motion.y - share * y, motion.z - share * z);
             }
             var edges:Vector.<int> = shape.edges;
-            for (var i:int = 1; shape.areEdgesBare && i < edges.length; i += 4)
+            for (var i:int = 1; shape.areEdgesPerpendicular && i < edges.length; i += 4)
             {
                 var to:int = edges[i];
                 addEdge(p[to] - p[0], p[int(to + 1)] - p[1], p[int(to + 2)] - p[2]);
             }
-            if (!shape.areEdgesBare && shape.end > SEGMENT)
+            if (!shape.areEdgesPerpendicular && shape.end > SEGMENT)
             {
                 addEdge(1, 0, 0);
                 addEdge(0, 1, 0);
@@ -81,30 +85,29 @@ package starlogo.solid
             _shape.project(_axis, _ofShape);
             var radius:Number = _radius * _axis.length;
             var origin:Number = _axis.x * _shape.x + _axis.y * _shape.y + _axis.z * _shape.z;
-            var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
+            var travel:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             axes[at] = _axis.x;
             axes[int(at + 1)] = _axis.y;
             axes[int(at + 2)] = _axis.z;
-            axes[int(at + 3)] = origin + _ofShape.least - radius + _motion.earliest * speed;
+            axes[int(at + 3)] = origin + _ofShape.least - radius + _motion.earliest * travel;
             axes[int(at + 4)] = origin + _ofShape.greatest + radius;
-            axes[int(at + 5)] = speed;
-            _end = at + 6;
+            axes[int(at + 5)] = travel;
+            _end = at + PER_AXIS;
         }
 
         /**
-         * Whether an axis separates a triangle from the moving shape.
+         * Whether an axis separates a triangle from the shape until a time.
          *
          * @param corners has nine numbers of the triangle
          * @param at index of the first of them
-         * @param until its <code>latest</code> is the time until which they are apart. It is in a record, because V8 makes objects for Numbers that
-         *     are passed
+         * @param motion has the latest time: they stay apart until then. All else of it is that of <code>setTo()</code>
          */
-        public function stayApart(corners:Vector.<Number>, at:int, until:RelativeMotion):Boolean
+        public function stayApart(corners:Vector.<Number>, at:int, motion:RelativeMotion):Boolean
         {
             var axes:Vector.<Number> = _axes;
             var end:int = _end;
-            var latest:Number = until.latest;
-            for (var i:int = 0; i < end; i += 6)
+            var latest:Number = motion.latest;
+            for (var i:int = 0; i < end; i += PER_AXIS)
             {
                 var x:Number = axes[i];
                 var y:Number = axes[int(i + 1)];

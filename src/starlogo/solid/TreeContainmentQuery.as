@@ -49,7 +49,7 @@ package starlogo.solid
         {
             var structure:BoundingStructure = pair.pose.place(pair.structureB);
             // The origin of its points is inside of it, and so is a ball around it.
-            _shape.setStructure(structure);
+            structure.shapeInto(_shape);
             _point.setTo(_shape.x, _shape.y, _shape.z);
             var box:Box = structure as Box;
             return pair.a.isInside(_point, box == null ? _shape.radius : Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));

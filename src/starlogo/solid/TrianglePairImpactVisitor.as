@@ -16,6 +16,7 @@ package starlogo.solid
     {
         private var _triangles:MovedTriangles;
         private var _motion:RelativeMotion = new RelativeMotion();
+        private var _latest:Number = 1;
 
         /** @param counts counts the pairs of triangles that are tested */
         public function TrianglePairImpactVisitor(counts:TreeCounts)
@@ -28,6 +29,7 @@ package starlogo.solid
         {
             _triangles.begin(a, b, pose, motion);
             _motion.copyVector(motion);
+            _latest = motion.latest;
             return this;
         }
 
@@ -37,7 +39,7 @@ package starlogo.solid
             var motion:RelativeMotion = _motion;
             var first:int = treeA.first[a];
             var end:int = treeA.end[a];
-            motion.latest = best.least < 1 ? best.least : 1;
+            motion.latest = best.least < _latest ? best.least : _latest;
             // Of triangles that touch at the same time, those of the nodes that are tested last count.
             best.current = RelativeMotion.NEVER;
             // Higher indices come first, as in the traversal.

@@ -74,8 +74,8 @@ export class Core {
 		const { ConvexShape } = this.engine;
 		const shape = new ConvexShape();
 		if (each.kind === "triangle") shape.setTriangle([...each.numbers], 0);
-		else if (each.kind === "hull") shape.setStructure(this.hulls.get(each));
-		else shape.setStructure(structureOf(this.engine, each));
+		else if (each.kind === "hull") this.hulls.get(each).$shapeInto(shape);
+		else structureOf(this.engine, each).$shapeInto(shape);
 		return shape;
 	}
 

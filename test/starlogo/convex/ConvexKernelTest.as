@@ -5,9 +5,12 @@ package starlogo.convex
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.Box;
+    import starlogo.engine;
     import support.Complaints;
     import support.Effort;
     import support.RandomConvex;
+
+    use namespace engine;
 
     /**
      * The four questions about convex shapes of all kinds and families. Distances prove themselves: both points are in their shapes, and a plane
@@ -361,7 +364,7 @@ package starlogo.convex
         {
             var shape:ConvexShape = new ConvexShape();
             var center:Vector3D = new Vector3D(middle[0], middle[1], middle[2]);
-            shape.setBox(new Box(center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, halves[0], halves[1], halves[2]));
+            new Box(center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, halves[0], halves[1], halves[2]).shapeInto(shape);
             if (isHull)
             {
                 var box:ConvexShape = shape;

@@ -6,7 +6,10 @@ package starlogo.convex
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.Sphere;
+    import starlogo.engine;
     import support.Complaints;
+
+    use namespace engine;
 
     /** Which triangles are flat, and what a flat triangle's plane says. */
     public class TrianglePlaneTest
@@ -40,7 +43,7 @@ package starlogo.convex
         [Test]
         public function aFlatTriangleHasNoPlane():void
         {
-            _shape.setSphere(new Sphere(new Vector3D(3, 4, 5), 0.1));
+            new Sphere(new Vector3D(3, 4, 5), 0.1).shapeInto(_shape);
             _motion.x = 1;
             for each (var corners:Vector.<Number> in [
                         new <Number>[0, 0, 0, 0, 0, 0, 0, 0, 0],
@@ -89,7 +92,7 @@ package starlogo.convex
 
         private function assertEntry(margin:Number, z:Number, motionZ:Number, expected:Number, message:String):void
         {
-            _shape.setSphere(new Sphere(new Vector3D(0, 0, z), 1));
+            new Sphere(new Vector3D(0, 0, z), 1).shapeInto(_shape);
             _motion.z = motionZ;
             assertEquals(message, expected, _plane.findEntry(_shape, margin, _motion));
         }

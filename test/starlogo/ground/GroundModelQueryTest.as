@@ -83,7 +83,7 @@ package starlogo.ground
                     continue;
                 }
                 var all:ContactPoint = new ContactPoint();
-                all.resetGround();
+                all.resetProof();
                 var expected:String = exitsFrom(_query, all);
                 met += expected == "" ? 0 : 1;
                 compare(i, expected, exitsOf(_query));
@@ -99,7 +99,7 @@ package starlogo.ground
         {
             var all:ContactPoint = new ContactPoint();
             var filtered:int = 0;
-            all.resetGround();
+            all.resetProof();
             for (var i:int = 0; filtered < Effort.choose(100, 2000, 30); i++)
             {
                 makeOverlap(i);

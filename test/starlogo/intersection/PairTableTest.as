@@ -7,11 +7,13 @@ package starlogo.intersection
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
+    import support.assertClose;
 
     /** A pair that has no test says so, and leaves the results as they were. */
     public class PairTableTest
@@ -21,7 +23,8 @@ package starlogo.intersection
         private var _collided:Vector.<BoundingStructure> = new <BoundingStructure>[
                 new Sphere(new Vector3D(), 1),
                 new Capsule(new Vector3D(), new Vector3D(1, 0, 0), 1),
-                new Box(new Vector3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1), 1, 1, 1)];
+                new Box(new Vector3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1), 1, 1, 1),
+                new Hull(new <Number>[-1, -1, -1, 1, -1, -1, 0, 1, -1, 0, 0, 1])];
 
         private var _others:Vector.<BoundingStructure> = new <BoundingStructure>[
                 new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1),
@@ -108,6 +111,32 @@ package starlogo.intersection
                 {
                     var placed:BoundingStructure = b.place(far);
                     assertEquals(a + " and " + placed, false, intersects(a, placed));
+                }
+            }
+        }
+
+        [Test]
+        public function noTimeIsAfterTheLatest():void
+        {
+            var far:Placement = new Placement();
+            far.x = 8;
+            _motion.x = 10;
+            for each (var a:BoundingStructure in _collided)
+            {
+                for each (var b:BoundingStructure in _collided)
+                {
+                    var placed:BoundingStructure = b.place(far);
+                    var what:String = a + " and " + placed;
+                    _motion.latest = 1;
+                    PairTable.findTime(a, placed, _motion);
+                    var time:Number = _motion.time;
+                    assertEquals(what + " touch: " + time, true, time > 0.4 && time < 0.8);
+                    _motion.latest = time - 1e-6;
+                    PairTable.findTime(a, placed, _motion);
+                    assertEquals(what + " before they touch", RelativeMotion.NEVER, _motion.time);
+                    _motion.latest = time + 1e-6;
+                    PairTable.findTime(a, placed, _motion);
+                    assertClose(time, _motion.time, 1e-12, what);
                 }
             }
         }

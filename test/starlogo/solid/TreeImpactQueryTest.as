@@ -43,6 +43,36 @@ package starlogo.solid
             checkEnds(null, new Sphere(new Vector3D(), 0.2), false);
         }
 
+        [Test]
+        public function noTimeIsAfterTheLatest():void
+        {
+            checkLatest(treeOf("block", block(-0.2, 0.2, 0.2, [])), null, true);
+            checkLatest(treeOf("block", block(-0.2, 0.2, 0.2, [])), null, false);
+            checkLatest(null, new Sphere(new Vector3D(), 0.2), true);
+            checkLatest(null, new Sphere(new Vector3D(), 0.2), false);
+        }
+
+        // The right wall moves into what stands between them, and touches it after 2/3 of the motion.
+        private function checkLatest(b:ModelTree, structure:BoundingStructure, exact:Boolean):void
+        {
+            var walls:ModelTree = treeOf("walls", block(0.6, 1, 0.3, block(-1, -0.6, 0.3, [])));
+            var motion:RelativeMotion = new RelativeMotion();
+            motion.endAfter(-0.6, 0, 0);
+            for each (var latest:Number in [0.1, 0.5, 0.66, 0.67, 0.9, 1])
+            {
+                for each (var find:Function in [_query.findImpact, _query.findFirst])
+                {
+                    var ends:Placement = new Placement();
+                    ends.x = -0.6;
+                    _pair.setTo(walls, ends, BoxTree.NO_LIMIT, b, structure, new Placement(), BoxTree.NO_LIMIT, exact);
+                    motion.latest = latest;
+                    find(motion, null);
+                    var what:String = "exact " + exact + ", latest " + latest;
+                    assertTrue(what + ": " + motion.time, latest < 2 / 3 ? motion.time == RelativeMotion.NEVER : Math.abs(motion.time - 2 / 3) < 1e-9);
+                }
+            }
+        }
+
         // Two walls move to the left, until the right one almost touches what stands between them.
         private function checkEnds(b:ModelTree, structure:BoundingStructure, exact:Boolean):void
         {

@@ -26,11 +26,6 @@ package starlogo.geometry.hull
         /** The face across the edge from c to a. */
         public var acrossCA:HullFace;
 
-        /** The outward normal (b - a) x (c - a). It is exact, because its components are whole numbers below 2^53. */
-        public var exactX:Number;
-        public var exactY:Number;
-        public var exactZ:Number;
-
         /** The outward unit normal, rounded. */
         public var normalX:Number;
         public var normalY:Number;
@@ -57,6 +52,11 @@ package starlogo.geometry.hull
 
         /** Whether a walk over the finished hull has visited this face. */
         public var isVisited:Boolean;
+
+        // The outward normal (b - a) x (c - a). It is exact, because its components are whole numbers below 2^53.
+        private var _exactX:Number;
+        private var _exactY:Number;
+        private var _exactZ:Number;
 
         /**
          * Makes this a new face, which has no neighbours yet, and no points beyond it. A buried face may become a new one.
@@ -90,9 +90,9 @@ package starlogo.geometry.hull
             var crossY:Number = abZ * acX - abX * acZ;
             var crossZ:Number = abX * acY - abY * acX;
             var scale:Number = 1 / Math.sqrt(crossX * crossX + crossY * crossY + crossZ * crossZ);
-            exactX = crossX;
-            exactY = crossY;
-            exactZ = crossZ;
+            _exactX = crossX;
+            _exactY = crossY;
+            _exactZ = crossZ;
             normalX = crossX * scale;
             normalY = crossY * scale;
             normalZ = crossZ * scale;
@@ -116,10 +116,8 @@ package starlogo.geometry.hull
             }
         }
 
-        /**
-         * The side of the face's plane on which a point is: positive beyond it, negative behind it, and 0 if it is exactly in the plane.
-         */
-        public function side(points:Vector.<Number>, point:int):Number
+        /** The side of the face's plane on which a point is: 1 beyond it, -1 behind it, and 0 if it is exactly in the plane. */
+        public function side(points:Vector.<Number>, point:int):int
         {
             var x:Number = points[3 * point];
             var y:Number = points[3 * point + 1];
@@ -127,18 +125,19 @@ package starlogo.geometry.hull
             var distance:Number = normalX * x + normalY * y + normalZ * z - offset;
             if (distance > CERTAIN || distance < -CERTAIN)
             {
-                return distance;
+                return distance > 0 ? 1 : -1;
             }
             x -= points[3 * a];
             y -= points[3 * a + 1];
             z -= points[3 * a + 2];
-            var highX:Number = Math.floor(exactX / SPLIT);
-            var highY:Number = Math.floor(exactY / SPLIT);
-            var highZ:Number = Math.floor(exactZ / SPLIT);
+            var highX:Number = Math.floor(_exactX / SPLIT);
+            var highY:Number = Math.floor(_exactY / SPLIT);
+            var highZ:Number = Math.floor(_exactZ / SPLIT);
             var high:Number = highX * x + highY * y + highZ * z;
-            var low:Number = (exactX - highX * SPLIT) * x + (exactY - highY * SPLIT) * y
-                + (exactZ - highZ * SPLIT) * z;
-            return high * SPLIT + low;
+            var low:Number = (_exactX - highX * SPLIT) * x + (_exactY - highY * SPLIT) * y
+                + (_exactZ - highZ * SPLIT) * z;
+            var exact:Number = high * SPLIT + low;
+            return exact > 0 ? 1 : exact < 0 ? -1 : 0;
         }
 
         /** Whether a point is over the triangle, not just over its plane. */

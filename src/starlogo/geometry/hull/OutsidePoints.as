@@ -62,8 +62,8 @@ package starlogo.geometry.hull
             return null;
         }
 
-        // Lists faces that have received all of their points.
-        private function list(faces:Vector.<HullFace>):void
+        // Adds faces that have received all of their points to the lists of faces.
+        private function addPending(faces:Vector.<HullFace>):void
         {
             for each (var face:HullFace in faces)
             {
@@ -149,7 +149,7 @@ package starlogo.geometry.hull
                 else
                 {
                     _lists = null;
-                    list(faces);
+                    addPending(faces);
                     break;
                 }
             }
@@ -175,7 +175,7 @@ package starlogo.geometry.hull
                 var distance:Number = face.normalX * x + face.normalY * y + face.normalZ * z - face.offset;
                 if (distance > COPLANAR)
                 {
-                    put(point, face, distance);
+                    addTo(face, point, distance);
                     return;
                 }
                 if (distance > CERTAIN)
@@ -190,11 +190,12 @@ package starlogo.geometry.hull
             }
             if (nearFace != null)
             {
-                put(point, nearFace, near);
+                addTo(nearFace, point, near);
             }
         }
 
-        private function put(point:int, face:HullFace, distance:Number):void
+        // Adds a point to the list of a face.
+        private function addTo(face:HullFace, point:int, distance:Number):void
         {
             _next[point] = face.firstOutside;
             face.firstOutside = point;

@@ -2,11 +2,13 @@ package starlogo.intersection.ray
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Sphere;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * Finds where rays enter any convex structure. A point that moves along the ray meets the structure where the ray enters it, and a
@@ -17,7 +19,7 @@ package starlogo.intersection.ray
     public final class ConvexRay
     {
         private var _kernel:ConvexKernel = new ConvexKernel();
-        private var _place:Sphere = new Sphere(new Vector3D(), 0);
+        private var _place:Vector3D = new Vector3D();
         private var _point:ConvexShape = new ConvexShape();
         private var _shape:ConvexShape = new ConvexShape();
         private var _motion:RelativeMotion = new RelativeMotion();
@@ -33,7 +35,7 @@ package starlogo.intersection.ray
          */
         public function enter(ray:Ray, structure:BoundingStructure, out:RayEntry):Boolean
         {
-            _shape.setStructure(structure);
+            structure.shapeInto(_shape);
             // the part of the line that may be inside
             var middle:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
             var boundingRadius:Number = 2 * (_shape.extent + _shape.radius) + Number.MIN_VALUE;
@@ -52,8 +54,8 @@ package starlogo.intersection.ray
         // When a point first meets the shape, if it moves by a length from a place on the ray.
         private function timeFrom(ray:Ray, from:Number, length:Number):Number
         {
-            _place.center.setTo(ray.x + from * ray.directionX, ray.y + from * ray.directionY, ray.z + from * ray.directionZ);
-            _point.setSphere(_place);
+            _place.setTo(ray.x + from * ray.directionX, ray.y + from * ray.directionY, ray.z + from * ray.directionZ);
+            _point.setPoint(_place);
             _motion.x = length * ray.directionX;
             _motion.y = length * ray.directionY;
             _motion.z = length * ray.directionZ;

@@ -25,12 +25,10 @@ package starlogo.intersection.ray
         out.addEntry(entry, entered > ray.from ? slack : 0, RayCrossings.ENTERS);
         // the same line in the other direction enters where the ray leaves
         reversed.setReversed(ray);
-        rayStructure(reversed, structure, convex, entry);
-        var left:Number = -entry.distance;
-        if (left <= ray.to)
+        if (rayStructure(reversed, structure, convex, entry) && -entry.distance <= ray.to)
         {
             entry.setNormal(ray, entry.normalX, entry.normalY, entry.normalZ);
-            entry.distance = left > entered ? left : entered;
+            entry.distance = -entry.distance > entered ? -entry.distance : entered;
             out.addEntry(entry, slack, RayCrossings.LEAVES);
         }
     }

@@ -7,16 +7,16 @@ package starlogo.intersection.sweep
      */
     public final class AxisMotion
     {
-        /** The place of one middle at time 0, as seen from the other middle. */
-        public var at:Number = 0;
+        /** The place of the second shape's middle at time 0, seen from the first one's. */
+        public var offset:Number = 0;
 
-        /** How far that middle moves along the axis until time 1. */
-        public var speed:Number = 0;
+        /** How far the second shape moves until time 1. */
+        public var travel:Number = 0;
 
-        /** The sum of how far both shapes extend along the axis. */
-        public var radius:Number = 0;
+        /** Half of what the first shape extends, plus half of what the second does. */
+        public var halfExtents:Number = 0;
 
         /** The gap across which the shapes still touch. */
-        public var tolerance:Number = 0;
+        public var margin:Number = 0;
     }
 }

@@ -1,5 +1,6 @@
 package starlogo.intersection.sweep
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
@@ -23,9 +24,11 @@ package starlogo.intersection.sweep
         private var _times:ContactInterval = new ContactInterval();
         private var _along:AxisMotion = new AxisMotion();
 
+        // The pair of two boxes that are given as structures.
+        private var _boxes:BoxPairMotion = new BoxPairMotion();
+
         // For boxes that stand.
         private static const STANDING:BoxSweep = new BoxSweep();
-        private static const STANDING_PAIR:BoxPairMotion = new BoxPairMotion();
 
         /**
          * Whether two boxes touch where they stand. It takes longer than <code>boxBox()</code>, but its axes across edges do not cancel if the edges
@@ -33,9 +36,21 @@ package starlogo.intersection.sweep
          */
         public static function areTouching(a:Box, b:Box):Boolean
         {
-            STANDING_PAIR.setBoxes(a, b, RelativeMotion.NONE);
-            STANDING.findTime(STANDING_PAIR);
-            return STANDING_PAIR.time == 0;
+            STANDING.setBoxes(a, b, RelativeMotion.NONE);
+            STANDING.findTime(STANDING._boxes);
+            return STANDING._boxes.time == 0;
+        }
+
+        /**
+         * Finds when a moving box first touches another one.
+         *
+         * @param motion the motion of a; receives the time
+         */
+        public function findTimeOfBoxes(a:Box, b:Box, motion:RelativeMotion):void
+        {
+            setBoxes(a, b, motion);
+            findTime(_boxes);
+            motion.time = _boxes.time;
         }
 
         /** Sets the pair's time to the first at which the boxes touch. It is NEVER if it is after the latest time. */
@@ -59,55 +74,99 @@ package starlogo.intersection.sweep
             var b:BoxAxes = pair.axes;
             var along:AxisMotion = _along;
             times.begin(pair.latest);
-            along.tolerance = pair.tolerance;
+            along.margin = pair.margin;
             var fromX:Number = pair.x;
             var fromY:Number = pair.y;
             var fromZ:Number = pair.z;
             var halfX:Number = pair.bX;
             var halfY:Number = pair.bY;
             var halfZ:Number = pair.bZ;
-            along.at = fromX;
-            along.speed = pair.motionX;
-            along.radius = pair.aX + halfX * b.abs00 + halfY * b.abs01 + halfZ * b.abs02;
+            along.offset = fromX;
+            along.travel = pair.motionX;
+            along.halfExtents = pair.aX + halfX * b.abs00 + halfY * b.abs01 + halfZ * b.abs02;
             if (!times.narrow(along))
             {
                 return;
             }
-            along.at = fromY;
-            along.speed = pair.motionY;
-            along.radius = pair.aY + halfX * b.abs10 + halfY * b.abs11 + halfZ * b.abs12;
+            along.offset = fromY;
+            along.travel = pair.motionY;
+            along.halfExtents = pair.aY + halfX * b.abs10 + halfY * b.abs11 + halfZ * b.abs12;
             if (!times.narrow(along))
             {
                 return;
             }
-            along.at = fromZ;
-            along.speed = pair.motionZ;
-            along.radius = pair.aZ + halfX * b.abs20 + halfY * b.abs21 + halfZ * b.abs22;
+            along.offset = fromZ;
+            along.travel = pair.motionZ;
+            along.halfExtents = pair.aZ + halfX * b.abs20 + halfY * b.abs21 + halfZ * b.abs22;
             if (!times.narrow(along))
             {
                 return;
             }
-            along.at = fromX * b.m00 + fromY * b.m10 + fromZ * b.m20;
-            along.speed = b.m00 * pair.motionX + b.m10 * pair.motionY + b.m20 * pair.motionZ;
-            along.radius = halfX + pair.aX * b.abs00 + pair.aY * b.abs10 + pair.aZ * b.abs20;
+            along.offset = fromX * b.m00 + fromY * b.m10 + fromZ * b.m20;
+            along.travel = b.m00 * pair.motionX + b.m10 * pair.motionY + b.m20 * pair.motionZ;
+            along.halfExtents = halfX + pair.aX * b.abs00 + pair.aY * b.abs10 + pair.aZ * b.abs20;
             if (!times.narrow(along))
             {
                 return;
             }
-            along.at = fromX * b.m01 + fromY * b.m11 + fromZ * b.m21;
-            along.speed = b.m01 * pair.motionX + b.m11 * pair.motionY + b.m21 * pair.motionZ;
-            along.radius = halfY + pair.aX * b.abs01 + pair.aY * b.abs11 + pair.aZ * b.abs21;
+            along.offset = fromX * b.m01 + fromY * b.m11 + fromZ * b.m21;
+            along.travel = b.m01 * pair.motionX + b.m11 * pair.motionY + b.m21 * pair.motionZ;
+            along.halfExtents = halfY + pair.aX * b.abs01 + pair.aY * b.abs11 + pair.aZ * b.abs21;
             if (!times.narrow(along))
             {
                 return;
             }
-            along.at = fromX * b.m02 + fromY * b.m12 + fromZ * b.m22;
-            along.speed = b.m02 * pair.motionX + b.m12 * pair.motionY + b.m22 * pair.motionZ;
-            along.radius = halfZ + pair.aX * b.abs02 + pair.aY * b.abs12 + pair.aZ * b.abs22;
+            along.offset = fromX * b.m02 + fromY * b.m12 + fromZ * b.m22;
+            along.travel = b.m02 * pair.motionX + b.m12 * pair.motionY + b.m22 * pair.motionZ;
+            along.halfExtents = halfZ + pair.aX * b.abs02 + pair.aY * b.abs12 + pair.aZ * b.abs22;
             if (times.narrow(along))
             {
                 pair.time = times.touch < times.last ? times.touch : times.last;
             }
+        }
+
+        // Sets the pair of two boxes. While a moves, b moves in the opposite direction as seen from a.
+        private function setBoxes(a:Box, b:Box, motion:RelativeMotion):void
+        {
+            var pair:BoxPairMotion = _boxes;
+            var cosines:BoxAxes = pair.axes;
+            var edgeX:Vector3D = b.axisX;
+            var edgeY:Vector3D = b.axisY;
+            var edgeZ:Vector3D = b.axisZ;
+            var moveX:Number = motion.x;
+            var moveY:Number = motion.y;
+            var moveZ:Number = motion.z;
+            var fromX:Number = b.center.x - a.center.x - motion.startX;
+            var fromY:Number = b.center.y - a.center.y - motion.startY;
+            var fromZ:Number = b.center.z - a.center.z - motion.startZ;
+            var axis:Vector3D = a.axisX;
+            cosines.m00 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            cosines.m01 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            cosines.m02 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            pair.motionX = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
+            pair.x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            axis = a.axisY;
+            cosines.m10 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            cosines.m11 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            cosines.m12 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            pair.motionY = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
+            pair.y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            axis = a.axisZ;
+            cosines.m20 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            cosines.m21 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            cosines.m22 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            pair.motionZ = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
+            pair.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            cosines.measureAxes();
+            pair.aX = a.halfX;
+            pair.aY = a.halfY;
+            pair.aZ = a.halfZ;
+            pair.bX = b.halfX;
+            pair.bY = b.halfY;
+            pair.bZ = b.halfZ;
+            include "../../convex/motionMargin.inc";
+            pair.margin = margin;
+            pair.latest = motion.latest;
         }
 
         // Goes on from the faces to the edges. The boxes are projected in full on the cross product of an edge of each. So even a short cross product
@@ -161,10 +220,10 @@ package starlogo.intersection.sweep
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeY + sizeZ > SHORTEST)
             {
-                along.at = pair.z * pY - pair.y * pZ;
-                along.speed = pair.motionZ * pY - pair.motionY * pZ;
-                along.radius = pair.aY * sizeZ + pair.aZ * sizeY + alongQ + alongR;
-                along.tolerance = pair.tolerance * (sizeY + sizeZ);
+                along.offset = pair.z * pY - pair.y * pZ;
+                along.travel = pair.motionZ * pY - pair.motionY * pZ;
+                along.halfExtents = pair.aY * sizeZ + pair.aZ * sizeY + alongQ + alongR;
+                along.margin = pair.margin * (sizeY + sizeZ);
                 if (!times.narrow(along))
                 {
                     return false;
@@ -176,10 +235,10 @@ package starlogo.intersection.sweep
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeX + sizeZ > SHORTEST)
             {
-                along.at = pair.x * pZ - pair.z * pX;
-                along.speed = pair.motionX * pZ - pair.motionZ * pX;
-                along.radius = pair.aZ * sizeX + pair.aX * sizeZ + alongQ + alongR;
-                along.tolerance = pair.tolerance * (sizeX + sizeZ);
+                along.offset = pair.x * pZ - pair.z * pX;
+                along.travel = pair.motionX * pZ - pair.motionZ * pX;
+                along.halfExtents = pair.aZ * sizeX + pair.aX * sizeZ + alongQ + alongR;
+                along.margin = pair.margin * (sizeX + sizeZ);
                 if (!times.narrow(along))
                 {
                     return false;
@@ -193,10 +252,10 @@ package starlogo.intersection.sweep
             alongQ = alongQ < 0 ? -alongQ : alongQ;
             alongR = rY * pX - rX * pY;
             alongR = alongR < 0 ? -alongR : alongR;
-            along.at = pair.y * pX - pair.x * pY;
-            along.speed = pair.motionY * pX - pair.motionX * pY;
-            along.radius = pair.aX * sizeY + pair.aY * sizeX + alongQ + alongR;
-            along.tolerance = pair.tolerance * (sizeX + sizeY);
+            along.offset = pair.y * pX - pair.x * pY;
+            along.travel = pair.motionY * pX - pair.motionX * pY;
+            along.halfExtents = pair.aX * sizeY + pair.aY * sizeX + alongQ + alongR;
+            along.margin = pair.margin * (sizeX + sizeY);
             return times.narrow(along);
         }
     }

@@ -3,23 +3,23 @@ package starlogo.intersection.sweep
     import starlogo.geometry.Tolerances;
 
     /**
-     * The interval of time in which no axis tried so far separates two moving shapes. A tolerance for rounding is included in the decision
-     * whether they touch at all. The time of impact does not include it.
+     * The interval of time in which no axis tried so far separates two moving shapes. The margins are included in the decision whether they
+     * touch at all. The time of impact does not include them.
      *
      * @private
      */
     public final class ContactInterval
     {
-        /** The end of the interval, with the tolerance included. Read only. */
+        /** The end of the interval, with the margins included. Read only. */
         public var last:Number = 1;
 
         /**
-         * The time from which the last axis no longer separates the shapes, without the tolerance. If it is not after the end of the interval,
+         * The time from which the last axis no longer separates the shapes, without the margins. If it is not after the end of the interval,
          * the shapes touch then. Read only.
          */
         public var touch:Number = 0;
 
-        // The beginning of the interval, with the tolerance included.
+        // The beginning of the interval, with the margins included.
         private var _first:Number = 0;
 
         /** Begins with no axis tried. */
@@ -37,24 +37,24 @@ package starlogo.intersection.sweep
          */
         public function narrow(axis:AxisMotion):Boolean
         {
-            var from:Number = axis.at;
-            var rate:Number = axis.speed;
-            var near:Number = axis.radius;
+            var from:Number = axis.offset;
+            var travel:Number = axis.travel;
+            var near:Number = axis.halfExtents;
             // mirrored, so that the motion is upwards
-            if (rate < 0)
+            if (travel < 0)
             {
-                rate = -rate;
+                travel = -travel;
                 from = -from;
             }
-            var wide:Number = near * Tolerances.TOUCHING + axis.tolerance;
+            var wide:Number = near * Tolerances.TOUCHING + axis.margin;
             var time:Number;
             if (from < -wide)
             {
-                if (!(rate > 0))
+                if (!(travel > 0))
                 {
                     return false;
                 }
-                time = (-wide - from) / rate;
+                time = (-wide - from) / travel;
                 if (time > last)
                 {
                     return false;
@@ -63,7 +63,7 @@ package starlogo.intersection.sweep
                 {
                     _first = time;
                 }
-                time = (-near - from) / rate;
+                time = (-near - from) / travel;
                 if (time > touch)
                 {
                     touch = time;
@@ -73,9 +73,9 @@ package starlogo.intersection.sweep
             {
                 return false;
             }
-            if (from + last * rate > wide)
+            if (from + last * travel > wide)
             {
-                time = (wide - from) / rate;
+                time = (wide - from) / travel;
                 if (time < _first)
                 {
                     return false;

@@ -31,8 +31,8 @@ package starlogo.search.pairs
          * Finds the time at which two bodies first touch, while the first one moves, and their contact then. It is the first moment at which
          * <code>areTouching()</code> would be true.
          *
-         * @param motion the motion of the first body relative to the second. It ends where the first body is now. It receives the time, from 0 to
-         *     1, or RelativeMotion.NEVER
+         * @param motion the motion of the first body relative to the second. It ends where the first body is now, and all of it is asked about. It
+         *     receives the time
          * @param out receives the contact if they touch, as in findContactOfParts; null if only the time is needed
          */
         public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void

@@ -6,7 +6,7 @@ package starlogo.search.penetration
 
     /**
      * Finds a short way out of the ground. An agent in the ground may have many. Its contact may have a lower bound of their lengths
-     * (GroundDepth). If the first push is hardly longer, it is taken.
+     * (DepthProof). If the first push is hardly longer, it is taken.
      *
      * <p>Otherwise each side of the ground that the deepest touched part is behind begins a push of its own
      * (<code>DisplacedPair.findExits()</code>). The shortest push that frees the agent is taken. Contacts may contradict each other, as opposite
@@ -63,7 +63,7 @@ package starlogo.search.penetration
         {
             out.depth = Infinity;
             var maxDistance:Number = Math.max(DirectionSearch.IMPROVED_DEPTH * _pair.extent, Math.min(first.depth, _pair.extent));
-            if (_pushOut.find(first, Math.max(first.ground.provenDepth / LEAST_SHARE_TAKEN, PushOut.ROOM * _pair.extent), out))
+            if (_pushOut.find(first, Math.max(first.proof.provenDepth / LEAST_SHARE_TAKEN, PushOut.ROOM * _pair.extent), out))
             {
                 return;
             }

@@ -74,7 +74,7 @@ package starlogo.search.penetration
         {
             _pushes.begin();
             contact.copyFrom(first);
-            _isFirstSure = _pair.isSecondGround && first.ground.isSure;
+            _isFirstSure = _pair.isSecondGround && first.proof.isSure;
             _pair.putBack();
             add(contact);
         }

@@ -11,12 +11,12 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * The kernel of a hull and any other structure. It makes shapes of the two, about which ConvexKernel decides. So it can answer for any two
-     * convex structures, and does for the other kernels where they do not answer themselves.
+     * Answers for any two convex structures. It makes shapes of the two, about which ConvexKernel decides. PairTable has it for pairs with a hull,
+     * and other kernels ask it where they do not answer themselves.
      *
      * @private
      */
-    public final class HullKernel extends PairKernel
+    public final class ConvexPairKernel extends PairKernel
     {
         private var _kernel:ConvexKernel = new ConvexKernel();
         private var _a:ConvexShape = new ConvexShape();
@@ -65,8 +65,8 @@ package starlogo.intersection
 
         private function setShapes(a:BoundingStructure, b:BoundingStructure):void
         {
-            _a.setStructure(a);
-            _b.setStructure(b);
+            a.shapeInto(_a);
+            b.shapeInto(_b);
         }
     }
 }

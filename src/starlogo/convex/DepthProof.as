@@ -1,17 +1,17 @@
 package starlogo.convex
 {
     /**
-     * What a test of the ground knows of a contact's depth, as a record: the triangle of the ground that the model is deepest in, and which exits are
-     * too short.
+     * What is known of a contact's depth besides the number, as a record: the triangle that the first shape is deepest in, and which ways out are too
+     * short. It is a part of the contact, because whoever looks for the shortest way out gets the contact alone. Only tests of the ground fill it.
      *
      * @private
      */
-    public final class GroundDepth
+    public final class DepthProof
     {
-        /** The shortest exit is known to be about as long as this, or longer. It may be a fifth shorter; 0 if nothing is known. */
+        /** The shortest way out is known to be about as long as this, or longer. It may be a fifth shorter; 0 if nothing is known. */
         public var provenDepth:Number = 0;
 
-        /** Whether the model is known to touch wherever it goes less than the depth along the normal. */
+        /** Whether the first shape is known to touch wherever it goes less than the depth along the normal. */
         public var isSure:Boolean = false;
 
         /** Whether a triangle is known. It is not for a first touch, which may be at an edge of several triangles. */
@@ -51,7 +51,7 @@ package starlogo.convex
         }
 
         /** Becomes the same as another record. */
-        public function copyFrom(other:GroundDepth):void
+        public function copyFrom(other:DepthProof):void
         {
             provenDepth = other.provenDepth;
             isSure = other.isSure;

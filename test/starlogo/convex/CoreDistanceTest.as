@@ -1,0 +1,64 @@
+package starlogo.convex
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertTrue;
+    import support.Complaints;
+
+    /** The distance is proven: the cores are as far apart along a direction, to within rounding. So the search has not ended early. */
+    public class CoreDistanceTest
+    {
+        private static const NONE:Vector.<int> = new Vector.<int>();
+
+        private var _random:SeededRandom = new SeededRandom(11);
+        private var _cores:CorePair = new CorePair();
+        private var _witness:CoreWitness = new CoreWitness();
+        private var _wrong:Complaints = new Complaints();
+
+        [Test]
+        public function theDistanceOfLargeHullsIsProven():void
+        {
+            var search:CoreDistance = new CoreDistance();
+            var apart:int = 0;
+            for each (var count:int in [20, 300, 6000])
+            {
+                for each (var thickness:Number in [1, 1e-3, 1e-9])
+                {
+                    var disc:ConvexShape = ellipsoid(count, 1, 1, thickness);
+                    var needle:ConvexShape = ellipsoid(count, thickness, 2, thickness);
+                    for (var i:int = 0; i < 60; i++)
+                    {
+                        needle.x = _random.between(-1.5, 1.5);
+                        needle.y = _random.between(-2, 2);
+                        needle.z = _random.between(-0.5, 1.5);
+                        _cores.setShapes(disc, needle);
+                        search.find(_cores, _witness);
+                        var most:Number = Math.max(0, _witness.separation) + 1e-14 * (disc.extent + needle.extent);
+                        _wrong.addIf(!(_witness.distance <= most), "distance", count + " points, " + thickness + " thick: " + _witness.distance + ", proven "
+                                + _witness.separation);
+                        apart += _witness.distance > 0.01 ? 1 : 0;
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(apart + " are apart", apart > 100 && apart < 500);
+        }
+
+        // The hull of points on an ellipsoid around the origin.
+        private function ellipsoid(count:int, radiusX:Number, radiusY:Number, radiusZ:Number):ConvexShape
+        {
+            var points:Vector.<Number> = new Vector.<Number>();
+            while (points.length < 3 * count)
+            {
+                var x:Number = _random.between(-1, 1);
+                var y:Number = _random.between(-1, 1);
+                var z:Number = _random.between(-1, 1);
+                var length:Number = Math.sqrt(x * x + y * y + z * z);
+                points.push(radiusX * x / length, radiusY * y / length, radiusZ * z / length);
+            }
+            var shape:ConvexShape = new ConvexShape();
+            shape.setHull(new Vector3D(), points, NONE, NONE);
+            return shape;
+        }
+    }
+}

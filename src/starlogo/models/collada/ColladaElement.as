@@ -103,12 +103,6 @@ package starlogo.models.collada
             return found;
         }
 
-        /** The first child element with a name and an id, or null. */
-        public function childWithId(name:String, id:String):ColladaElement
-        {
-            return first("<" + name + "#" + id);
-        }
-
         /** The first child element "input" with a semantic, or null. */
         public function input(semantic:String):ColladaElement
         {
@@ -147,7 +141,7 @@ package starlogo.models.collada
                     TextWords.shorten(url) + "\"");
             for each (var targetName:String in names)
             {
-                var found:ColladaElement = (scope == null ? null : scope.childWithId(targetName, url.substr(1))) || document.elementsById[targetName + url];
+                var found:ColladaElement = (scope == null ? null : scope.first("<" + targetName + url)) || document.elementsById[targetName + url];
                 if (found != null)
                 {
                     return found;

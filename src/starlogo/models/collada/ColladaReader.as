@@ -12,6 +12,10 @@ package starlogo.models.collada
     /**
      * Reads a COLLADA document. ColladaModel says which parts.
      *
+     * <p>An XmlReader makes ColladaElements of the text. A ColladaScene finds the geometries and where nodes place them. Each geometry is
+     * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place is a ColladaInstance, whose
+     * mesh is added to the model.</p>
+     *
      * @private
      */
     public final class ColladaReader extends ModelReader

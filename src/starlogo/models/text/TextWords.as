@@ -40,6 +40,18 @@ package starlogo.models.text
             return text.indexOf(piece) < 0 ? text : text.split(piece).join(replacement);
         }
 
+        /** The first place from one place on that has one of two characters; the end if none before it has. */
+        public static function indexOfEither(text:String, first:int, second:int, from:int, end:int):int
+        {
+            var place:int = from;
+            var code:int = text.charCodeAt(place);
+            while (place < end && code != first && code != second)
+            {
+                code = text.charCodeAt(++place);
+            }
+            return place;
+        }
+
         /**
          * The number that a word stands for, or NaN. A decimal comma is accepted, because some programs write numbers in the system's
          * language.

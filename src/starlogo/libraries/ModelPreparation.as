@@ -117,7 +117,7 @@ package starlogo.libraries
         }
 
         // The work that computes what is missing. A tree that will be stored has to be built, even if its division came from a cooked model.
-        private function computing(isStored:Boolean):StepSequence
+        private function computing(willBeStored:Boolean):StepSequence
         {
             var work:StepSequence = new StepSequence();
             if (structures == null && _structuresBuilder != null)
@@ -127,7 +127,7 @@ package starlogo.libraries
                         structures = _structuresBuilder.structures;
                     });
             }
-            if (buildingTree != null && (isStored || _settings.wantsSurface || !isTreeStored))
+            if (buildingTree != null && (willBeStored || _settings.wantsSurface || !isTreeStored))
             {
                 work.add(buildingTree);
             }

@@ -150,21 +150,6 @@ package starlogo.models.collada
             throw error("there is no <" + names[0] + "> with the id \"" + TextWords.shorten(url.substr(1)) + "\"");
         }
 
-        /** The material that this instance of a geometry binds to a symbol; null if it binds none, or one that is not in this file. */
-        public function materialOf(symbol:String):ColladaElement
-        {
-            var binding:ColladaElement = child("bind_material");
-            var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
-            for each (var bound:ColladaElement in technique == null ? null : technique.childrenNamed("instance_material"))
-            {
-                if (bound.attribute("symbol") == symbol)
-                {
-                    return document.elementsById["material" + bound.attribute("target")];
-                }
-            }
-            return null;
-        }
-
         /** Splits the element's own text into words. For long texts, ColladaWords does the same in steps. */
         public function splitText():Array
         {

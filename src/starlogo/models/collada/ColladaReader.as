@@ -118,7 +118,7 @@ package starlogo.models.collada
             var bound:Vector.<int> = new Vector.<int>();
             for each (var symbol:String in symbols.names)
             {
-                var material:ColladaElement = element.materialOf(symbol);
+                var material:ColladaElement = materialOf(symbol, element);
                 // A symbol may be equal to another material's id.
                 bound.push(material == null ? data.materials.addKey("symbol " + symbol, symbol) :
                         data.materials.addKey("material " + material.id, nameOf(material)));
@@ -127,6 +127,21 @@ package starlogo.models.collada
             {
                 data.materials.beginRun(symbols.numbers[i] < 0 ? -1 : bound[symbols.numbers[i]], firstTriangle + symbols.starts[i]);
             }
+        }
+
+        // The material that an instance of a geometry binds to a symbol; null if it binds none, or one that is not in this file.
+        private static function materialOf(symbol:String, instance:ColladaElement):ColladaElement
+        {
+            var binding:ColladaElement = instance.child("bind_material");
+            var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
+            for each (var bound:ColladaElement in technique == null ? null : technique.childrenNamed("instance_material"))
+            {
+                if (bound.attribute("symbol") == symbol)
+                {
+                    return instance.document.elementsById["material" + bound.attribute("target")];
+                }
+            }
+            return null;
         }
 
         private static function nameOf(element:ColladaElement):String

@@ -158,12 +158,12 @@ package starlogo.models.collada
             }
         }
 
-        // The place after the next occurrence of a piece. Throws if there is none.
+        // The index after the next occurrence of a piece. Throws if there is none.
         private function endOf(piece:String):int
         {
-            var place:int = _text.indexOf(piece, _at);
-            refuseIf(place < 0);
-            return place + piece.length;
+            var found:int = _text.indexOf(piece, _at);
+            refuseIf(found < 0);
+            return found + piece.length;
         }
 
         private function refuseIf(isWrong:Boolean, problem:String = "this is not well-formed XML, or cut off"):void

@@ -101,10 +101,10 @@ package starlogo.models.stl
 
         private function readFacets(bytes:ByteArray, first:int, end:int):void
         {
-            var place:int = HEADER_LENGTH + first * FACET_LENGTH + NORMAL_LENGTH;
+            var at:int = HEADER_LENGTH + first * FACET_LENGTH + NORMAL_LENGTH;
             for (var i:int = first; i < end; i++)
             {
-                bytes.position = place;
+                bytes.position = at;
                 for (var corner:int = 0; corner < 3; corner++)
                 {
                     var x:Number = bytes.readFloat();
@@ -116,7 +116,7 @@ package starlogo.models.stl
                     }
                     data.triangles.push(_points.add(x, y, z));
                 }
-                place += FACET_LENGTH;
+                at += FACET_LENGTH;
             }
         }
 

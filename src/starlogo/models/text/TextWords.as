@@ -40,16 +40,16 @@ package starlogo.models.text
             return text.indexOf(piece) < 0 ? text : text.split(piece).join(replacement);
         }
 
-        /** The first place from one place on that has one of two characters; the end if none before it has. */
+        /** The index of the first of two characters from an index on; the end if there is none before it. */
         public static function indexOfEither(text:String, first:int, second:int, from:int, end:int):int
         {
-            var place:int = from;
-            var code:int = text.charCodeAt(place);
-            while (place < end && code != first && code != second)
+            var at:int = from;
+            var code:int = text.charCodeAt(at);
+            while (at < end && code != first && code != second)
             {
-                code = text.charCodeAt(++place);
+                code = text.charCodeAt(++at);
             }
-            return place;
+            return at;
         }
 
         /**

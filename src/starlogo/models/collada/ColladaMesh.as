@@ -22,7 +22,7 @@ package starlogo.models.collada
         public var hasSurfaces:Boolean = false;
 
         /** When all is read: the symbol of the material of each triangle. */
-        public var symbols:TriangleLabels = new TriangleLabels();
+        public var symbols:TriangleLabels = new TriangleLabels(new Vector.<String>());
 
         private var _mesh:ColladaElement;
         private var _points:Object = {}; // of positions; the key is "#" and the source's id

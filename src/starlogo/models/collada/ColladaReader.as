@@ -77,7 +77,7 @@ package starlogo.models.collada
                     var instance:ColladaInstance = instances[next++];
                     return new StepSequence().add(instance.mesh).begin(function():Steps
                         {
-                            progress = 0.9 * next / instances.length;
+                            setReadShare(next / instances.length);
                             return placing(instance);
                         });
                 });

@@ -55,7 +55,7 @@ package starlogo.models.obj
 
         private function readSome():Boolean
         {
-            progress = 0.9 * _lines.readStatements(readStatement);
+            setReadShare(_lines.readStatements(readStatement));
             _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }

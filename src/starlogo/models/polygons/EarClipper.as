@@ -4,8 +4,8 @@ package starlogo.models.polygons
     import starlogo.steps.Steps;
 
     /**
-     * Cuts a ring of corners into triangles, one ear at a time, after its holes are joined to it. It adds only triangles with an area. This holds for corners in a straight
-     * line, and for rings that cross or cover themselves.
+     * Cuts a ring of corners into triangles, one ear at a time, after its holes are joined to it. It adds only triangles with an area. This
+     * holds for corners in a straight line, and for rings that cross or cover themselves.
      *
      * <p>It ends for every ring, because any corner is cut off after two rounds without an ear.</p>
      */

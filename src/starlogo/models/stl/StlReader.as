@@ -68,7 +68,7 @@ package starlogo.models.stl
                 {
                     readFacets(bytes, first, end);
                     _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3, "triangle " + end);
-                    progress = 0.9 * end / Math.max(1, count);
+                    setReadShare(end / Math.max(1, count));
                 });
         }
 
@@ -122,7 +122,7 @@ package starlogo.models.stl
 
         private function readSome():Boolean
         {
-            progress = 0.9 * _lines.readStatements(readStatement);
+            setReadShare(_lines.readStatements(readStatement));
             _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }

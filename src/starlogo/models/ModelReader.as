@@ -97,23 +97,23 @@ package starlogo.models
             return new Normalisation(data);
         }
 
-        /** The steps that turn the vertices to z up. */
-        protected final function turningUp():Steps
+        /** The axis that points up in the file, as the caller has named it: "x", "y" or "z". */
+        protected final function get upAxis():String
         {
-            return _upAxis == "z" ? null : turnUp.transformingPoints(data.vertices);
+            return _upAxis;
         }
 
-        /** The turn to z up, from the axis that the caller has named. */
-        protected final function get turnUp():AffineTransform
+        /** The steps that turn the vertices to z up. */
+        protected final function turningToZUp():Steps
         {
-            return turnFrom(_upAxis);
+            return _upAxis == "z" ? null : turnToZUp(_upAxis).transformingPoints(data.vertices);
         }
 
         /**
          * The turn to z up. If y is up, the file's -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA specification's
          * table for up_axis gives the right and inward axes.)
          */
-        protected static function turnFrom(upAxis:String):AffineTransform
+        protected static function turnToZUp(upAxis:String):AffineTransform
         {
             switch (upAxis)
             {

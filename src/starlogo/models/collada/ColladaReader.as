@@ -57,7 +57,7 @@ package starlogo.models.collada
             root.refuseIf(root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + root.name + ">");
             var asset:ColladaElement = root.child("asset");
             data.unit = unitOf(asset);
-            var scene:ColladaScene = new ColladaScene(root, _isAxisNamed ? turnUp : turnFrom(upAxisOf(asset)));
+            var scene:ColladaScene = new ColladaScene(root, turnToZUp(_isAxisNamed ? upAxis : upAxisOf(asset)));
             return new StepSequence().add(scene).begin(function():Steps
                 {
                     return readingInstances(scene.instances);

@@ -49,7 +49,7 @@ package starlogo.models.gltf
             {
                 data.materials.addName(json.fileEntry("materials", i).text("name"));
             }
-            var scene:GltfScene = new GltfScene(json, turnUp, _animation, _time);
+            var scene:GltfScene = new GltfScene(json, turnToZUp(upAxis), _animation, _time);
             var next:int = 0;
             return new StepSequence().add(scene).beginEach(function():Steps
                 {

@@ -50,7 +50,7 @@ package starlogo.models.obj
             refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && TextWords.shorten(tag[1])) + "\". A ColladaModel reads COLLADA");
             _lines = new LineReader(name, text);
             _limits = new FileLimits(name, text.length);
-            repeat(readSome).call(checkIndices).begin(cutting).begin(turningUp).begin(normalising);
+            repeat(readSome).call(checkIndices).begin(cutting).begin(turningToZUp).begin(normalising);
         }
 
         private function readSome():Boolean

@@ -54,7 +54,7 @@ package starlogo.models.stl
                 repeat(readSome);
             }
             data.vertices = _points.coordinates;
-            call(checkEnd).begin(turningUp).begin(normalising);
+            call(checkEnd).begin(turningToZUp).begin(normalising);
         }
 
         private function addBinary(bytes:ByteArray):void

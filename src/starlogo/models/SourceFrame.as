@@ -85,12 +85,14 @@ package starlogo.models
         engine function toModel(points:Vector.<Number>, out:Vector.<Number>):void
         {
             var m:Vector.<Number> = _matrix;
-            var offset:Vector.<Number> = _offset;
+            var x:Number = _offset[0];
+            var y:Number = _offset[1];
+            var z:Number = _offset[2];
             for (var i:int = 0; i < points.length; i += 3)
             {
-                out[i] = points[i] - offset[0];
-                out[int(i + 1)] = points[int(i + 1)] - offset[1];
-                out[int(i + 2)] = points[int(i + 2)] - offset[2];
+                out[i] = points[i] - x;
+                out[int(i + 1)] = points[int(i + 1)] - y;
+                out[int(i + 2)] = points[int(i + 2)] - z;
             }
             new AffineTransform(new <Number>[m[0], m[3], m[6], 0, m[1], m[4], m[7], 0, m[2], m[5], m[8], 0]).transformPoints(out, 0, points.length / 3, out, 0);
         }

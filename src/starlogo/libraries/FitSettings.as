@@ -16,8 +16,8 @@ package starlogo.libraries
         // Increase it whenever an algorithm of the engine gives other results for the same settings.
         private static const REVISION:int = 11;
 
-        // For each section of a cooked file, the settings of what is in it. Null if that is not wanted, or cannot be kept.
-        private var _fingerprints:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
+        // For each section of a cooked file, the settings of what is in it, as a text. Null if that is not wanted, or cannot be kept.
+        private var _texts:Vector.<String> = new Vector.<String>(CookedFile.SECTIONS, true);
 
         /** @private Whether the surface for exact colliders is wanted. */
         engine var wantsSurface:Boolean = false;
@@ -40,20 +40,14 @@ package starlogo.libraries
             {
                 keepsAll = structures.keepAll;
                 var signatures:String = signaturesOf(structures.fitters);
-                if (signatures != null)
-                {
-                    _fingerprints[CookedFile.STRUCTURES] = fingerprintOfText("structures, " + signatures);
-                }
-                if (signatures != null && structures.keepHulls)
-                {
-                    // The smallest sphere may take the hull's place.
-                    _fingerprints[CookedFile.HULL] = fingerprintOfText(structures.hullFitter.signature + ", " + signatures);
-                }
+                _texts[CookedFile.STRUCTURES] = signatures == null ? null : "structures, " + signatures;
+                // The smallest sphere may take the hull's place.
+                _texts[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null : structures.hullFitter.signature + ", " + signatures;
             }
             if (hierarchies != null)
             {
-                _fingerprints[CookedFile.HIERARCHY] = _fingerprints[CookedFile.SURFACE] =
-                    fingerprintOfText(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
+                _texts[CookedFile.HIERARCHY] = _texts[CookedFile.SURFACE] =
+                    ["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join();
                 wantsSurface = hierarchies.prepareExact;
                 maxDepth = hierarchies.maxDepth;
             }
@@ -62,7 +56,7 @@ package starlogo.libraries
         /** @private Whether a hull is wanted too, and can be kept. */
         engine function get wantsHull():Boolean
         {
-            return _fingerprints[CookedFile.HULL] != null;
+            return _texts[CookedFile.HULL] != null;
         }
 
         /** All settings as sixteen hexadecimal digits. */
@@ -76,7 +70,7 @@ package starlogo.libraries
         /** @private The fingerprint of the settings of a section of a cooked file; null if its results are not wanted, or cannot be kept. */
         engine function fingerprintOf(section:int):Fingerprint
         {
-            return _fingerprints[section];
+            return _texts[section] == null ? null : fingerprintOfText(_texts[section]);
         }
 
         // null if a fitter has no signature

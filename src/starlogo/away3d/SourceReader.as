@@ -63,7 +63,7 @@ package starlogo.away3d
             return new StepSequence().repeat(function():Boolean
                 {
                     var hasMore:Boolean = work.step();
-                    progress = (index + part.progress) / _parts.length;
+                    setReadShare((index + part.progress) / _parts.length);
                     return hasMore;
                 });
         }

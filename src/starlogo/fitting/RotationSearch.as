@@ -91,14 +91,14 @@ package starlogo.fitting
             var count:int = _sines.length;
             for (var i:int = 0; i < count; i++)
             {
-                var place:int = _isForward ? i : count - 1 - i;
-                var cosine:Number = _cosines[place];
-                var sine:Number = _sines[place];
+                var multiple:int = _isForward ? i : count - 1 - i;
+                var cosine:Number = _cosines[multiple];
+                var sine:Number = _sines[multiple];
                 var volume:Number = thickness * extentAlong(corners, 0, cosine, -sine) * extentAlong(corners, 2, sine, cosine);
                 if (volume < _least * (1 - Tolerances.FIT_TIE))
                 {
                     _least = volume;
-                    _best.setRotation(place * _stepZ, _aboutY, _aboutX);
+                    _best.setRotation(multiple * _stepZ, _aboutY, _aboutX);
                     if (volume <= _hull.volume * (1 + Tolerances.FIT_TIE))
                     {
                         return false;

@@ -1,6 +1,5 @@
 package starlogo.libraries
 {
-    import flash.utils.ByteArray;
     import starlogo.data.Fingerprint;
     import starlogo.engine;
     import starlogo.fitting.Fitter;
@@ -68,35 +67,10 @@ package starlogo.libraries
             return fingerprintOfText((hull == null ? all : all.concat(hull)).join()).toString();
         }
 
-        /**
-         * The bytes of a section of a file. Null if it is empty, has other settings, or is not wanted.
-         *
-         * @private
-         */
-        engine function sectionOf(file:CookedFile, index:int):ByteArray
+        /** @private The fingerprint of the settings of a section of a cooked file; null if its results are not wanted, or cannot be kept. */
+        engine function fingerprintOf(section:int):Fingerprint
         {
-            var settings:Fingerprint = fingerprintOf(index);
-            return settings == null ? null : file.section(index, settings);
-        }
-
-        /**
-         * Makes the bytes of a cooked file.
-         *
-         * @param modelKey the file's model key: see <code>CookedFile.MODEL</code>
-         * @param contents the bytes of each section; null for none. Those that cannot be kept are left out
-         *
-         * @private
-         */
-        engine function bytesOfFile(modelKey:Fingerprint, contents:Vector.<ByteArray>):ByteArray
-        {
-            var settings:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
-            var kept:Vector.<ByteArray> = contents.concat();
-            for (var i:int = 0; i < CookedFile.SECTIONS; i++)
-            {
-                settings[i] = i == CookedFile.MODEL ? modelKey : fingerprintOf(i);
-                kept[i] = settings[i] == null ? null : kept[i];
-            }
-            return CookedFile.write(settings, kept);
+            return _texts[section] == null ? null : fingerprintOfText(_texts[section]);
         }
 
         // null if a fitter has no signature
@@ -112,12 +86,6 @@ package starlogo.libraries
                 signatures.push(fitter.signature);
             }
             return signatures.join(", ");
-        }
-
-        // The fingerprint of the settings of a section; null if it has none.
-        private function fingerprintOf(section:int):Fingerprint
-        {
-            return _texts[section] == null ? null : fingerprintOfText(_texts[section]);
         }
 
         private static function fingerprintOfText(text:String):Fingerprint

@@ -153,24 +153,23 @@ package starlogo.libraries
             }
             var name:String = nameOf(geometry, settings);
             var entries:Array = entriesBut(name);
+            // of the first entries, which make room
             var removed:Vector.<ByteArray> = new Vector.<ByteArray>();
-            var isKept:Boolean = writeBeside(entries, name, bytes);
-            while (!isKept && removed.length < entries.length)
+            while (!writeBeside(entries.slice(removed.length), name, bytes))
             {
+                if (removed.length == entries.length)
+                {
+                    putBack(entries, removed);
+                    // if even the list is refused, the storage is switched off
+                    _refusedLength = writeList(entries) ? bytes.length : 0;
+                    return false;
+                }
                 var oldest:String = nameIn(entries[removed.length]);
                 removed.push(_storage.read(oldest));
                 _storage.remove(oldest);
-                isKept = writeBeside(entries.slice(removed.length), name, bytes);
             }
-            if (isKept)
-            {
-                writeList(entries.slice(removed.length).concat(entryOf(name, bytes)));
-                return true;
-            }
-            putBack(entries, removed);
-            // if even the list is refused, the storage is switched off
-            _refusedLength = writeList(entries) ? bytes.length : 0;
-            return false;
+            writeList(entries.slice(removed.length).concat(entryOf(name, bytes)));
+            return true;
         }
 
         // Whether an entry of some bytes may be stored, if others are removed for it.

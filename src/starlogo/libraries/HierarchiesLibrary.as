@@ -143,13 +143,12 @@ package starlogo.libraries
         /**
          * The work that makes the tree of a shape, by the settings as they are now.
          *
-         * @param tree without nodes
-         * @param restoring as for <code>ModelTree.building()</code>
+         * @param tree its nodes are made, if it has none when the work begins
          * @private
          */
-        engine function building(tree:ModelTree, restoring:Function = null):Steps
+        engine function building(tree:ModelTree):Steps
         {
-            return tree.building(minVerticesToSplit, maxDepth, splitByMean, prepareExact, restoring);
+            return tree.building(minVerticesToSplit, maxDepth, splitByMean, prepareExact);
         }
 
         private static function requirePositive(setting:String, value:int):void

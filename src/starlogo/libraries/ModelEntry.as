@@ -141,7 +141,7 @@ package starlogo.libraries
             if (before != null)
             {
                 _revision++;
-                _table.revision++;
+                _table.countChange();
             }
         }
     }

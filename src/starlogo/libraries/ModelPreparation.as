@@ -41,10 +41,6 @@ package starlogo.libraries
         // Makes the tree again from a stored division; null for none.
         private var _cookedTree:CookedTree = null;
 
-        // Where the results will be kept; null for nowhere. The fingerprint of the model's vertices and triangles, if there is a store.
-        private var _store:FitStore;
-        private var _geometry:Fingerprint = null;
-
         /**
          * @param model the model
          * @param structuresLibrary wants structures; null if none are wanted. Its settings count as they are now
@@ -62,19 +58,13 @@ package starlogo.libraries
             if (hierarchiesLibrary != null)
             {
                 modelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-                buildingTree = hierarchiesLibrary.building(modelTree, restoringTree);
+                buildingTree = new StepSequence().begin(restoringTree).add(hierarchiesLibrary.building(modelTree));
             }
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
             }
-            _store = store == null || isComplete ? null : store;
-            if (_store != null)
-            {
-                _geometry = new Fingerprint();
-                add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored);
-            }
-            begin(findingStructures).begin(makingTree).call(keepResults);
+            add(store == null || isComplete ? computing(false) : readingAndStoring(store));
         }
 
         /** Whether the hierarchy is made from a stored division. It becomes false if the division does not fit the model. */
@@ -105,17 +95,43 @@ package starlogo.libraries
                 && (!_settings.wantsSurface || _model.triangles == null || modelTree.surface != null);
         }
 
-        private function readingStored():Steps
+        // The work that takes results from a store, computes what it does not have, and stores all.
+        private function readingAndStoring(store:FitStore):Steps
         {
-            var stored:CookedFile = _store.fileOf(_geometry, _settings);
-            return new StepSequence().add(stored).call(function():void
+            var geometry:Fingerprint = new Fingerprint();
+            var entry:CookedFile;
+            return new StepSequence().add(geometry.addingGeometry(_model.vertices, _model.triangles)).begin(function():Steps
                 {
-                    if (stored.isOf(_geometry))
+                    return entry = store.fileOf(geometry, _settings);
+                }).begin(function():Steps
+                {
+                    if (entry.isOf(geometry))
                     {
-                        takeFrom(stored);
+                        takeFrom(entry);
                     }
-                    _store = isComplete || !_store.hasRoomFor(_model, modelTree != null) ? null : _store;
+                    return isComplete || !store.hasRoomFor(_model, modelTree != null) ? computing(false) : computing(true).call(function():void
+                        {
+                            store.keep(geometry, _settings, CookedResults.write(structures, modelTree, _settings, geometry, null));
+                        });
                 });
+        }
+
+        // The work that computes what is missing. A tree that will be stored has to be built, even if its division came from a cooked model.
+        private function computing(willBeStored:Boolean):StepSequence
+        {
+            var work:StepSequence = new StepSequence();
+            if (structures == null && _structuresBuilder != null)
+            {
+                work.add(_structuresBuilder).call(function():void
+                    {
+                        structures = _structuresBuilder.structures;
+                    });
+            }
+            if (buildingTree != null && (willBeStored || _settings.wantsSurface || !isTreeStored))
+            {
+                work.add(buildingTree);
+            }
+            return work;
         }
 
         // Takes the results that are missing from a file of the model.
@@ -130,31 +146,9 @@ package starlogo.libraries
             }
         }
 
-        private function findingStructures():Steps
-        {
-            return structures != null || _structuresBuilder == null ? null : new StepSequence().add(_structuresBuilder).call(function():void
-                {
-                    structures = _structuresBuilder.structures;
-                });
-        }
-
         private function restoringTree():Steps
         {
             return _cookedTree;
-        }
-
-        // A tree that will be stored has to be built, even if its division came from a cooked model.
-        private function makingTree():Steps
-        {
-            return isTreeStored && !_settings.wantsSurface && _store == null ? null : buildingTree;
-        }
-
-        private function keepResults():void
-        {
-            if (_store != null)
-            {
-                _store.keep(_geometry, _settings, CookedResults.write(structures, modelTree, _settings, _geometry, null));
-            }
         }
     }
 }

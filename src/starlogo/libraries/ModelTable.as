@@ -11,9 +11,7 @@ package starlogo.libraries
         // stands before every key, because a shape may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
 
-        /** Increased with the revision of each entry. */
-        public var revision:int = 0;
-
+        private var _revision:int = 0;
         private var _entries:Object = {};
         private var _unknown:ModelEntry;
 
@@ -21,6 +19,18 @@ package starlogo.libraries
         public function ModelTable()
         {
             _unknown = new ModelEntry(this);
+        }
+
+        /** Increased with the revision of each entry. */
+        public function get revision():int
+        {
+            return _revision;
+        }
+
+        /** Counts a change of an entry. */
+        public function countChange():void
+        {
+            _revision++;
         }
 
         /** The entry of a name, to read. All unknown names, and null, share an empty one. */

@@ -4,7 +4,6 @@ package starlogo.models
     import starlogo.engine;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfAnimation;
-    import starlogo.models.gltf.GltfPose;
     import starlogo.models.gltf.GltfReader;
     import starlogo.steps.finish;
 
@@ -94,13 +93,13 @@ package starlogo.models
          */
         public function verticesAt(animation:int, time:Number):Vector.<Number>
         {
-            var pose:GltfPose = new GltfPose(animationOf(animation), time);
+            var found:GltfAnimation = animationOf(animation);
             if (time - time != 0)
             {
                 throw new RangeError("the time must be a finite number, not " + time);
             }
             _file.renewLimits();
-            return new GltfReader(_name, _file, _upAxis, null, pose).readAll().vertices;
+            return new GltfReader(_name, _file, _upAxis, null, found, time).readAll().vertices;
         }
 
         private function animationOf(animation:int):GltfAnimation

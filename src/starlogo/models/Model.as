@@ -243,15 +243,17 @@ package starlogo.models
 
         private function labelsOf(what:String, numbers:Vector.<int>, names:Vector.<String>):TriangleLabels
         {
-            var labels:TriangleLabels = new TriangleLabels();
+            var labels:TriangleLabels = new TriangleLabels(names == null ? null : names.slice());
             var count:int = triangleCount;
             if (numbers != null)
             {
                 refuseIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
-                labels.names = names == null ? null : names.slice();
                 for (var i:int = 0; i < count; i++)
                 {
-                    refuseIf(numbers[i] < -1 || names != null && numbers[i] >= names.length, name, "no name for number " + numbers[i] + " of its " + what);
+                    if (numbers[i] < -1 || names != null && numbers[i] >= names.length)
+                    {
+                        throw new ModelError(name, "", "no name for number " + numbers[i] + " of its " + what);
+                    }
                     labels.beginRun(numbers[i], i);
                 }
             }

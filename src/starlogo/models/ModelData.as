@@ -21,10 +21,10 @@ package starlogo.models
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
         /** The material of each triangle. */
-        public var materials:TriangleLabels = new TriangleLabels();
+        public var materials:TriangleLabels = new TriangleLabels(new Vector.<String>());
 
         /** The mesh of each triangle. */
-        public var meshes:TriangleLabels = new TriangleLabels();
+        public var meshes:TriangleLabels = new TriangleLabels(new Vector.<String>());
 
         /** The scaling: Model.FOOTPRINT, VOLUME or AS_GIVEN. */
         public var scaling:String = null;

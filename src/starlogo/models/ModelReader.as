@@ -14,10 +14,13 @@ package starlogo.models
      */
     public class ModelReader extends StepSequence implements ModelMaker
     {
+        // Reading the file is this share of the work. The rest is normalising.
+        private static const READING:Number = 0.9;
+
         /** The model's data. It is complete when no step is left. */
         public var data:ModelData;
 
-        private var _progress:Number = 0;
+        private var _readShare:Number = 0;
 
         // Points without a surface. They become the model's vertices if there are no others.
         private var _loosePoints:Vector.<Number> = new Vector.<Number>();
@@ -48,15 +51,16 @@ package starlogo.models
             return data;
         }
 
-        /** The share that is read, from 0 to 1. Subclasses set it. */
+        /** @inheritDoc */
         public final function get progress():Number
         {
-            return _progress;
+            return READING * _readShare;
         }
 
-        public final function set progress(value:Number):void
+        /** Notes how much of the file is read, from 0 to 1. */
+        protected final function setReadShare(share:Number):void
         {
-            _progress = value;
+            _readShare = share;
         }
 
         /** @inheritDoc */
@@ -93,23 +97,23 @@ package starlogo.models
             return new Normalisation(data);
         }
 
-        /** The steps that turn the vertices to z up. */
-        protected final function turningUp():Steps
+        /** The axis that points up in the file, as the caller has named it: "x", "y" or "z". */
+        protected final function get upAxis():String
         {
-            return _upAxis == "z" ? null : turnUp.transformingPoints(data.vertices);
+            return _upAxis;
         }
 
-        /** The turn to z up, from the axis that the caller has named. */
-        protected final function get turnUp():AffineTransform
+        /** The steps that turn the vertices to z up. */
+        protected final function turningToZUp():Steps
         {
-            return turnFrom(_upAxis);
+            return _upAxis == "z" ? null : turnToZUp(_upAxis).transformingPoints(data.vertices);
         }
 
         /**
          * The turn to z up. If y is up, the file's -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA specification's
          * table for up_axis gives the right and inward axes.)
          */
-        protected static function turnFrom(upAxis:String):AffineTransform
+        protected static function turnToZUp(upAxis:String):AffineTransform
         {
             switch (upAxis)
             {

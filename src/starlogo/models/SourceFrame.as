@@ -16,8 +16,12 @@ package starlogo.models
      */
     public final class SourceFrame
     {
-        // A matrix column by column, then x, y and z, then the unit. A point p of the source is at matrix * (p - (x, y, z)) in the model.
-        private var _numbers:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+        // A point p of the source is at matrix * (p - offset) in the model. The matrix is stored column by column.
+        private var _matrix:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
+        private var _offset:Vector.<Number> = new <Number>[0, 0, 0];
+
+        // How many units of the source are one of the model.
+        private var _unit:Number = 1;
 
         /** The frame of a model that equals its source. Read a model's frame from <code>Model.source</code> instead. */
         public function SourceFrame()
@@ -27,23 +31,23 @@ package starlogo.models
         /** The source's point that becomes the model's origin. */
         public function get offset():Vector3D
         {
-            return new Vector3D(_numbers[9], _numbers[10], _numbers[11]);
+            return new Vector3D(_offset[0], _offset[1], _offset[2]);
         }
 
         /** The length of the model's unit, in units of the source. For an uneven scale it is the geometric mean. */
         public function get unit():Number
         {
-            return _numbers[12];
+            return _unit;
         }
 
         /** The matrix that takes the source's points to the model. */
         public function get matrix():Matrix3D
         {
-            var n:Vector.<Number> = _numbers;
-            var columns:Vector.<Number> = new <Number>[n[0], n[1], n[2], 0, n[3], n[4], n[5], 0, n[6], n[7], n[8], 0];
+            var m:Vector.<Number> = _matrix;
+            var columns:Vector.<Number> = new <Number>[m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0];
             for (var row:int = 0; row < 3; row++)
             {
-                columns.push(-n[row] * n[9] - n[row + 3] * n[10] - n[row + 6] * n[11]);
+                columns.push(-m[row] * _offset[0] - m[row + 3] * _offset[1] - m[row + 6] * _offset[2]);
             }
             columns.push(1);
             return new Matrix3D(columns);
@@ -61,9 +65,9 @@ package starlogo.models
             {
                 for (var row:int = 0; row < 3; row++)
                 {
-                    back.push(_numbers[3 * k + row] / squareOf(row));
+                    back.push(_matrix[3 * k + row] / squareOf(row));
                 }
-                back.push(_numbers[9 + k]);
+                back.push(_offset[k]);
             }
             var all:Vector.<Number> = new Vector.<Number>(points.length);
             new AffineTransform(back).transformPoints(points, 0, points.length / 3, all, 0);
@@ -80,14 +84,17 @@ package starlogo.models
          */
         engine function toModel(points:Vector.<Number>, out:Vector.<Number>):void
         {
-            var n:Vector.<Number> = _numbers;
+            var m:Vector.<Number> = _matrix;
+            var x:Number = _offset[0];
+            var y:Number = _offset[1];
+            var z:Number = _offset[2];
             for (var i:int = 0; i < points.length; i += 3)
             {
-                out[i] = points[i] - n[9];
-                out[int(i + 1)] = points[int(i + 1)] - n[10];
-                out[int(i + 2)] = points[int(i + 2)] - n[11];
+                out[i] = points[i] - x;
+                out[int(i + 1)] = points[int(i + 1)] - y;
+                out[int(i + 2)] = points[int(i + 2)] - z;
             }
-            new AffineTransform(new <Number>[n[0], n[3], n[6], 0, n[1], n[4], n[7], 0, n[2], n[5], n[8], 0]).transformPoints(out, 0, points.length / 3, out, 0);
+            new AffineTransform(new <Number>[m[0], m[3], m[6], 0, m[1], m[4], m[7], 0, m[2], m[5], m[8], 0]).transformPoints(out, 0, points.length / 3, out, 0);
         }
 
         /**
@@ -97,20 +104,25 @@ package starlogo.models
          */
         engine function equals(other:SourceFrame):Boolean
         {
-            return areSameNumbers(_numbers, other._numbers);
+            return areSameNumbers(_matrix, other._matrix) && areSameNumbers(_offset, other._offset) && _unit == other._unit;
         }
 
         /**
-         * Writes the frame.
+         * Writes the frame: the matrix row by row, the offset and the unit.
          *
          * @private
          */
         engine function writeTo(bytes:ByteArray):void
         {
-            for (var i:int = 0; i < 13; i++)
+            for (var i:int = 0; i < 9; i++)
             {
-                bytes.writeDouble(_numbers[placeInFile(i)]);
+                bytes.writeDouble(_matrix[transposed(i)]);
             }
+            for (var k:int = 0; k < 3; k++)
+            {
+                bytes.writeDouble(_offset[k]);
+            }
+            bytes.writeDouble(_unit);
         }
 
         /**
@@ -124,14 +136,21 @@ package starlogo.models
         engine static function read(bytes:ByteArray):SourceFrame
         {
             var frame:SourceFrame = new SourceFrame();
-            var sum:Number = 0;
-            for (var i:int = 0; i < 13; i++)
+            for (var i:int = 0; i < 9; i++)
             {
-                var number:Number = bytes.readDouble();
-                frame._numbers[placeInFile(i)] = number;
-                sum += number - number;
+                frame._matrix[transposed(i)] = bytes.readDouble();
             }
-            return sum == 0 && frame.unit > 0 ? frame : null;
+            for (var k:int = 0; k < 3; k++)
+            {
+                frame._offset[k] = bytes.readDouble();
+            }
+            frame._unit = bytes.readDouble();
+            var differences:Number = frame._unit - frame._unit;
+            for each (var number:Number in frame._matrix.concat(frame._offset))
+            {
+                differences += number - number;
+            }
+            return differences == 0 && frame._unit > 0 ? frame : null;
         }
 
         /**
@@ -148,11 +167,11 @@ package starlogo.models
                 var share:Number = (row == 0 ? x : (row == 1 ? y : z)) / squareOf(row);
                 for (var k:int = 0; k < 3; k++)
                 {
-                    _numbers[9 + k] += _numbers[3 * k + row] * share;
-                    _numbers[3 * k + row] /= divisor;
+                    _offset[k] += _matrix[3 * k + row] * share;
+                    _matrix[3 * k + row] /= divisor;
                 }
             }
-            _numbers[12] *= divisor;
+            _unit *= divisor;
         }
 
         /**
@@ -165,20 +184,19 @@ package starlogo.models
          */
         engine function addTransform(by:AffineTransform, factor:Number):void
         {
-            by.transformPoints(_numbers, 0, 3, _numbers, 0);
-            _numbers[12] /= factor;
+            by.transformPoints(_matrix, 0, 3, _matrix, 0);
+            _unit /= factor;
         }
 
         // The squared length of a row of the matrix.
         private function squareOf(row:int):Number
         {
-            return _numbers[row] * _numbers[row] + _numbers[row + 3] * _numbers[row + 3] + _numbers[row + 6] * _numbers[row + 6];
+            return _matrix[row] * _matrix[row] + _matrix[row + 3] * _matrix[row + 3] + _matrix[row + 6] * _matrix[row + 6];
         }
 
-        // The matrix is stored row by row in a file.
-        private static function placeInFile(i:int):int
+        private static function transposed(i:int):int
         {
-            return i < 9 ? i % 3 * 3 + i / 3 : i;
+            return i % 3 * 3 + i / 3;
         }
     }
 }

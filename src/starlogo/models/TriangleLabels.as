@@ -9,7 +9,7 @@ package starlogo.models
     public final class TriangleLabels
     {
         /** The name of each number, or null for a number without a name. Null if nothing gives names. */
-        public var names:Vector.<String> = new Vector.<String>();
+        public var names:Vector.<String>;
 
         /** The first triangle of each run. Triangles before the first run have the number -1. */
         public var starts:Vector.<int> = new Vector.<int>();
@@ -22,6 +22,12 @@ package starlogo.models
 
         // The number of each triangle, after it was first needed.
         private var _list:Vector.<int> = null;
+
+        /** Labels without runs. @param names the name of each number so far; kept; null if nothing will give names */
+        public function TriangleLabels(names:Vector.<String>)
+        {
+            this.names = names;
+        }
 
         /** Adds a key, if it is new, and gives it the next number. Returns its number. @param name the number's name; null if it has none */
         public function addKey(key:String, name:String):int

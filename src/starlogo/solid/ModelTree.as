@@ -49,23 +49,16 @@ package starlogo.solid
         }
 
         /**
-         * @private The work that makes the nodes. Its steps throw an ArgumentError if a coordinate is larger than 1e60.
+         * @private The work that makes the nodes, if there are none when it begins. Its steps throw an ArgumentError if a coordinate is larger than 1e60.
          *
          * @param minVerticesToSplit a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean, down to the leaves
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
-         * @param restoring <code>():Steps</code>, called in the first step: makes the nodes from stored results, or returns null if there are none.
-         *     If it makes no nodes, the items are divided as usual
          */
-        engine function building(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean, restoring:Function = null):Steps
+        engine function building(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean):Steps
         {
-            var work:StepSequence = new StepSequence();
-            if (restoring != null)
-            {
-                work.begin(restoring);
-            }
-            work.begin(function():Steps
+            var work:StepSequence = new StepSequence().begin(function():Steps
                 {
                     return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, minVerticesToSplit, maxDepth, splitByMean);
                 });

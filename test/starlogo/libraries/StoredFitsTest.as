@@ -300,11 +300,13 @@ package starlogo.libraries
             finish(file);
             var settings:FitSettings = new FitSettings(_greatLand.boundingStructures, _greatLand.hierarchies);
             var sections:Vector.<ByteArray> = new Vector.<ByteArray>();
+            var fingerprints:Vector.<Fingerprint> = new Vector.<Fingerprint>();
             for (var i:int = 0; i < CookedFile.SECTIONS; i++)
             {
+                fingerprints.push(i == CookedFile.MODEL ? new Fingerprint() : settings.fingerprintOf(i));
                 sections.push(change(i, file.section(i, null) || CookedFile.newBytes()));
             }
-            return settings.bytesOfFile(new Fingerprint(), sections);
+            return CookedFile.write(fingerprints, sections);
         }
 
         // Agents of a model that was forged much larger would be, or would be moved, beyond the largest coordinate, as those of any such model.

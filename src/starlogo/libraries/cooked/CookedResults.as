@@ -52,18 +52,25 @@ package starlogo.libraries.cooked
             if (size <= VertexBounds.LARGEST_VERTEX)
             {
                 results.structures = readStructures(file, settings, size);
-                results.division = settings.sectionOf(file, CookedFile.HIERARCHY);
-                var bytes:ByteArray = results.division == null || model.triangles == null ? null : settings.sectionOf(file, CookedFile.SURFACE);
+                results.division = sectionOf(file, settings, CookedFile.HIERARCHY);
+                var bytes:ByteArray = results.division == null || model.triangles == null ? null : sectionOf(file, settings, CookedFile.SURFACE);
                 results.surface = bytes == null ? null : SurfaceTopology.read(bytes, model.triangles.length / 3);
             }
             return results;
         }
 
+        // The bytes of a section. Null if it is empty, has other settings, or is not wanted.
+        private static function sectionOf(file:CookedFile, settings:FitSettings, section:int):ByteArray
+        {
+            var wanted:Fingerprint = settings.fingerprintOf(section);
+            return wanted == null ? null : file.section(section, wanted);
+        }
+
         private static function readStructures(file:CookedFile, settings:FitSettings, size:Number):ModelStructures
         {
-            var found:Vector.<BoundingStructure> = structuresIn(settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
+            var found:Vector.<BoundingStructure> = structuresIn(sectionOf(file, settings, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
             // The smallest sphere may be in the hull's place.
-            var hulls:Vector.<BoundingStructure> = structuresIn(settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, size);
+            var hulls:Vector.<BoundingStructure> = structuresIn(sectionOf(file, settings, CookedFile.HULL), BoundingStructure.HULL, size);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
             return found == null || hulls == null && settings.wantsHull ? null : new ModelStructures(found, hull, settings.keepsAll);
         }
@@ -153,7 +160,12 @@ package starlogo.libraries.cooked
                     tree.surface.writeTo(contents[CookedFile.SURFACE]);
                 }
             }
-            return settings.bytesOfFile(modelKey, contents);
+            var fingerprints:Vector.<Fingerprint> = new Vector.<Fingerprint>();
+            for (var section:int = 0; section < CookedFile.SECTIONS; section++)
+            {
+                fingerprints.push(section == CookedFile.MODEL ? modelKey : settings.fingerprintOf(section));
+            }
+            return CookedFile.write(fingerprints, contents);
         }
 
         /**

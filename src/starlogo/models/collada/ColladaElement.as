@@ -103,12 +103,6 @@ package starlogo.models.collada
             return found;
         }
 
-        /** The first child element with a name and an id, or null. */
-        public function childWithId(name:String, id:String):ColladaElement
-        {
-            return first("<" + name + "#" + id);
-        }
-
         /** The first child element "input" with a semantic, or null. */
         public function input(semantic:String):ColladaElement
         {
@@ -147,28 +141,13 @@ package starlogo.models.collada
                     TextWords.shorten(url) + "\"");
             for each (var targetName:String in names)
             {
-                var found:ColladaElement = (scope == null ? null : scope.childWithId(targetName, url.substr(1))) || document.elementsById[targetName + url];
+                var found:ColladaElement = (scope == null ? null : scope.first("<" + targetName + url)) || document.elementsById[targetName + url];
                 if (found != null)
                 {
                     return found;
                 }
             }
             throw error("there is no <" + names[0] + "> with the id \"" + TextWords.shorten(url.substr(1)) + "\"");
-        }
-
-        /** The material that this instance of a geometry binds to a symbol; null if it binds none, or one that is not in this file. */
-        public function materialOf(symbol:String):ColladaElement
-        {
-            var binding:ColladaElement = child("bind_material");
-            var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
-            for each (var bound:ColladaElement in technique == null ? null : technique.childrenNamed("instance_material"))
-            {
-                if (bound.attribute("symbol") == symbol)
-                {
-                    return document.elementsById["material" + bound.attribute("target")];
-                }
-            }
-            return null;
         }
 
         /** Splits the element's own text into words. For long texts, ColladaWords does the same in steps. */

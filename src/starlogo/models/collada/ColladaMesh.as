@@ -22,7 +22,7 @@ package starlogo.models.collada
         public var hasSurfaces:Boolean = false;
 
         /** When all is read: the symbol of the material of each triangle. */
-        public var symbols:TriangleLabels = new TriangleLabels();
+        public var symbols:TriangleLabels = new TriangleLabels(new Vector.<String>());
 
         private var _mesh:ColladaElement;
         private var _points:Object = {}; // of positions; the key is "#" and the source's id
@@ -58,16 +58,15 @@ package starlogo.models.collada
                 });
         }
 
-        // The work on a primitive. The work on its source comes first, if the source is not read yet.
+        // Adds the work on a primitive, after that on its source.
         private function addPrimitive(element:ColladaElement, triangulator:Triangulator, isUsed:Vector.<uint>):void
         {
             begin(function():Steps
                 {
-                    var work:StepSequence = new StepSequence();
                     var symbol:String = element.attribute("material");
                     symbols.beginRun(symbol == "" ? -1 : symbols.addKey(symbol, symbol), triangles.length / 3);
-                    var points:ColladaSource = addPoints(positionSource(ColladaPrimitive.positionInput(element)), work);
-                    return work.call(function():void
+                    var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
+                    return new StepSequence().add(points).call(function():void
                         {
                             isUsed.length = vertices.length / 3;
                         }).add(new ColladaPrimitive(element, points, isUsed, triangles, triangulator));
@@ -76,13 +75,8 @@ package starlogo.models.collada
 
         private function readingPoints():Steps
         {
-            var work:StepSequence = new StepSequence();
             var element:ColladaElement = _mesh == null ? null : _mesh.child("vertices");
-            if (element != null)
-            {
-                addPoints(sourceOfVertices(element), work);
-            }
-            return work;
+            return element == null ? null : pointsOf(sourceOfVertices(element));
         }
 
         // The source that an input refers to, directly or through an element "vertices".
@@ -99,17 +93,11 @@ package starlogo.models.collada
             return input.target("source", ["source"], _mesh);
         }
 
-        // Adds the work of reading a source, if the source is new. Returns its points. Several primitives may share a source.
-        private function addPoints(source:ColladaElement, work:StepSequence):ColladaSource
+        // The points of a source, which are read once: several primitives may share them.
+        private function pointsOf(source:ColladaElement):ColladaSource
         {
-            var key:String = "#" + source.id; // the "#" keeps the key different from every property that each Object has
-            var points:ColladaSource = _points[key];
-            if (points == null)
-            {
-                points = _points[key] = new ColladaSource(source, vertices);
-                work.add(points);
-            }
-            return points;
+            // the "#" keeps the key different from every property that each Object has
+            return _points["#" + source.id] ||= new ColladaSource(source, vertices);
         }
     }
 }

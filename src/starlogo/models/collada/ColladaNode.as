@@ -30,6 +30,12 @@ package starlogo.models.collada
             depth = parent == null ? 0 : parent.depth + 1;
         }
 
+        /** Adds the transform of an element of the node, which applies before those so far. */
+        public function addTransform(local:AffineTransform):void
+        {
+            transform = transform.after(local);
+        }
+
         /** Whether this node, or one around it, has the given element. */
         public function isWithin(element:ColladaElement):Boolean
         {

@@ -129,15 +129,12 @@ package starlogo.models.collada
                     sum += sumOfSizes(sizes, first, end, indices.length);
                     _element.refuseIf(end == sizes.length && sum != cornersIn(indices), "its <vcount> adds up to " + sum +
                             " corners, but <p> has " + cornersIn(indices));
-                }).add(_triangulator.addingEach(sizes.length, function(index:int):int
+                }).add(_triangulator.addingEach(sizes.length, function(index:int):Steps
                     {
                         var count:int = Number(sizes[index]);
-                        if (count > 2)
-                        {
-                            _triangulator.addPolygon(readCorners(indices, next, count));
-                        }
+                        var at:int = next;
                         next += count * _stride;
-                        return count;
+                        return count > 2 ? _triangulator.addPolygon(readCorners(indices, at, count)) : null;
                     }));
         }
 
@@ -157,18 +154,18 @@ package starlogo.models.collada
             return sum;
         }
 
-        // Each list of corners is read at once. @param read <code>function(list:ColladaElement):int</code>, returns the number of corners
+        // Each list of corners is read at once. @param read <code>function(list:ColladaElement):Steps</code>, as for addingEach()
         private function addLists(lists:Vector.<ColladaElement>, what:String, read:Function):void
         {
             _element.checkCount(lists.length, what);
-            add(_triangulator.addingEach(lists.length, function(index:int):int
+            add(_triangulator.addingEach(lists.length, function(index:int):Steps
                     {
                         return read(lists[index]);
                     }));
         }
 
         // Reads a polygon (p), or one with holes (ph).
-        private function readPolygon(list:ColladaElement):int
+        private function readPolygon(list:ColladaElement):Steps
         {
             var hasHoles:Boolean = list.name == "ph";
             var outline:Vector.<uint> = readLoop(hasHoles ? list.requiredChild("p") : list);
@@ -177,12 +174,11 @@ package starlogo.models.collada
             {
                 holes.push(readLoop(hole));
             }
-            _triangulator.addPolygon(outline, holes);
-            return outline.length;
+            return _triangulator.addPolygon(outline, holes);
         }
 
         // Reads a strip or a fan of triangles.
-        private function readStrip(list:ColladaElement):int
+        private function readStrip(list:ColladaElement):Steps
         {
             var isFan:Boolean = _element.name == "trifans";
             var strip:Vector.<uint> = readLoop(list);
@@ -192,7 +188,7 @@ package starlogo.models.collada
                 var second:int = isFan ? i - 1 : i - 1 - (i & 1);
                 _triangulator.addTriangle(strip[first], strip[second], strip[i]);
             }
-            return strip.length;
+            return null;
         }
 
         private function readLoop(list:ColladaElement):Vector.<uint>
@@ -201,13 +197,13 @@ package starlogo.models.collada
             return readCorners(indices, 0, cornersIn(indices));
         }
 
-        // Reads some corners. The indices of the first one begin at the given place.
-        private function readCorners(indices:Array, place:int, count:int):Vector.<uint>
+        // Reads some corners, whose indices begin at the first one given.
+        private function readCorners(indices:Array, first:int, count:int):Vector.<uint>
         {
             var corners:Vector.<uint> = new Vector.<uint>(count);
             for (var i:int = 0; i < count; i++)
             {
-                corners[i] = readCorner(indices, place + i * _stride);
+                corners[i] = readCorner(indices, first + i * _stride);
             }
             return corners;
         }
@@ -222,10 +218,10 @@ package starlogo.models.collada
             return indices.length / _stride;
         }
 
-        // Reads a corner, whose indices begin at the given place. Returns its point, and marks it as used.
-        private function readCorner(indices:Array, place:int):uint
+        // Reads a corner, whose indices begin at the given one. Returns its point, and marks it as used.
+        private function readCorner(indices:Array, at:int):uint
         {
-            var word:String = indices[int(place + _offset)];
+            var word:String = indices[int(at + _offset)];
             var value:Number = Decimal.ofIndex(word);
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)

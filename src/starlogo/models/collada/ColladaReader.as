@@ -12,6 +12,10 @@ package starlogo.models.collada
     /**
      * Reads a COLLADA document. ColladaModel says which parts.
      *
+     * <p>An XmlReader makes ColladaElements of the text. A ColladaScene finds the geometries and where nodes place them. Each geometry is
+     * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place is a ColladaInstance, whose
+     * mesh is added to the model.</p>
+     *
      * @private
      */
     public final class ColladaReader extends ModelReader
@@ -53,7 +57,7 @@ package starlogo.models.collada
             root.refuseIf(root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + root.name + ">");
             var asset:ColladaElement = root.child("asset");
             data.unit = unitOf(asset);
-            var scene:ColladaScene = new ColladaScene(root, _isAxisNamed ? turnUp : turnFrom(upAxisOf(asset)));
+            var scene:ColladaScene = new ColladaScene(root, turnToZUp(_isAxisNamed ? upAxis : upAxisOf(asset)));
             return new StepSequence().add(scene).begin(function():Steps
                 {
                     return readingInstances(scene.instances);
@@ -73,7 +77,7 @@ package starlogo.models.collada
                     var instance:ColladaInstance = instances[next++];
                     return new StepSequence().add(instance.mesh).begin(function():Steps
                         {
-                            progress = 0.9 * next / instances.length;
+                            setReadShare(next / instances.length);
                             return placing(instance);
                         });
                 });
@@ -114,7 +118,7 @@ package starlogo.models.collada
             var bound:Vector.<int> = new Vector.<int>();
             for each (var symbol:String in symbols.names)
             {
-                var material:ColladaElement = element.materialOf(symbol);
+                var material:ColladaElement = materialOf(symbol, element);
                 // A symbol may be equal to another material's id.
                 bound.push(material == null ? data.materials.addKey("symbol " + symbol, symbol) :
                         data.materials.addKey("material " + material.id, nameOf(material)));
@@ -123,6 +127,21 @@ package starlogo.models.collada
             {
                 data.materials.beginRun(symbols.numbers[i] < 0 ? -1 : bound[symbols.numbers[i]], firstTriangle + symbols.starts[i]);
             }
+        }
+
+        // The material that an instance of a geometry binds to a symbol; null if it binds none, or one that is not in this file.
+        private static function materialOf(symbol:String, instance:ColladaElement):ColladaElement
+        {
+            var binding:ColladaElement = instance.child("bind_material");
+            var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
+            for each (var bound:ColladaElement in technique == null ? null : technique.childrenNamed("instance_material"))
+            {
+                if (bound.attribute("symbol") == symbol)
+                {
+                    return instance.document.elementsById["material" + bound.attribute("target")];
+                }
+            }
+            return null;
         }
 
         private static function nameOf(element:ColladaElement):String

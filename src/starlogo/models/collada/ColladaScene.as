@@ -96,8 +96,10 @@ package starlogo.models.collada
                     break;
                 default:
                     var local:AffineTransform = element.toTransform();
-                    node.transform = local == null ? node.transform : node.transform.after(local);
-                    break;
+                    if (local != null)
+                    {
+                        node.addTransform(local);
+                    }
             }
         }
 

@@ -2,6 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.Steps;
 
     /**
@@ -117,7 +118,7 @@ package starlogo.models.collada
         private function openElement():void
         {
             var end:int = endOf(">") - 1;
-            var quote:int = quoteBefore(end);
+            var quote:int = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
             refuseIf(name == "" || root != null && _open == null);
             _document.limits.count(FileLimits.THINGS, 1, this);
@@ -132,7 +133,7 @@ package starlogo.models.collada
                 element.setAttribute(localName(words[1]), decoded(_text.substring(quote + 1, close)));
                 _at = close + 1;
                 end = end < close ? endOf(">") - 1 : end;
-                quote = quoteBefore(end);
+                quote = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             }
             refuseIf(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
             refuseIf(!TAG_END.test(_text.substring(_at, end)));
@@ -149,18 +150,6 @@ package starlogo.models.collada
             _at = end + 1;
         }
 
-        // The place of the next quote before an end; the end if there is none.
-        private function quoteBefore(end:int):int
-        {
-            var place:int = _at;
-            var code:int = _text.charCodeAt(place);
-            while (place < end && code != QUOTE && code != APOSTROPHE)
-            {
-                code = _text.charCodeAt(++place);
-            }
-            return place;
-        }
-
         private function addText(start:int, end:int):void
         {
             if (_open != null && start < end)
@@ -169,12 +158,12 @@ package starlogo.models.collada
             }
         }
 
-        // The place after the next occurrence of a piece. Throws if there is none.
+        // The index after the next occurrence of a piece. Throws if there is none.
         private function endOf(piece:String):int
         {
-            var place:int = _text.indexOf(piece, _at);
-            refuseIf(place < 0);
-            return place + piece.length;
+            var found:int = _text.indexOf(piece, _at);
+            refuseIf(found < 0);
+            return found + piece.length;
         }
 
         private function refuseIf(isWrong:Boolean, problem:String = "this is not well-formed XML, or cut off"):void

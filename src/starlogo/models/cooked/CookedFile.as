@@ -92,7 +92,7 @@ package starlogo.models.cooked
         /**
          * Makes the bytes of a file.
          *
-         * @param settings the settings of each section; null for an empty section
+         * @param settings the fingerprint of each section's settings; null leaves the section empty
          * @param sections the bytes of each section; null for an empty one
          */
         public static function write(settings:Vector.<Fingerprint>, sections:Vector.<ByteArray>):ByteArray
@@ -100,20 +100,19 @@ package starlogo.models.cooked
             var out:ByteArray = newBytes();
             out.writeInt(MAGIC);
             out.writeInt(VERSION);
-            out.length = out.position = TABLE;
+            out.length = HEAD_LENGTH;
             for (var i:int = 0; i < SECTIONS; i++)
             {
                 var ofSection:Fingerprint = settings[i] || new Fingerprint();
-                ofSection.writeTo(out);
-                out.writeInt(sections[i] == null ? 0 : sections[i].length);
-                out.writeInt(0);
-            }
-            for each (var section:ByteArray in sections)
-            {
-                if (section != null)
+                var start:int = out.length;
+                if (settings[i] != null && sections[i] != null)
                 {
-                    out.writeBytes(section);
+                    out.position = start;
+                    out.writeBytes(sections[i]);
                 }
+                out.position = TABLE + i * ENTRY_LENGTH;
+                ofSection.writeTo(out);
+                out.writeInt(out.length - start);
             }
             out.length = out.length + 7 & ~7;
             out.position = LENGTH_AT;

@@ -101,12 +101,12 @@ package starlogo.models.cooked
         {
             if (_bytes.bytesAvailable > 0)
             {
-                readLabels(data.materials);
-                readLabels(data.meshes);
+                data.materials = readLabels();
+                data.meshes = readLabels();
             }
         }
 
-        private function readLabels(out:TriangleLabels):void
+        private function readLabels():TriangleLabels
         {
             var nameCount:int = VarInt.read(_bytes);
             var names:Vector.<String> = new Vector.<String>();
@@ -115,7 +115,7 @@ package starlogo.models.cooked
                 var length:int = VarInt.read(_bytes);
                 names.push(length < 0 ? null : _bytes.readUTFBytes(length));
             }
-            out.names = nameCount < 0 ? null : names;
+            var labels:TriangleLabels = new TriangleLabels(nameCount < 0 ? null : names);
             var runCount:int = readCount(int.MAX_VALUE);
             var start:int = 0;
             for (i = 0; i < runCount; i++)
@@ -123,8 +123,9 @@ package starlogo.models.cooked
                 start += readCount(int.MAX_VALUE);
                 var number:int = VarInt.read(_bytes);
                 refuseIf(number < -1 || nameCount >= 0 && number >= nameCount, name, "the cooked file has a wrong number: " + number);
-                out.beginRun(number, start);
+                labels.beginRun(number, start);
             }
+            return labels;
         }
 
         private function readCount(most:int):int

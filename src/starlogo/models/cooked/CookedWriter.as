@@ -82,48 +82,66 @@ package starlogo.models.cooked
             return points;
         }
 
-        private static function write(model:Model, form:int, numbers:Vector.<Number>):ByteArray
+        private static function write(model:Model, form:int, points:Vector.<Number>):ByteArray
         {
-            var transform:ModelTransform = form == DOUBLE ? null : model.data.transform;
             var out:ByteArray = CookedFile.newBytes();
-            var triangleCount:int = model.triangles == null ? 0 : model.triangles.length / 3;
-            for each (var count:int in [Model.SCALINGS.indexOf(model.data.scaling), form, transform == null ? 0 : 1, numbers.length / 3, triangleCount])
+            var data:ModelData = model.data;
+            var transform:ModelTransform = form == DOUBLE ? null : data.transform;
+            var triangles:Vector.<uint> = model.triangles || new Vector.<uint>();
+            VarInt.write(Model.SCALINGS.indexOf(data.scaling), out);
+            VarInt.write(form, out);
+            VarInt.write(transform == null ? 0 : 1, out);
+            VarInt.write(points.length / 3, out);
+            VarInt.write(triangles.length / 3, out);
+            if (transform != null)
             {
-                VarInt.write(count, out);
-            }
-            for each (var vector:Vector3D in transform == null ? [] : [transform.rotation, transform.scale, transform.translation])
-            {
-                out.writeDouble(vector.x);
-                out.writeDouble(vector.y);
-                out.writeDouble(vector.z);
+                writeVector(transform.rotation, out);
+                writeVector(transform.scale, out);
+                writeVector(transform.translation, out);
             }
             if (form == DOUBLE)
             {
                 model.source.writeTo(out);
             }
-            var write:Function = form == DOUBLE ? out.writeDouble : out.writeFloat;
+            writePoints(points, form, out);
+            for (var i:int = 0; i < triangles.length; i++)
+            {
+                VarInt.write(triangles[i] - (i == 0 ? 0 : triangles[i - 1]), out);
+            }
+            if (!data.materials.isEmpty || !data.meshes.isEmpty)
+            {
+                writeLabels(data.materials, out);
+                writeLabels(data.meshes, out);
+            }
+            return out;
+        }
+
+        private static function writeVector(vector:Vector3D, out:ByteArray):void
+        {
+            out.writeDouble(vector.x);
+            out.writeDouble(vector.y);
+            out.writeDouble(vector.z);
+        }
+
+        // Multiples are written as differences from the vertex before.
+        private static function writePoints(points:Vector.<Number>, form:int, out:ByteArray):void
+        {
             var divisor:Number = divisorOf(form);
-            for (var i:int = 0; i < numbers.length; i++)
+            for (var i:int = 0; i < points.length; i++)
             {
                 if (form < SINGLE)
                 {
-                    VarInt.write(Math.round(numbers[i] * divisor) - (i < 3 ? 0 : Math.round(numbers[i - 3] * divisor)), out);
+                    VarInt.write(Math.round(points[i] * divisor) - (i < 3 ? 0 : Math.round(points[i - 3] * divisor)), out);
+                }
+                else if (form == SINGLE)
+                {
+                    out.writeFloat(points[i]);
                 }
                 else
                 {
-                    write(numbers[i]);
+                    out.writeDouble(points[i]);
                 }
             }
-            for (i = 0; i < 3 * triangleCount; i++)
-            {
-                VarInt.write(model.triangles[i] - (i == 0 ? 0 : model.triangles[i - 1]), out);
-            }
-            if (!model.data.materials.isEmpty || !model.data.meshes.isEmpty)
-            {
-                writeLabels(model.data.materials, out);
-                writeLabels(model.data.meshes, out);
-            }
-            return out;
         }
 
         // The names, and the runs of triangles with the same number. The length of a missing name is -1.

@@ -9,27 +9,34 @@ package starlogo.models.gltf
     /**
      * Reads a glTF file. GltfModel says which parts.
      *
+     * <p>A GltfFile has the JSON, whose objects are GltfJsons, and the buffers. A GltfScene finds the nodes with meshes, and where they are. For each
+     * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model.</p>
+     *
      * @private
      */
     public final class GltfReader extends ModelReader
     {
         private var _file:GltfFile;
-        private var _pose:GltfPose;
+        private var _animation:GltfAnimation;
+        private var _time:Number;
 
         /**
          * @param name the model's name
          * @param file the file; all its steps must be done and all buffers set
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor
-         * @param pose the vertices are read in this pose and not normalised. If it is null, they are read in the rest pose and normalised
+         * @param animation an animation of the file: the vertices are read as they are at a time of it, and are not normalised. If it is null, they
+         * are read at rest, and normalised
+         * @param time in seconds
          */
-        public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, pose:GltfPose = null)
+        public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, animation:GltfAnimation = null, time:Number = 0)
         {
             super(name, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
-            _pose = pose || new GltfPose();
+            _animation = animation;
+            _time = time;
             begin(readingScene).begin(droppingUnused);
-            if (pose == null)
+            if (animation == null)
             {
                 begin(normalising);
             }
@@ -42,7 +49,7 @@ package starlogo.models.gltf
             {
                 data.materials.addName(json.fileEntry("materials", i).text("name"));
             }
-            var scene:GltfScene = new GltfScene(json, turnUp, _pose);
+            var scene:GltfScene = new GltfScene(json, turnToZUp(upAxis), _animation, _time);
             var next:int = 0;
             return new StepSequence().add(scene).beginEach(function():Steps
                 {
@@ -50,7 +57,7 @@ package starlogo.models.gltf
                     {
                         return null;
                     }
-                    progress = 0.9 * next / scene.nodes.length;
+                    setReadShare(next / scene.nodes.length);
                     return readingNode(scene, scene.nodes[next++]);
                 });
         }
@@ -61,7 +68,7 @@ package starlogo.models.gltf
             var node:GltfJson = _file.json.fileEntry("nodes", nodeIndex);
             var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
             var count:int = mesh.count("primitives");
-            var weights:Vector.<Number> = _pose.valueOf(nodeIndex, "weights") || node.numbers("weights", -1)
+            var weights:Vector.<Number> = scene.animated(nodeIndex, "weights") || node.numbers("weights", -1)
                 || mesh.numbers("weights", -1, new Vector.<Number>());
             var label:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.

@@ -14,7 +14,8 @@ package starlogo.models.gltf
 
         private var _json:GltfJson;
         private var _root:AffineTransform;
-        private var _pose:GltfPose;
+        private var _animation:GltfAnimation;
+        private var _time:Number;
         private var _parents:Vector.<int>;
         private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
@@ -24,13 +25,15 @@ package starlogo.models.gltf
         /**
          * @param json the file's JSON
          * @param root is applied to the whole scene
-         * @param pose of the nodes
+         * @param animation moves the nodes; null for none
+         * @param time in the animation, in seconds
          */
-        public function GltfScene(json:GltfJson, root:AffineTransform, pose:GltfPose)
+        public function GltfScene(json:GltfJson, root:AffineTransform, animation:GltfAnimation, time:Number)
         {
             _json = json;
             _root = root;
-            _pose = pose;
+            _animation = animation;
+            _time = time;
             var count:int = json.count("nodes");
             _parents = new Vector.<int>(count);
             _globalTransforms = new Vector.<AffineTransform>(count);
@@ -137,6 +140,12 @@ package starlogo.models.gltf
             return _pending.length > 0;
         }
 
+        /** The numbers that the animation gives to a node's property; null if it is not animated. */
+        public function animated(node:int, path:String):Vector.<Number>
+        {
+            return _animation == null ? null : _animation.valueAt(node, path, _time);
+        }
+
         private function localTransformOf(index:int):AffineTransform
         {
             var node:GltfJson = _json.fileEntry("nodes", index);
@@ -146,9 +155,9 @@ package starlogo.models.gltf
                 node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
                 return ofColumns(m, 0);
             }
-            var t:Vector.<Number> = _pose.valueOf(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = _pose.valueOf(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = _pose.valueOf(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = animated(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = animated(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = animated(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
             var turn:Placement = new Placement();
             turn.setQuaternion(r[0], r[1], r[2], r[3]);
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);

@@ -50,12 +50,12 @@ package starlogo.models.obj
             refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && TextWords.shorten(tag[1])) + "\". A ColladaModel reads COLLADA");
             _lines = new LineReader(name, text);
             _limits = new FileLimits(name, text.length);
-            repeat(readSome).call(checkIndices).begin(cutting).begin(turningUp).begin(normalising);
+            repeat(readSome).call(checkIndices).begin(cutting).begin(turningToZUp).begin(normalising);
         }
 
         private function readSome():Boolean
         {
-            progress = 0.9 * _lines.readStatements(readStatement);
+            setReadShare(_lines.readStatements(readStatement));
             _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }
@@ -176,25 +176,25 @@ package starlogo.models.obj
         {
             var triangulator:Triangulator = new Triangulator(_limits, data.vertices, data.triangles);
             var isUsed:Vector.<uint> = new Vector.<uint>(data.vertices.length / 3);
-            return new StepSequence().add(triangulator.addingEach(_polygons.length, function(index:int):int
+            return new StepSequence().add(triangulator.addingEach(_polygons.length, function(index:int):Steps
                     {
-                        cutPolygon(index, triangulator, isUsed);
-                        return _polygons[index].length;
+                        return cuttingPolygon(index, triangulator, isUsed);
                     })).begin(function():Steps
                 {
                     return data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, isUsed);
                 });
         }
 
-        private function cutPolygon(index:int, triangulator:Triangulator, isUsed:Vector.<uint>):void
+        // Cuts a polygon, and marks its vertices as used. Returns the work that is left; null for none.
+        private function cuttingPolygon(index:int, triangulator:Triangulator, isUsed:Vector.<uint>):Steps
         {
             data.materials.beginRun(_polygonLabels[2 * index], data.triangles.length / 3);
             data.meshes.beginRun(_polygonLabels[2 * index + 1], data.triangles.length / 3);
-            triangulator.addPolygon(_polygons[index]);
             for each (var corner:uint in _polygons[index])
             {
                 isUsed[corner] = 1; // also if the polygon has no triangle
             }
+            return triangulator.addPolygon(_polygons[index]);
         }
 
         private function errorAt(line:int, problem:String):ModelError

@@ -27,9 +27,8 @@ package starlogo.models.polygons
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // What cuts the last polygon; null if all of it is cut. What joins its holes before; null if it has none.
-        private var _clipper:EarClipper = null;
-        private var _bridges:HoleBridges = null;
+        // the corners of all polygons so far
+        private var _cornerCount:Number = 0;
 
         /**
          * @param limits limit the tests of corners
@@ -47,58 +46,60 @@ package starlogo.models.polygons
          * The work that adds numbered polygons, some in each step. A large polygon takes several steps.
          *
          * @param count the number of polygons
-         * @param add <code>function(index:int):int</code>; adds one polygon by <code>addPolygon()</code>, or triangles, and returns the number
-         * of corners
+         * @param add <code>function(index:int):Steps</code>; adds one polygon by <code>addPolygon()</code> and returns what that returns, or adds
+         * triangles and returns null
          */
         public function addingEach(count:int, add:Function):Steps
         {
             var next:int = 0;
+            var rest:Steps = null;
             return new StepSequence().repeat(function():Boolean
                 {
-                    if (_clipper != null)
+                    if (rest != null)
                     {
-                        cutSome();
+                        rest = rest.step() ? rest : null;
+                        return rest != null || next < count;
                     }
-                    else
+                    var end:Number = _cornerCount + CORNERS_PER_STEP;
+                    while (rest == null && next < count && _cornerCount < end)
                     {
-                        for (var corners:int = 0; corners < CORNERS_PER_STEP && next < count && _clipper == null; corners += CORNERS_PER_POLYGON)
-                        {
-                            corners += add(next++);
-                        }
+                        rest = add(next++);
+                        _cornerCount += CORNERS_PER_POLYGON;
                     }
-                    return _clipper != null || next < count;
+                    return rest != null || next < count;
                 });
         }
 
         /**
-         * Cuts a polygon, or begins to cut a large one. Call it only in the function of <code>addingEach()</code>, once, because its work cuts the
-         * rest before it calls the function again.
+         * Cuts a polygon, or begins to cut a large one.
          *
          * @param outline the corners of its outline; the vector is not kept
          * @param holes the corners of each hole, in either direction; null for none
+         * @return the work that cuts the rest of it, which must be done before other triangles are added; null if all is cut
          */
-        public function addPolygon(outline:Vector.<uint>, holes:Vector.<Vector.<uint>> = null):void
+        public function addPolygon(outline:Vector.<uint>, holes:Vector.<Vector.<uint>> = null):Steps
         {
+            _cornerCount += outline.length;
             if (outline.length < 3)
             {
-                return;
+                return null;
             }
             var hasHoles:Boolean = holes != null && holes.length > 0;
             if (!hasHoles && outline.length <= 4)
             {
                 addSmall(outline);
-                return;
+                return null;
             }
             var rings:PolygonRings = new PolygonRings(_limits, _vertices, outline);
             if (!rings.hasArea)
             {
-                return;
+                return null;
             }
             var start:int = rings.addLoop(outline, true);
             if (!hasHoles && isFan(rings))
             {
                 addFan(rings.vertex);
-                return;
+                return null;
             }
             var nodes:Vector.<int> = new Vector.<int>();
             for each (var hole:Vector.<uint> in holes)
@@ -108,26 +109,22 @@ package starlogo.models.polygons
                     nodes.push(rings.addLoop(hole, false));
                 }
             }
-            _bridges = nodes.length == 0 ? null : new HoleBridges(rings, start, nodes);
-            _clipper = new EarClipper(rings, start, _triangles);
-            cutSome();
+            var clipper:EarClipper = new EarClipper(rings, start, nodes.length == 0 ? null : new HoleBridges(rings, start, nodes), _triangles);
+            return clipper.step() ? clipper : null;
         }
 
         /** Adds a triangle, if its three corners are different. */
         public function addTriangle(a:uint, b:uint, c:uint):void
         {
+            _cornerCount++;
+            push(a, b, c);
+        }
+
+        private function push(a:uint, b:uint, c:uint):void
+        {
             if (a != b && b != c && c != a)
             {
                 _triangles.push(a, b, c);
-            }
-        }
-
-        // Goes on with the last polygon for some milliseconds.
-        private function cutSome():void
-        {
-            if (!(_bridges != null && _bridges.join() || _clipper.cut()))
-            {
-                _clipper = null;
             }
         }
 
@@ -139,19 +136,19 @@ package starlogo.models.polygons
             var c:uint = outline[2];
             if (outline.length == 3)
             {
-                addTriangle(a, b, c);
+                push(a, b, c);
                 return;
             }
             var d:uint = outline[3];
             if (!isDiagonal(a, b, c, d) && isDiagonal(b, c, d, a))
             {
-                addTriangle(a, b, d);
-                addTriangle(b, c, d);
+                push(a, b, d);
+                push(b, c, d);
             }
             else
             {
-                addTriangle(a, b, c);
-                addTriangle(a, c, d);
+                push(a, b, c);
+                push(a, c, d);
             }
         }
 
@@ -196,7 +193,7 @@ package starlogo.models.polygons
         {
             for (var i:int = 2; i < corners.length; i++)
             {
-                addTriangle(corners[0], corners[int(i - 1)], corners[i]);
+                push(corners[0], corners[int(i - 1)], corners[i]);
             }
         }
     }

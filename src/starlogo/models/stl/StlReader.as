@@ -54,7 +54,7 @@ package starlogo.models.stl
                 repeat(readSome);
             }
             data.vertices = _points.coordinates;
-            call(checkEnd).begin(turningUp).begin(normalising);
+            call(checkEnd).begin(turningToZUp).begin(normalising);
         }
 
         private function addBinary(bytes:ByteArray):void
@@ -68,7 +68,7 @@ package starlogo.models.stl
                 {
                     readFacets(bytes, first, end);
                     _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3, "triangle " + end);
-                    progress = 0.9 * end / Math.max(1, count);
+                    setReadShare(end / Math.max(1, count));
                 });
         }
 
@@ -101,10 +101,10 @@ package starlogo.models.stl
 
         private function readFacets(bytes:ByteArray, first:int, end:int):void
         {
-            var place:int = HEADER_LENGTH + first * FACET_LENGTH + NORMAL_LENGTH;
+            var at:int = HEADER_LENGTH + first * FACET_LENGTH + NORMAL_LENGTH;
             for (var i:int = first; i < end; i++)
             {
-                bytes.position = place;
+                bytes.position = at;
                 for (var corner:int = 0; corner < 3; corner++)
                 {
                     var x:Number = bytes.readFloat();
@@ -116,13 +116,13 @@ package starlogo.models.stl
                     }
                     data.triangles.push(_points.add(x, y, z));
                 }
-                place += FACET_LENGTH;
+                at += FACET_LENGTH;
             }
         }
 
         private function readSome():Boolean
         {
-            progress = 0.9 * _lines.readStatements(readStatement);
+            setReadShare(_lines.readStatements(readStatement));
             _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }

@@ -173,18 +173,6 @@ package starlogo.models.text
             return rest;
         }
 
-        // The first line end at or after a place; without one the end of the text, or of the largest piece.
-        private function lineEnd(place:int):int
-        {
-            var last:int = Math.min(_text.length, _start + MAX_PIECE);
-            var code:int = _text.charCodeAt(place);
-            while (place < last && code != LINE_FEED && code != RETURN)
-            {
-                code = _text.charCodeAt(++place);
-            }
-            return place;
-        }
-
         // Continued lines stay in one piece.
         private function readPiece():void
         {
@@ -192,7 +180,7 @@ package starlogo.models.text
             _end += CHARACTERS_PER_PIECE;
             do
             {
-                _end = lineEnd(_end);
+                _end = TextWords.indexOfEither(_text, LINE_FEED, RETURN, _end, Math.min(_text.length, _start + MAX_PIECE));
                 // the second of the two characters that end a line may be the first that is found
                 var isSecond:Boolean = _text.charCodeAt(_end) == LINE_FEED && _text.charCodeAt(_end - 1) == RETURN;
                 var isContinued:Boolean = _text.charAt(_end - (isSecond ? 2 : 1)) == "\\";

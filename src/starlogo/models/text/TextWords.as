@@ -40,6 +40,18 @@ package starlogo.models.text
             return text.indexOf(piece) < 0 ? text : text.split(piece).join(replacement);
         }
 
+        /** The index of the first of two characters from an index on; the end if there is none before it. */
+        public static function indexOfEither(text:String, first:int, second:int, from:int, end:int):int
+        {
+            var at:int = from;
+            var code:int = text.charCodeAt(at);
+            while (at < end && code != first && code != second)
+            {
+                code = text.charCodeAt(++at);
+            }
+            return at;
+        }
+
         /**
          * The number that a word stands for, or NaN. A decimal comma is accepted, because some programs write numbers in the system's
          * language.

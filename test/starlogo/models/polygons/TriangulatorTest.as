@@ -83,10 +83,9 @@ package starlogo.models.polygons
             }
             var triangles:Vector.<uint> = new Vector.<uint>();
             var triangulator:Triangulator = new Triangulator(new FileLimits("polygons", 250000), vertices, triangles);
-            var work:Steps = triangulator.addingEach(1, function(index:int):int
+            var work:Steps = triangulator.addingEach(1, function(index:int):Steps
                 {
-                    triangulator.addPolygon(corners);
-                    return corners.length;
+                    return triangulator.addPolygon(corners);
                 });
             var pieces:int = 1;
             while (work.step())
@@ -133,10 +132,9 @@ package starlogo.models.polygons
         {
             var triangulator:Triangulator = new Triangulator(new FileLimits("polygons", 250000), vertices, triangles);
             var holes:Vector.<Vector.<uint>> = loops.slice(1);
-            finish(triangulator.addingEach(1, function(index:int):int
+            finish(triangulator.addingEach(1, function(index:int):Steps
                     {
-                        triangulator.addPolygon(loops[0], holes);
-                        return loops[0].length;
+                        return triangulator.addPolygon(loops[0], holes);
                     }));
         }
 

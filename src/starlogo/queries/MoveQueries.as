@@ -146,7 +146,7 @@ package starlogo.queries
             setMotion(dx, dy, dz);
             _planner.planWithin(_body, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
             _mover.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
-            _recovery.restoreClearance(_body, _slid.place, _slid.clearRow);
+            _recovery.restoreClearance(_body, _slid.place);
             if (dx != 0 || dy != 0 || dz != 0)
             {
                 _planner.moveAgent(agent, _slid.place);
@@ -254,7 +254,8 @@ package starlogo.queries
             var body:Body = _seen.table.bodyOf(_hits.rowOf(index));
             if (body.form == ModelShape.TREE)
             {
-                _hits.setTriangle(index, _seen.narrowPhase.treeTests.nearestTriangle(body, _hits.contactOf(index)));
+                var contact:ContactPoint = _hits.contactOf(index);
+                _hits.setTriangle(index, _seen.narrowPhase.treeTests.nearestTriangle(body, contact, contact.depth + _body.slop));
             }
             _hits.write(index, hit);
             hit.time = _hits.keyOf(index);

@@ -19,12 +19,6 @@ package starlogo.queries.motion
      */
     public final class CoreSweep
     {
-        // A row is large if its largest half-extent is at least this many times the largest of the body that moves.
-        private static const LARGE:Number = 8;
-
-        // A core meets something soon after the body if it moves at most this many slops on. Then the angle to the surface is more than 4 degrees.
-        private static const SOON:Number = 16;
-
         private var _seen:SeenAgents;
 
         // The motion, the body's place at its end, the motion's length, and the contact that was found last.
@@ -44,13 +38,13 @@ package starlogo.queries.motion
          *
          * @param body the body that moves. What it meets are its obstacles. Of rows that are met at the same time, the first one counts
          * @param from where the motion begins
-         * @param out receives the answer; the time of the touch only if it is found on the way, and else NaN
+         * @param out receives the answer
          * @return whether anything is met
          */
         public function findFirst(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
             aim(from, motion);
-            out.row = out.clearRow = -1;
+            out.row = -1;
             out.time = RelativeMotion.NEVER;
             for (var i:int = 0; i < body.obstacles.count; i++)
             {
@@ -68,6 +62,7 @@ package starlogo.queries.motion
                 out.contact.normalise();
                 out.along = -_length;
             }
+            out.touchTime = Math.max(0, Math.min(1, out.time + recessOf(body, from, motion, out) / out.along));
             return true;
         }
 
@@ -79,33 +74,14 @@ package starlogo.queries.motion
             return _motion.time != RelativeMotion.NEVER;
         }
 
-        /**
-         * Finds when the whole body first touches the row that its core meets. The two may touch from the beginning, for example if one agent is
-         * the floor under the body and also the wall in its way. Then the result is the time of the core, made earlier by how far
-         * the core is behind the body's surface at the contact.
-         *
-         * @param impact what <code>findFirst()</code> has found on this motion. It receives the time
-         */
-        public function findTouchTime(body:MovingBody, from:Vector3D, motion:Vector3D, impact:Impact):void
+        // How far the core is behind the body's surface at a contact. It is smaller about the middle of the body's extents.
+        private static function recessOf(body:MovingBody, from:Vector3D, motion:Vector3D, impact:Impact):Number
         {
-            aim(from, motion);
-            var whole:Body = body.wholeAt(_end);
-            var other:Body = _seen.table.bodyOf(impact.row);
             var contact:ContactPoint = impact.contact;
-            var left:Number = 1 - impact.time;
-            var recess:Number = body.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
-                    + contact.normalY * (whole.y - left * motion.y - contact.y)
-                    + contact.normalZ * (whole.z - left * motion.z - contact.z));
-            var early:Number = Math.max(0, Math.min(1, impact.time + recess / impact.along));
-            if (isNaN(impact.touchTime))
-            {
-                _seen.narrowPhase.testsOf(whole, other).findImpact(whole, other, _motion, null);
-                impact.touchTime = _motion.time;
-            }
-            if (!(Math.abs(impact.touchTime - early) <= Math.abs(impact.time - early)))
-            {
-                impact.touchTime = early;
-            }
+            var source:Body = body.source;
+            return body.shrink / (1 - body.shrink) * (contact.normalX * (from.x + source.offsetX + impact.time * motion.x - contact.x)
+                    + contact.normalY * (from.y + source.offsetY + impact.time * motion.y - contact.y)
+                    + contact.normalZ * (from.z + source.offsetZ + impact.time * motion.z - contact.z));
         }
 
         private function aim(from:Vector3D, motion:Vector3D):void
@@ -116,50 +92,16 @@ package starlogo.queries.motion
             _length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
         }
 
-        // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer. The whole body is swept first against
-        // a tree that is much larger, because then mostly the core needs no sweep, and the end of the motion no test of its own. Such a tree
-        // can be a whole building, in which everything happens.
+        // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer.
         private function keepEarlier(body:MovingBody, row:int, from:Vector3D, out:Impact):void
         {
-            var other:Body = _seen.table.bodyOf(row);
-            var touchTime:Number = NaN;
-            if (other.form == ModelShape.TREE && 2 * other.largestHalf >= LARGE * body.extent)
-            {
-                sweep(body.wholeAt(_end), other, body.slop, null);
-                touchTime = _motion.time;
-                if (touchTime == RelativeMotion.NEVER)
-                {
-                    out.clearRow = row;
-                    return;
-                }
-                sweepCoreOnwards(body, other, from);
-            }
-            else
-            {
-                sweepCore(body, other, from);
-            }
+            sweepCore(body, _seen.table.bodyOf(row), from);
             if (_motion.time < out.time)
             {
                 out.row = row;
                 out.time = _motion.time;
-                out.touchTime = touchTime;
                 out.contact.copyFrom(_contact);
             }
-        }
-
-        // Sweeps the core from the time on at which the whole body touches. It is inside of the body, so it meets nothing before, and mostly it meets
-        // the same thing soon after.
-        private function sweepCoreOnwards(body:MovingBody, other:Body, from:Vector3D):void
-        {
-            _motion.earliest = _motion.time;
-            _motion.latest = Math.min(1, _motion.time + SOON * body.slop / _length);
-            sweepCore(body, other, from);
-            _motion.latest = 1;
-            if (_motion.time == RelativeMotion.NEVER)
-            {
-                sweepCore(body, other, from);
-            }
-            _motion.earliest = 0;
         }
 
         private function sweepCore(body:MovingBody, other:Body, from:Vector3D):void

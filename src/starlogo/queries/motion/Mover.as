@@ -160,7 +160,7 @@ package starlogo.queries.motion
             out.fraction = 1;
             out.metWall = false;
             out.floor.setNormal(0, 0, -1);
-            out.floorRow = out.clearRow = -1;
+            out.floorRow = -1;
             _lift.clear();
             if (!begin(body, rows, from, motion, limits, _lift, place))
             {
@@ -171,9 +171,7 @@ package starlogo.queries.motion
             _rest.project();
             for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.length > 0; iterations++)
             {
-                var isMet:Boolean = findObstacle(body, place, _impact);
-                out.clearRow = _impact.clearRow;
-                if (!isMet)
+                if (!findObstacle(body, place, _impact))
                 {
                     _rest.advance(place, 1);
                     break;
@@ -182,7 +180,6 @@ package starlogo.queries.motion
                 {
                     _rest.beginCorner();
                 }
-                _sweep.findTouchTime(body, place, _rest.motion, _impact);
                 _rest.advance(place, Math.max(_impact.touchTime + body.clearance / _impact.along, 0));
                 if (!_impact.isNormalFallback && (out.floorRow < 0 || _impact.contact.normalZ > out.floor.normalZ))
                 {
@@ -231,7 +228,7 @@ package starlogo.queries.motion
             if (body.isFlat && _rest.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                _recovery.restoreClearance(body, place, -1);
+                _recovery.restoreClearance(body, place);
             }
             lift.displacement.copyFrom(place);
             lift.displacement.decrementBy(from);
@@ -288,7 +285,6 @@ package starlogo.queries.motion
         private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
             var impact:Impact = _impact;
-            _sweep.findTouchTime(body, _liftedPlace, motion, impact);
             out.row = impact.row;
             out.contact.copyFrom(impact.contact);
             out.contact.depth = 0;

@@ -255,7 +255,7 @@ package starlogo.queries
             if (body.form == ModelShape.TREE)
             {
                 var contact:ContactPoint = _hits.contactOf(index);
-                _hits.setTriangle(index, _seen.narrowPhase.treeTests.nearestTriangle(body, contact, contact.depth + _body.slop));
+                _hits.setTriangle(index, contact.triangle >= 0 ? contact.triangle : _seen.narrowPhase.treeTests.nearestTriangle(body, contact));
             }
             _hits.write(index, hit);
             hit.time = _hits.keyOf(index);

@@ -58,16 +58,10 @@ package starlogo.solid
             }
         }
 
-        /**
-         * The number of the triangle that is nearest to a structure, as the model counts them. The pair must have triangles.
-         *
-         * @param within only triangles count that are nearer than this, in the first model's space
-         * @return the number, or -1 if there is none
-         */
-        public function nearestTriangle(pair:TreePair, within:Number):int
+        /** The number of the triangle that is nearest to a structure, as the model counts them. The pair must have triangles. */
+        public function nearestTriangle(pair:TreePair):int
         {
-            _measured.distance = within;
-            var slot:int = _triangleTest.findCloser(pair.a, pair.structureB, pair.pose, _measured);
+            var slot:int = _triangleTest.find(pair.a, pair.structureB, pair.pose, _measured);
             return slot < 0 ? -1 : pair.a.boxTree.order[slot];
         }
 
@@ -83,8 +77,7 @@ package starlogo.solid
             }
             else if (pair.isExact)
             {
-                out.distance = Infinity;
-                _triangleTest.findCloser(a, pair.structureB, pair.pose, out);
+                _triangleTest.find(a, pair.structureB, pair.pose, out);
             }
             else
             {

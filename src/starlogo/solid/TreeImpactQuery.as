@@ -119,6 +119,10 @@ package starlogo.solid
             pair.moveFirst(motion, from);
             RelativePose.relateMotion(pair.placementA, motion, _motion);
             _motion.earliest = Math.max(0, _motion.earliest - from);
+            if (out != null)
+            {
+                out.triangle = -1;
+            }
             if (b != null)
             {
                 var decider:NodePairSearch = pair.isExact ? _trianglePairSweep.begin(a, b, pair.pose, _motion) : null;
@@ -135,6 +139,7 @@ package starlogo.solid
                 if (slot >= 0 && out != null)
                 {
                     _triangleTest.findContact(slot, _motion, out);
+                    out.triangle = a.boxTree.order[slot];
                 }
             }
             else

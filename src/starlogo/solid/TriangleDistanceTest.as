@@ -37,21 +37,21 @@ package starlogo.solid
         }
 
         /**
-         * Finds the distance and the closest points of a model and a structure, if they are closer than another two.
+         * Finds the distance and the closest points of a model and a structure.
          *
          * @param model the model; has triangles
          * @param structure in the space of another model
          * @param pose the other model's pose in the first one's space
-         * @param out the distance of the other two; receives the distance and the points, in the model's space
-         * @return the slot of the nearest triangle, or -1
+         * @param out receives them, in the model's space
+         * @return the slot of the nearest triangle
          */
-        public function findCloser(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
+        public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
             _mesh = model.prepareMesh();
             _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
             _nearest = out;
             _slot = -1;
-            limit = out.distance;
+            limit = out.distance = Infinity;
             _search.setExtents(_extents, 0);
             _search.findNear(model.boxTree, BoxTree.NO_LIMIT, this);
             out.swap();

@@ -62,7 +62,7 @@ package starlogo.queries.motion
                 out.contact.normalise();
                 out.along = -_length;
             }
-            out.touchTime = Math.max(0, Math.min(1, out.time + recessOf(body, from, motion, out) / out.along));
+            findTouchTime(body, from, motion, out);
             return true;
         }
 
@@ -74,14 +74,26 @@ package starlogo.queries.motion
             return _motion.time != RelativeMotion.NEVER;
         }
 
-        // How far the core is behind the body's surface at a contact. It is smaller about the middle of the body's extents.
-        private static function recessOf(body:MovingBody, from:Vector3D, motion:Vector3D, impact:Impact):Number
+        // Finds when the whole body touches the row: earlier than the core, by how far the core is behind the body's surface at the contact. But an
+        // inner face of a concave body touches later than the core's. There the whole body is swept too. Its time counts unless it touches elsewhere.
+        private function findTouchTime(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            var contact:ContactPoint = impact.contact;
+            var contact:ContactPoint = out.contact;
             var source:Body = body.source;
-            return body.shrink / (1 - body.shrink) * (contact.normalX * (from.x + source.offsetX + impact.time * motion.x - contact.x)
-                    + contact.normalY * (from.y + source.offsetY + impact.time * motion.y - contact.y)
-                    + contact.normalZ * (from.z + source.offsetZ + impact.time * motion.z - contact.z));
+            var recess:Number = body.shrink / (1 - body.shrink) * (contact.normalX * (from.x + source.offsetX + out.time * motion.x - contact.x)
+                    + contact.normalY * (from.y + source.offsetY + out.time * motion.y - contact.y)
+                    + contact.normalZ * (from.z + source.offsetZ + out.time * motion.z - contact.z));
+            out.touchTime = Math.max(0, Math.min(1, out.time + recess / out.along));
+            if (recess < 0)
+            {
+                var whole:Body = body.wholeAt(_end);
+                var other:Body = _seen.table.bodyOf(out.row);
+                _seen.narrowPhase.testsOf(whole, other).findImpact(whole, other, _motion, null);
+                if (Math.abs(_motion.time - out.touchTime) <= out.touchTime - out.time)
+                {
+                    out.touchTime = _motion.time;
+                }
+            }
         }
 
         private function aim(from:Vector3D, motion:Vector3D):void
@@ -104,26 +116,22 @@ package starlogo.queries.motion
             }
         }
 
+        // Finds when and how the core first meets a body. The motion receives the time, because V8 would make an object for a Number that is
+        // returned.
         private function sweepCore(body:MovingBody, other:Body, from:Vector3D):void
         {
-            sweep(body.coreAt(_end), other, body.slop, _contact);
+            var core:Body = body.coreAt(_end);
+            _motion.time = RelativeMotion.NEVER;
+            if (MovingBody.isNear(core, other, _motion, body.slop))
+            {
+                _seen.narrowPhase.testsOf(core, other).findImpact(core, other, _motion, _contact);
+            }
             // a sheet may be wholly under the ground at the beginning, and then it touches no surface
             if (_motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND
                     && _seen.narrowPhase.areTouching(body.coreAt(from), other))
             {
                 _motion.time = 0;
                 _contact.setNormal(0, 0, 0);
-            }
-        }
-
-        // Finds when a body, which is at its end, first meets another. The motion receives the time, because V8 would make an object for a
-        // Number that is returned.
-        private function sweep(body:Body, other:Body, nearby:Number, contact:ContactPoint):void
-        {
-            _motion.time = RelativeMotion.NEVER;
-            if (MovingBody.isNear(body, other, _motion, nearby))
-            {
-                _seen.narrowPhase.testsOf(body, other).findImpact(body, other, _motion, contact);
             }
         }
     }

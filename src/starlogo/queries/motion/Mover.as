@@ -91,6 +91,8 @@ package starlogo.queries.motion
             if (crossed >= 0)
             {
                 out.contact.copyFrom(_rest.planes[crossed]);
+                // the plane stands for all triangles of the row
+                out.contact.triangle = -1;
                 out.row = _rest.rows[crossed];
                 out.fraction = 0;
             }

@@ -124,24 +124,18 @@ package starlogo.search.pairs
         }
 
         /**
-         * The number of the triangle of a body that is nearest to the point of a contact, as the model counts them; -1 if triangles do not decide.
+         * The number of the triangle of a body that is nearest to a point, as the model counts them; -1 if triangles do not decide.
          *
          * @param body a tree
-         * @param point the contact
-         * @param within the point is mostly this near to a triangle. If it is not, the search takes longer
+         * @param point has the point
          */
-        public function nearestTriangle(body:Body, point:ContactPoint, within:Number):int
+        public function nearestTriangle(body:Body, point:ContactPoint):int
         {
             _at.x = point.x;
             _at.y = point.y;
             _at.z = point.z;
             _pair.setTo(body.shape.hierarchy, body.placement, limits.depthOf(body), null, POINT, _at, 0, limits.exact);
-            if (!_pair.isExact)
-            {
-                return -1;
-            }
-            var triangle:int = _distances.nearestTriangle(_pair, within / body.placement.size);
-            return triangle < 0 ? _distances.nearestTriangle(_pair, Infinity) : triangle;
+            return _pair.isExact ? _distances.nearestTriangle(_pair) : -1;
         }
 
         /** Writes the numbers of tests, and sets them to 0. */

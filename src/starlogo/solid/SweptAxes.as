@@ -149,7 +149,9 @@ package starlogo.solid
                     + acrossZ * (corners[int(third + 2)] - shape.z);
                 var p:Number = acrossX * points[0] + acrossY * points[1] + acrossZ * points[2];
                 var q:Number = acrossX * points[second] + acrossY * points[int(second + 1)] + acrossZ * points[int(second + 2)];
-                var gap:Number = edge < corner ? edge - (p > q ? p : q) : (p < q ? p : q) - edge;
+                var low:Number = p < q ? p : q;
+                var high:Number = p < q ? q : p;
+                var gap:Number = edge < corner ? edge - high : low - edge;
                 if (gap > 0)
                 {
                     // rounding of products of the three vectors

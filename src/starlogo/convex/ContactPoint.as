@@ -22,6 +22,12 @@ package starlogo.convex
         /** The length of the overlap along the normal: 0 if the shapes just touch. */
         public var depth:Number = 0;
 
+        /**
+         * The number of the tree's triangle if one of a and b is a tree, the other a structure, and this triangle decides. -1 if none does. Tests of
+         * trees write it.
+         */
+        public var triangle:int = -1;
+
         /** What is known of the depth besides. Null if the record has never had a contact with such knowledge. */
         public var proof:DepthProof = null;
 
@@ -35,6 +41,7 @@ package starlogo.convex
             normalY = other.normalY;
             normalZ = other.normalZ;
             depth = other.depth;
+            triangle = other.triangle;
             if (other.proof != null)
             {
                 resetProof().copyFrom(other.proof);

@@ -149,7 +149,7 @@ package starlogo.queries
             setMotion(dx, dy, dz);
             _obstacleSearch.findWithin(_body, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
             _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
-            _recovery.restoreClearance(_body, _slid.place, _slid.clearRow);
+            _recovery.restoreClearance(_body, _slid.place);
             if (dx != 0 || dy != 0 || dz != 0)
             {
                 _seen.moveAgent(agent, _slid.place);
@@ -257,7 +257,8 @@ package starlogo.queries
             var body:Body = _seen.table.bodyOf(_hits.rowOf(index));
             if (body.form == ModelShape.TREE)
             {
-                _hits.setTriangle(index, _seen.narrowPhase.treeTests.nearestTriangle(body, _hits.contactOf(index)));
+                var contact:ContactPoint = _hits.contactOf(index);
+                _hits.setTriangle(index, contact.triangle >= 0 ? contact.triangle : _seen.narrowPhase.treeTests.nearestTriangle(body, contact));
             }
             _hits.write(index, hit);
             hit.time = _hits.keyOf(index);

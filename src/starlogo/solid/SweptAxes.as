@@ -4,10 +4,11 @@ package starlogo.solid
     import starlogo.convex.ConvexShape;
     import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Tolerances;
 
     /**
-     * Axes along which a moving shape and a triangle may stay apart. They depend on the shape alone, and rule out most triangles before a time of
-     * impact is sought.
+     * Axes along which a moving shape and a triangle may stay apart. They rule out most triangles before a time of impact is sought. Most axes depend
+     * on the shape alone. A sphere or a capsule also has those across the motion and an edge of the triangle.
      */
     internal final class SweptAxes
     {
@@ -121,6 +122,51 @@ package starlogo.solid
                 {
                     return true;
                 }
+            }
+            return _shape.end <= SEGMENT && passesBeside(corners, at);
+        }
+
+        // Whether an axis across the motion and an edge separates a triangle from a point or a segment. The shape does not move along such an axis.
+        private function passesBeside(corners:Vector.<Number>, at:int):Boolean
+        {
+            var shape:ConvexShape = _shape;
+            var motion:RelativeMotion = _motion;
+            var points:Vector.<Number> = shape.points;
+            var second:int = shape.end - 3;
+            var from:int = at + 6;
+            var third:int = at + 3;
+            for (var to:int = at; to < at + 9; to += 3)
+            {
+                var x:Number = corners[from] - shape.x;
+                var y:Number = corners[int(from + 1)] - shape.y;
+                var z:Number = corners[int(from + 2)] - shape.z;
+                var edgeX:Number = corners[to] - corners[from];
+                var edgeY:Number = corners[int(to + 1)] - corners[int(from + 1)];
+                var edgeZ:Number = corners[int(to + 2)] - corners[int(from + 2)];
+                var acrossX:Number = motion.y * edgeZ - motion.z * edgeY;
+                var acrossY:Number = motion.z * edgeX - motion.x * edgeZ;
+                var acrossZ:Number = motion.x * edgeY - motion.y * edgeX;
+                // where the edge, the third corner and both points of the shape are along the axis
+                var edge:Number = acrossX * x + acrossY * y + acrossZ * z;
+                var corner:Number = acrossX * (corners[third] - shape.x) + acrossY * (corners[int(third + 1)] - shape.y)
+                    + acrossZ * (corners[int(third + 2)] - shape.z);
+                var p:Number = acrossX * points[0] + acrossY * points[1] + acrossZ * points[2];
+                var q:Number = acrossX * points[second] + acrossY * points[int(second + 1)] + acrossZ * points[int(second + 2)];
+                var low:Number = p < q ? p : q;
+                var high:Number = p < q ? q : p;
+                var gap:Number = edge < corner ? edge - high : low - edge;
+                if (gap > 0)
+                {
+                    // rounding of products of the three vectors
+                    gap -= Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z))
+                        * (Math.abs(edgeX) + Math.abs(edgeY) + Math.abs(edgeZ)) * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+                    if (gap > _radius * Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ))
+                    {
+                        return true;
+                    }
+                }
+                third = from;
+                from = to;
             }
             return false;
         }

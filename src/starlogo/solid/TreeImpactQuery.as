@@ -119,6 +119,10 @@ package starlogo.solid
             pair.relateAt(motion, from);
             RelativePose.relateMotion(pair.placementA, motion, _motion);
             _motion.earliest = Math.max(0, _motion.earliest - from);
+            if (out != null)
+            {
+                out.triangle = -1;
+            }
             if (b != null)
             {
                 var visitor:BestPairVisitor = pair.isExact ? _trianglePairs.begin(a, b, pair.pose, _motion) : null;
@@ -135,6 +139,7 @@ package starlogo.solid
                 if (slot >= 0 && out != null)
                 {
                     _triangles.findContact(slot, _motion, out);
+                    out.triangle = a.boxTree.order[slot];
                 }
             }
             else

@@ -15,7 +15,7 @@ package starlogo.queries.motion
         /** When the core meets it, as a part of the motion; Infinity if it meets none. */
         public var time:Number = Infinity;
 
-        /** When the whole body touches it. It is NaN until that is known. */
+        /** When the whole body touches it. */
         public var touchTime:Number = NaN;
 
         /** The contact of the core at <code>time</code>. Its normal always points against the motion. */
@@ -26,8 +26,5 @@ package starlogo.queries.motion
 
         /** Whether no contact showed what is met, so that the normal is just the opposite of the motion. */
         public var isNormalFallback:Boolean = false;
-
-        /** A row that the whole body touches nowhere on the motion; -1 if none is known. */
-        public var clearRow:int = -1;
     }
 }

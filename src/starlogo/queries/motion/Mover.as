@@ -139,6 +139,8 @@ package starlogo.queries.motion
             if (crossed >= 0)
             {
                 out.contact.copyFrom(_planes.contacts[crossed]);
+                // the plane stands for all triangles of the row
+                out.contact.triangle = -1;
                 out.row = _planes.rows[crossed];
                 out.fraction = 0;
             }
@@ -151,13 +153,11 @@ package starlogo.queries.motion
         // Finds the touch of a motion whose core, lifted, has met an impact.
         private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, lift:StartLift, impact:Impact, out:MotionResult):void
         {
-            var begins:Vector3D = _liftedPlace;
-            _sweep.findTouchTime(body, begins, motion, impact);
             out.row = impact.row;
             out.along = impact.along;
             out.contact.copyFrom(impact.contact);
             out.contact.depth = 0;
-            out.corePlace.setTo(begins.x + impact.time * motion.x, begins.y + impact.time * motion.y, begins.z + impact.time * motion.z);
+            out.corePlace.setTo(_liftedPlace.x + impact.time * motion.x, _liftedPlace.y + impact.time * motion.y, _liftedPlace.z + impact.time * motion.z);
             // without the lift the body would have touched earlier
             var time:Number = impact.touchTime + out.contact.along(lift.displacement) / impact.along;
             out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;

@@ -66,7 +66,7 @@ package starlogo.queries.motion
             if (body.core.isFlat && planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                restoreClearance(body, place, -1);
+                restoreClearance(body, place);
             }
             lift.displacement.copyFrom(place);
             lift.displacement.decrementBy(from);
@@ -77,9 +77,8 @@ package starlogo.queries.motion
          * Lifts a body by the clearance off obstacles that it only touches, and a flat body off obstacles that it is close to, if there is room.
          *
          * @param place the place of the body, which changes
-         * @param clearRow one of them that the body is known not to touch at its place; -1 for none
          */
-        public function restoreClearance(body:MovingBody, place:Vector3D, clearRow:int):void
+        public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             begin(place);
             for (var round:int = 0; round < ROUNDS; round++)
@@ -88,7 +87,7 @@ package starlogo.queries.motion
                 for (var i:int = 0; i < body.obstacles.count; i++)
                 {
                     var row:int = body.obstacles.numbers[i];
-                    if ((row == clearRow && round == 0) || !findTouch(body, row, place, _touching))
+                    if (!findTouch(body, row, place, _touching))
                     {
                         continue;
                     }

@@ -24,8 +24,5 @@ package starlogo.queries.motion
 
         /** The other row of that contact; -1 if it has met nothing, or only what showed no contact (Impact.isNormalFallback). */
         public var floorRow:int = -1;
-
-        /** A row that the body is known not to touch at the end; -1 if none is. */
-        public var clearRow:int = -1;
     }
 }

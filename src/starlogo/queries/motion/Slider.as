@@ -53,7 +53,7 @@ package starlogo.queries.motion
             out.fraction = 1;
             out.metWall = false;
             out.floor.setNormal(0, 0, -1);
-            out.floorRow = out.clearRow = -1;
+            out.floorRow = -1;
             body.beginMotion(rows, from, motion);
             if (!_rest.begin(motion, limits))
             {
@@ -67,9 +67,7 @@ package starlogo.queries.motion
             _rest.project();
             for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.length > 0; iterations++)
             {
-                var isMet:Boolean = _sweep.findObstacle(body, place, _rest.motion, _impact);
-                out.clearRow = _impact.clearRow;
-                if (!isMet)
+                if (!_sweep.findObstacle(body, place, _rest.motion, _impact))
                 {
                     _rest.advance(place, 1);
                     break;
@@ -88,7 +86,6 @@ package starlogo.queries.motion
             {
                 _rest.beginCorner();
             }
-            _sweep.findTouchTime(body, place, _rest.motion, impact);
             _rest.advance(place, Math.max(impact.touchTime + body.core.clearance / impact.along, 0));
         }
 

@@ -127,7 +127,7 @@ package starlogo.queries.motion
             var dy:Number = walk.place.y - startY;
             walk.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.pieces * walk.pieceLength)) : 1;
             stands ||= walk.body.hasShape && fall(walk);
-            _recovery.restoreClearance(walk.body, walk.place, -1);
+            _recovery.restoreClearance(walk.body, walk.place);
             return stands;
         }
 

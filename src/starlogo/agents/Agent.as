@@ -719,7 +719,7 @@ package starlogo.agents
         private function requireBreed(value:String):void
         {
             requireName("breed", value);
-            if (Breeds.isOfWorld(Breeds.numberOf(value)) || (_shape != null && isOfWorld))
+            if (value == Breeds.TERRAIN || value == Breeds.EDGE || (_shape != null && isOfWorld))
             {
                 throw new ArgumentError(this + ": breed must not be \"" + value + "\": only the ground and the edges of the world have such a breed, and they keep it");
             }

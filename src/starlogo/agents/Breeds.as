@@ -51,27 +51,41 @@ package starlogo.agents
         {
             if (sNames[sLast] != name)
             {
-                var low:int = 0;
-                var high:int = sOrder.length;
-                while (low < high)
+                sLast = knownNumberOf(name);
+                if (sLast < 0)
                 {
-                    var middle:int = (low + high) >> 1;
-                    if (sNames[sOrder[middle]] < name)
-                    {
-                        low = middle + 1;
-                    }
-                    else
-                    {
-                        high = middle;
-                    }
+                    sLast = sNames.push(name) - 1;
+                    sOrder.splice(placeOf(name), 0, sLast);
                 }
-                if (low == sOrder.length || sNames[sOrder[low]] != name)
-                {
-                    sOrder.splice(low, 0, sNames.push(name) - 1);
-                }
-                sLast = sOrder[low];
             }
             return sLast;
+        }
+
+        /** The number of a name; -1 if it has none yet. */
+        public static function knownNumberOf(name:String):int
+        {
+            var place:int = placeOf(name);
+            return place < sOrder.length && sNames[sOrder[place]] == name ? sOrder[place] : -1;
+        }
+
+        // The number of names that come before a name in sOrder.
+        private static function placeOf(name:String):int
+        {
+            var low:int = 0;
+            var high:int = sOrder.length;
+            while (low < high)
+            {
+                var middle:int = (low + high) >> 1;
+                if (sNames[sOrder[middle]] < name)
+                {
+                    low = middle + 1;
+                }
+                else
+                {
+                    high = middle;
+                }
+            }
+            return low;
         }
 
         /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */

@@ -1,6 +1,7 @@
 package starlogo.agents
 {
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import starlogo.GreatLand;
     import starlogo.blocks.CollisionBlocks;
     import starlogo.blocks.DetectionBlocks;
@@ -13,6 +14,8 @@ package starlogo.agents
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
+    import starlogo.terrain.Terrain;
+    import support.assertThrows;
     import support.landOf;
 
     use namespace engine;
@@ -52,6 +55,20 @@ package starlogo.agents
             agent.breed = "cats";
             assertEquals(_agents[_agents.length - 1].breedNumber, agent.breedNumber);
             assertEquals(count, Breeds.count);
+        }
+
+        [Test]
+        public function aLookUpAddsNoName():void
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            var ground:Agent = new Terrain(2, 2).agent;
+            var count:int = Breeds.count;
+            assertFalse(collision.removeHandler("a breed that nothing has", "nor this", log([])));
+            assertFalse(collision.removeHandler("a breed that nothing has", Collision.ANY_BREED, log([])));
+            assertThrows(ArgumentError, /breed must not be "another that nothing has"/, setBreed, ground, "another that nothing has");
+            assertEquals(count, Breeds.count);
+            assertEquals(-1, Breeds.knownNumberOf("nor this"));
+            assertEquals(_agents[0].breedNumber, Breeds.knownNumberOf(_agents[0].breed));
         }
 
         [Test]
@@ -149,6 +166,11 @@ package starlogo.agents
             collision.update(three);
             assertEquals("both calls of the first pair", 2, cats);
             assertEquals(6, all);
+        }
+
+        private static function setBreed(agent:Agent, breed:String):void
+        {
+            agent.breed = breed;
         }
 
         private static function log(calls:Array):Function

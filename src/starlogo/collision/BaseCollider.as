@@ -51,19 +51,19 @@ package starlogo.collision
         /** @inheritDoc */
         public function get statistics():CollisionStatistics
         {
-            return inside.statistics;
+            return requireSystem().statistics;
         }
 
         /** @inheritDoc */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
-            return inside.areColliding(a, b);
+            return requireSystem().areColliding(a, b);
         }
 
         /** @inheritDoc */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return inside.findCollisions(agents, out);
+            return requireSystem().findCollisions(agents, out);
         }
 
         /**
@@ -144,7 +144,7 @@ package starlogo.collision
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
             foreign.begin(input.agents);
-            var listed:Vector.<Agent> = input.takePart == null ? input.agents : chosen(input.agents, input.takePart);
+            var listed:Vector.<Agent> = input.takePart == null ? input.agents : admitted(input.agents, input.takePart);
             var pairs:FoundPairs = foreign.read(findCollisionsAmong(listed, input.interests, _foundAgents));
             counts.copyFrom(statistics);
             // the system may not count these
@@ -159,8 +159,8 @@ package starlogo.collision
         {
         }
 
-        // The collision system that does the work.
-        private function get inside():CollisionSystem
+        // Returns the collision system that does the work.
+        private function requireSystem():CollisionSystem
         {
             if (_collisionSystem == null)
             {
@@ -170,7 +170,7 @@ package starlogo.collision
             return _collisionSystem;
         }
 
-        private static function chosen(agents:Vector.<Agent>, takePart:Vector.<Boolean>):Vector.<Agent>
+        private static function admitted(agents:Vector.<Agent>, takePart:Vector.<Boolean>):Vector.<Agent>
         {
             return agents.filter(function(agent:Agent, index:int, ...ignored):Boolean
                 {

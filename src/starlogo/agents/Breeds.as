@@ -55,7 +55,7 @@ package starlogo.agents
                 if (sLast < 0)
                 {
                     sLast = sNames.push(name) - 1;
-                    sOrder.splice(placeOf(name), 0, sLast);
+                    sOrder.splice(countBefore(name), 0, sLast);
                 }
             }
             return sLast;
@@ -64,12 +64,12 @@ package starlogo.agents
         /** The number of a name; -1 if it has none yet. */
         public static function knownNumberOf(name:String):int
         {
-            var place:int = placeOf(name);
-            return place < sOrder.length && sNames[sOrder[place]] == name ? sOrder[place] : -1;
+            var index:int = countBefore(name);
+            return index < sOrder.length && sNames[sOrder[index]] == name ? sOrder[index] : -1;
         }
 
-        // The number of names that come before a name in sOrder.
-        private static function placeOf(name:String):int
+        // How many names come before a name in sOrder.
+        private static function countBefore(name:String):int
         {
             var low:int = 0;
             var high:int = sOrder.length;

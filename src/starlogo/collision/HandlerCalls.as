@@ -38,7 +38,7 @@ package starlogo.collision
         private var _areTouchesComplete:Boolean;
 
         // Where the calls are, because they go on from here if a handler throws: the number of touches and pairs whose calls are made, the handlers of
-        // the present one, and how many of these have had their turn. Whether a handler runs.
+        // the present one, and the index of the next of these. Whether a handler runs.
         private var _done:int;
         private var _handlers:PairHandlers;
         private var _next:int;

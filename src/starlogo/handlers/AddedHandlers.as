@@ -53,11 +53,11 @@ package starlogo.handlers
         /**
          * Appends the handlers to a list.
          *
-         * @param end only handlers whose order is less
+         * @param end only handlers whose serial number is less
          */
         public function appendTo(list:Vector.<CollisionHandler>, end:int):void
         {
-            for (var i:int = _removedCount; i < _handlers.length && _handlers[i].order < end; i++)
+            for (var i:int = _removedCount; i < _handlers.length && _handlers[i].serial < end; i++)
             {
                 list.push(_handlers[i]);
             }

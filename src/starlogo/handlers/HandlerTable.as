@@ -106,17 +106,19 @@ package starlogo.handlers
             _calledIndices.clear();
             interests = new BreedInterests();
             kinds = contactKinds = 0;
+            var newNames:Vector.<String> = new Vector.<String>();
             for each (var handler:CollisionHandler in all)
             {
                 enter(handler);
                 interests.addNumbers(handler.breedNumber, handler.otherNumber);
                 kinds |= 1 << handler.kind;
                 contactKinds |= handler.needsContact ? 1 << handler.kind : 0;
-                if (handler.order >= _knownCount)
+                if (handler.serial >= _knownCount)
                 {
-                    warnOfBreeds(new <String>[Breeds.nameOf(handler.breedNumber), Breeds.nameOf(handler.otherNumber)], agents);
+                    newNames.push(Breeds.nameOf(handler.breedNumber), Breeds.nameOf(handler.otherNumber));
                 }
             }
+            warnOfBreeds(newNames, agents);
             _knownCount = _count;
         }
 

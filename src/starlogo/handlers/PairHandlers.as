@@ -38,7 +38,7 @@ package starlogo.handlers
         // By kind, and then by the order in which they were added.
         private static function compare(a:CollisionHandler, b:CollisionHandler):Number
         {
-            return a.kind == b.kind ? a.order - b.order : a.kind - b.kind;
+            return a.kind == b.kind ? a.serial - b.serial : a.kind - b.kind;
         }
     }
 }

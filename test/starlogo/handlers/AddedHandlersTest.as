@@ -107,7 +107,7 @@ package starlogo.handlers
             _handlers.appendTo(found, end);
             var wanted:Array = _expected.filter(function(one:CollisionHandler, index:int, all:Array):Boolean
                 {
-                    return one.order < end;
+                    return one.serial < end;
                 });
             assertEquals(orders(wanted).join(), orders(found).join());
         }
@@ -118,7 +118,7 @@ package starlogo.handlers
             for each (var one:CollisionHandler in list)
             {
                 assertTrue(!one.isRemoved);
-                all.push(one.order);
+                all.push(one.serial);
             }
             return all;
         }

@@ -111,7 +111,8 @@ package starlogo.collision
         private function callAll(errors:Vector.<Error>):void
         {
             var ended:int = _tracker == null ? 0 : _tracker.endedCount;
-            var end:int = ended + (_chosen == null ? _pairs.count : _chosen.count);
+            var pairCount:int = _chosen == null ? _pairs.count : _chosen.count;
+            var end:int = ended + pairCount;
             _done = _next = 0;
             _isCalling = false;
             while (_done < end)

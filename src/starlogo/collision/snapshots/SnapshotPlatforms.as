@@ -86,12 +86,13 @@ package starlogo.collision.snapshots
         /** Lets agents stand on what was read, and the others of the list on nothing. */
         public static function restore(links:Vector.<PlatformLink>, agents:Vector.<Agent>):void
         {
-            for each (var agent:Agent in agents)
+            for (var i:int = 0; i < agents.length; i++)
             {
-                agent.platformLink = null;
+                agents[i].platformLink = null;
             }
-            for each (var link:PlatformLink in links)
+            for (i = 0; i < links.length; i++)
             {
+                var link:PlatformLink = links[i];
                 link.platformRevision = link.platform.revision;
                 link.agent.platformLink = link;
             }

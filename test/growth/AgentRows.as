@@ -10,6 +10,7 @@ package growth
     import starlogo.collision.Contact;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
+    import starlogo.diagnostics.CollisionRecorder;
     import starlogo.models.Model;
     import starlogo.terrain.WorldBounds;
 
@@ -27,6 +28,7 @@ package growth
                     new GrowthRow("agents: handlers of one pair, the first one removed first", "handlers", 100, 200000, beginOnePair(false)),
                     new GrowthRow("agents: handlers of one pair, the last one removed first", "handlers", 100, 8000, beginOnePair(true)).admitted(),
                     new GrowthRow("agents: a handler of a pair added and removed again", "times", 100, 200000, beginAgain),
+                    new GrowthRow("agents: collisions of many breeds, recorded", "breeds", 25, 64000, beginRecorded),
                     new GrowthRow("agents: models", "models", 25, 16000, beginModels),
                     new GrowthRow("agents: a frame", "agents", 100, 200000, beginMoving("ball", false, false)),
                     new GrowthRow("agents: a frame of trees and triangles", "agents", 25, 40000, beginMoving("cube", false, true)),
@@ -44,18 +46,38 @@ package growth
                     new GrowthRow("agents: hierarchies of rows", "vertices", 200, 40000, beginHierarchies)];
         }
 
-        // A handler for each breed, and one frame with an agent of each. The agent of the first breed touches all others.
+        // An agent of each breed. The agent of the first breed is near all others on the ground.
+        private static function agentsOfBreeds(n:int):Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < n; i++)
+            {
+                agents.push(GrowthGame.agentAt("ball", "growth" + i, 2 * i, 0));
+            }
+            agents[0].size = 4 * n;
+            return agents;
+        }
+
+        // The agent of the first breed touches all others.
+        private static function beginRecorded(n:int, row:GrowthRow):Function
+        {
+            var agents:Vector.<Agent> = agentsOfBreeds(n);
+            agents[0].z = -2 * n;
+            return function():Object
+            {
+                var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider());
+                recorder.findCollisions(agents);
+                return recorder;
+            };
+        }
+
+        // A handler for each breed, and one frame with an agent of each.
         private static function beginHandlers(add:Function):Function
         {
             return function(n:int, row:GrowthRow):Function
             {
                 var greatLand:GreatLand = GrowthGame.land();
-                var agents:Vector.<Agent> = new Vector.<Agent>();
-                for (var i:int = 0; i < n; i++)
-                {
-                    agents.push(GrowthGame.agentAt("ball", "growth" + i, 2 * i, 0));
-                }
-                agents[0].size = 4 * n;
+                var agents:Vector.<Agent> = agentsOfBreeds(n);
                 return function():Object
                 {
                     var collision:Collision = new Collision(new BinCollider(greatLand));

@@ -52,13 +52,14 @@ export function $warnOfNames(object, isChanging) {
  * of the breed may still come. So nothing is refused, and a breed is looked for again when there are new names.
  */
 export function $warnOfBreeds(names, agents) {
-	for (const name of names) {
-		if ($checkedBreeds.get(name) >= Breeds.count) continue;
-		const breeds = [...new Set(agents.map((agent) => agent?.breed))].filter((breed) => typeof breed === "string" && !/^\*/.test(breed));
-		if (breeds.length === 0) continue;
-		$checkedBreeds.set(name, breeds.includes(name) ? Infinity : Breeds.count);
-		if (breeds.includes(name)) continue;
-		const meant = breeds.find((breed) => $areSimilar(name, breed));
+	const unchecked = names.filter((name) => !($checkedBreeds.get(name) >= Breeds.count));
+	if (unchecked.length === 0) return;
+	const breeds = new Set(agents.map((agent) => agent?.breed).filter((breed) => typeof breed === "string" && !/^\*/.test(breed)));
+	if (breeds.size === 0) return;
+	for (const name of new Set(unchecked)) {
+		$checkedBreeds.set(name, breeds.has(name) ? Infinity : Breeds.count);
+		if (breeds.has(name)) continue;
+		const meant = [...breeds].find((breed) => $areSimilar(name, breed));
 		const shaped = agents.find((agent) => agent?.shape === name);
 		if (meant === undefined && shaped) $warn(`no agent is of the breed ${JSON.stringify(name)}, which is the shape of ${shaped}: new Agent(${JSON.stringify(name)}, "BREED") gives it a breed`);
 		if (meant !== undefined) $warn(`no agent is of the breed ${JSON.stringify(name)}; is ${JSON.stringify(meant)} meant?`);

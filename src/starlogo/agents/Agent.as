@@ -65,7 +65,7 @@ package starlogo.agents
         // How far a quaternion's length may be from 1 if its numbers are kept as they are.
         private static const NEARLY_UNIT:Number = 1e-6;
 
-        // What has turned an agent. The numbers stand in snapshots.
+        // What has turned an agent: angles, a quaternion, or angles and then a quaternion of the same rotation. The numbers stand in snapshots.
         private static const BY_ANGLES:int = 0;
         private static const BY_QUATERNION:int = 1;
         private static const BY_BOTH:int = 2;
@@ -131,13 +131,13 @@ package starlogo.agents
         private var _heading:Number = 0;
         private var _pitch:Number = 0;
         private var _roll:Number = 0;
-        private var _rotationIsStale:Boolean = false;
-        private var _isTurnedByQuaternion:Boolean = false;
-        private var _anglesAreStale:Boolean = false;
 
-        // The numbers of the last setQuaternion(), and whether they made the rotation.
+        // The numbers of the last setQuaternion(). Null before the first one.
         private var _quaternion:Vector.<Number> = null;
-        private var _hasQuaternion:Boolean = false;
+        private var _turnedBy:int = BY_ANGLES;
+
+        // Whether the rotation has to be computed from the angles, or if a quaternion has turned the agent, the angles from the rotation.
+        private var _isStale:Boolean = false;
 
         /**
          * Creates an agent of size 1 at the origin.
@@ -401,13 +401,23 @@ package starlogo.agents
                 setQuaternion(overX / length, overY / length, overZ / length, overW / length);
                 return;
             }
-            turnBy(overX, overY, overZ, overW);
+            sTurned.setQuaternion(overX / length, overY / length, overZ / length, overW / length);
+            if (!worldPlacement().hasRotationOf(sTurned))
+            {
+                placement.copyRotation(sTurned);
+                _turnedBy = BY_QUATERNION;
+                _isStale = true;
+                countBodyChange();
+            }
+            else if (_turnedBy == BY_ANGLES)
+            {
+                _turnedBy = BY_BOTH;
+            }
             _quaternion ||= new Vector.<Number>(4, true);
             _quaternion[0] = x;
             _quaternion[1] = y;
             _quaternion[2] = z;
             _quaternion[3] = w;
-            _hasQuaternion = true;
         }
 
         /**
@@ -422,7 +432,7 @@ package starlogo.agents
         public function getQuaternion(out:Vector.<Number> = null):Vector.<Number>
         {
             out ||= new Vector.<Number>(4);
-            if (!_hasQuaternion)
+            if (_turnedBy == BY_ANGLES)
             {
                 worldPlacement().readQuaternion(out);
                 return out;
@@ -593,25 +603,25 @@ package starlogo.agents
         /** @private The agent's place in the world. Its rotation is up to date. */
         engine function worldPlacement():Placement
         {
-            if (_rotationIsStale)
+            if (_isStale && _turnedBy == BY_ANGLES)
             {
                 placement.setRotation(_heading, _pitch, _roll);
-                _rotationIsStale = false;
+                _isStale = false;
             }
             return placement;
         }
 
-        /** @private Writes what has turned the agent: angles, a quaternion, or angles and then a quaternion of the same rotation. */
+        /** @private Writes what has turned the agent, and by how much. */
         engine function writeTurn(bytes:ByteArray):void
         {
-            bytes.writeByte(_isTurnedByQuaternion ? BY_QUATERNION : (_hasQuaternion ? BY_BOTH : BY_ANGLES));
-            if (!_isTurnedByQuaternion)
+            bytes.writeByte(_turnedBy);
+            if (_turnedBy != BY_QUATERNION)
             {
                 bytes.writeDouble(_heading);
                 bytes.writeDouble(_pitch);
                 bytes.writeDouble(_roll);
             }
-            for (var i:int = 0; _hasQuaternion && i < 4; i++)
+            for (var i:int = 0; _turnedBy != BY_ANGLES && i < 4; i++)
             {
                 bytes.writeDouble(_quaternion[i]);
             }
@@ -629,19 +639,21 @@ package starlogo.agents
             {
                 throw new RangeError(this + ": there is no turn of kind " + by);
             }
-            _hasQuaternion = false;
             if (by != BY_QUATERNION)
             {
                 turnTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
+                // the angles may have been these, and a quaternion of the same rotation
+                _turnedBy = BY_ANGLES;
             }
             if (by != BY_ANGLES)
             {
                 setQuaternion(bytes.readDouble(), bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
             }
-            if (by == BY_QUATERNION && !_isTurnedByQuaternion)
+            if (by == BY_QUATERNION && _turnedBy != BY_QUATERNION)
             {
                 // the angles happen to make the same rotation
-                _isTurnedByQuaternion = _anglesAreStale = true;
+                _turnedBy = BY_QUATERNION;
+                _isStale = true;
             }
         }
 
@@ -653,42 +665,28 @@ package starlogo.agents
                 requireFinite("pitch", pitch);
                 requireFinite("roll", roll);
             }
-            if (heading == _heading && pitch == _pitch && roll == _roll && !_isTurnedByQuaternion)
+            if (heading == _heading && pitch == _pitch && roll == _roll && _turnedBy != BY_QUATERNION)
             {
                 return;
             }
-            _isTurnedByQuaternion = _hasQuaternion = _anglesAreStale = false;
+            _turnedBy = BY_ANGLES;
             _heading = heading;
             _pitch = pitch;
             _roll = roll;
-            _rotationIsStale = true;
+            _isStale = true;
             countBodyChange();
-        }
-
-        // Turns the agent by a quaternion of any length except 0.
-        private function turnBy(x:Number, y:Number, z:Number, w:Number):void
-        {
-            var length:Number = Math.sqrt(x * x + y * y + z * z + w * w);
-            sTurned.setQuaternion(x / length, y / length, z / length, w / length);
-            if (!worldPlacement().hasRotationOf(sTurned))
-            {
-                placement.copyRotation(sTurned);
-                _isTurnedByQuaternion = true;
-                _anglesAreStale = true;
-                countBodyChange();
-            }
         }
 
         // It takes three arctangents, and most games that turn by quaternions never read the angles. So they are computed only when needed.
         private function findAngles():void
         {
-            if (_anglesAreStale)
+            if (_isStale && _turnedBy == BY_QUATERNION)
             {
                 placement.readAngles(sAngles);
                 _heading = sAngles.z;
                 _pitch = sAngles.y;
                 _roll = sAngles.x;
-                _anglesAreStale = false;
+                _isStale = false;
             }
         }
 
@@ -719,7 +717,7 @@ package starlogo.agents
         private function requireBreed(value:String):void
         {
             requireName("breed", value);
-            if (Breeds.isOfWorld(Breeds.numberOf(value)) || (_shape != null && isOfWorld))
+            if (value == Breeds.TERRAIN || value == Breeds.EDGE || (_shape != null && isOfWorld))
             {
                 throw new ArgumentError(this + ": breed must not be \"" + value + "\": only the ground and the edges of the world have such a breed, and they keep it");
             }

@@ -51,25 +51,25 @@ package starlogo.agents
         {
             if (sNames[sLast] != name)
             {
-                var place:int = placeOf(name);
-                if (!isAt(place, name))
+                sLast = knownNumberOf(name);
+                if (sLast < 0)
                 {
-                    sOrder.splice(place, 0, sNames.push(name) - 1);
+                    sLast = sNames.push(name) - 1;
+                    sOrder.splice(countBefore(name), 0, sLast);
                 }
-                sLast = sOrder[place];
             }
             return sLast;
         }
 
-        /** The number of a name, or -1 if it has none, because no agent and no handler has named it. It gets none by this. */
-        public static function find(name:String):int
+        /** The number of a name; -1 if it has none yet. */
+        public static function knownNumberOf(name:String):int
         {
-            var place:int = placeOf(name);
-            return isAt(place, name) ? sOrder[place] : -1;
+            var index:int = countBefore(name);
+            return index < sOrder.length && sNames[sOrder[index]] == name ? sOrder[index] : -1;
         }
 
-        // The number of names that come before a name.
-        private static function placeOf(name:String):int
+        // How many names come before a name in sOrder.
+        private static function countBefore(name:String):int
         {
             var low:int = 0;
             var high:int = sOrder.length;
@@ -86,11 +86,6 @@ package starlogo.agents
                 }
             }
             return low;
-        }
-
-        private static function isAt(place:int, name:String):Boolean
-        {
-            return place < sOrder.length && sNames[sOrder[place]] == name;
         }
 
         /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */

@@ -25,7 +25,7 @@ package starlogo.away3d
      */
     public final class Away3dAgentBinding
     {
-        private static var sTurn:SwappedRotation = new SwappedRotation();
+        private static var sRotation:SwappedRotation = new SwappedRotation();
         private static var sTraits:Vector.<Number> = new Vector.<Number>(12, true);
 
         private var _agent:Agent;
@@ -84,8 +84,8 @@ package starlogo.away3d
             var drawn:Object3D = _object;
             var scale:Number = _agent.size / _width;
             var pivot:Vector3D = drawn.pivotPoint;
-            var turn:SwappedRotation = sTurn;
-            var angles:Vector3D = turn.setAngles(_agent.heading, _agent.pitch, _agent.roll);
+            var rotation:SwappedRotation = sRotation;
+            var angles:Vector3D = rotation.setAngles(_agent.heading, _agent.pitch, _agent.roll);
             // unlike moveTo, rotateTo always causes the matrix to be computed again
             if (differ(angles.x, drawn.rotationX) || differ(angles.y, drawn.rotationY) || differ(angles.z, drawn.rotationZ))
             {
@@ -93,7 +93,7 @@ package starlogo.away3d
             }
             drawn.scaleX = drawn.scaleY = drawn.scaleZ = scale;
             // y and z are swapped, because it turns in the agent's space
-            var offset:Vector3D = turn.turn(scale * _origin.x - pivot.x, scale * _origin.z - pivot.z, scale * _origin.y - pivot.y);
+            var offset:Vector3D = rotation.turn(scale * _origin.x - pivot.x, scale * _origin.z - pivot.z, scale * _origin.y - pivot.y);
             drawn.moveTo(_agent.x - pivot.x - offset.x, _agent.z - pivot.y - offset.z, _agent.y - pivot.z - offset.y);
             remember();
         }
@@ -115,9 +115,9 @@ package starlogo.away3d
             var pivot:Vector3D = drawn.pivotPoint;
             var scale:Number = drawn.scaleX;
             checkScale();
-            var turn:SwappedRotation = sTurn;
-            var angles:Vector3D = turn.setAngles(drawn.rotationZ, drawn.rotationY, drawn.rotationX);
-            var offset:Vector3D = turn.turn(scale * _origin.x - pivot.x, scale * _origin.y - pivot.y, scale * _origin.z - pivot.z);
+            var rotation:SwappedRotation = sRotation;
+            var angles:Vector3D = rotation.setAngles(drawn.rotationZ, drawn.rotationY, drawn.rotationX);
+            var offset:Vector3D = rotation.turn(scale * _origin.x - pivot.x, scale * _origin.y - pivot.y, scale * _origin.z - pivot.z);
             var x:Number = drawn.x + pivot.x + offset.x;
             var y:Number = drawn.z + pivot.z + offset.z;
             var z:Number = drawn.y + pivot.y + offset.y;

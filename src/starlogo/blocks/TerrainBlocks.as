@@ -73,10 +73,7 @@ package starlogo.blocks
         public function buildWall(agent:Agent, height:Number):void
         {
             BlockSubject.checkAgent("build wall", agent);
-            raise("build wall", height, function(ground:Terrain):void
-                {
-                    ground.raiseWall(agent.x, agent.y, height);
-                });
+            raiseAt("build wall", agent.x, agent.y, height);
         }
 
         /**
@@ -90,14 +87,20 @@ package starlogo.blocks
         public function buildMound(agent:Agent, width:Number, height:Number):void
         {
             BlockSubject.checkAgent("build mound", agent);
-            raise("build mound", height, function(ground:Terrain):void
-                {
-                    if (!(width > 0 && width < Infinity))
-                    {
-                        throw new BlockError("build mound", "needs a width of more than 0, but got " + width + ".");
-                    }
-                    ground.raiseMound(agent.x, agent.y, width, height);
-                });
+            var ground:Terrain = groundOf("build mound");
+            BlockSubject.checkNumber("build mound", height, "the height");
+            if (!(width > 0 && width < Infinity))
+            {
+                throw new BlockError("build mound", "needs a width of more than 0, but got " + width + ".");
+            }
+            try
+            {
+                ground.raiseMound(agent.x, agent.y, width, height);
+            }
+            catch (error:RangeError)
+            {
+                throw cannotBuild("build mound", error);
+            }
         }
 
         /**
@@ -111,14 +114,7 @@ package starlogo.blocks
          */
         public function raiseGround(x:Number, y:Number, height:Number):void
         {
-            raise("raise the ground", height, function(ground:Terrain):void
-                {
-                    if (!isFinite(x) || !isFinite(y))
-                    {
-                        throw new BlockError("raise the ground", "needs numbers for the place, but got (" + x + ", " + y + ").");
-                    }
-                    ground.raiseWall(x, y, height);
-                });
+            raiseAt("raise the ground", x, y, height);
         }
 
         /**
@@ -271,19 +267,27 @@ package starlogo.blocks
             return bounds == null ? null : _collisions.pushOut(agent, bounds.agent);
         }
 
-        // Calls a function that raises the ground.
-        private function raise(block:String, height:Number, change:Function):void
+        private function raiseAt(block:String, x:Number, y:Number, height:Number):void
         {
             var ground:Terrain = groundOf(block);
             BlockSubject.checkNumber(block, height, "the height");
+            if (!isFinite(x) || !isFinite(y))
+            {
+                throw new BlockError(block, "needs numbers for the place, but got (" + x + ", " + y + ").");
+            }
             try
             {
-                change(ground);
+                ground.raiseWall(x, y, height);
             }
             catch (error:RangeError)
             {
-                throw new BlockError(block, "cannot build here: " + error.message + ".");
+                throw cannotBuild(block, error);
             }
+        }
+
+        private static function cannotBuild(block:String, error:RangeError):BlockError
+        {
+            return new BlockError(block, "cannot build here: " + error.message + ".");
         }
 
         private function groundOf(block:String):Terrain

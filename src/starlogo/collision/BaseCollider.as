@@ -51,19 +51,19 @@ package starlogo.collision
         /** @inheritDoc */
         public function get statistics():CollisionStatistics
         {
-            return inside.statistics;
+            return requireSystem().statistics;
         }
 
         /** @inheritDoc */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
-            return inside.areColliding(a, b);
+            return requireSystem().areColliding(a, b);
         }
 
         /** @inheritDoc */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return inside.findCollisions(agents, out);
+            return requireSystem().findCollisions(agents, out);
         }
 
         /**
@@ -159,8 +159,8 @@ package starlogo.collision
         {
         }
 
-        // The collision system that does the work.
-        private function get inside():CollisionSystem
+        // Returns the collision system that does the work.
+        private function requireSystem():CollisionSystem
         {
             if (_collisionSystem == null)
             {

@@ -40,7 +40,7 @@ package starlogo.collision
      * paintball at its first touch by removing it from the list.</p>
      *
      * <p>In a pair, the handlers of the agent that is first in the list run first: those for starts, then the others, each in the order in which they
-     * were added. The two agents' breeds count as they are when the pair's turn comes.</p>
+     * were added. The two agents' breeds count as they are when the calls of the pair begin.</p>
      * <p>Any number of Collisions may share agents. A handler of one Collision may update another. But each Collision needs a collider of its own,
      * because a collider keeps the agents' positions of the last frame. The time for the calls is in proportion to the number of agents and
      * calls. If a handler removes an agent from the list, or gives it another place in it, this costs one search of the list.</p>
@@ -278,36 +278,12 @@ package starlogo.collision
             requireGiven("agents", agents);
             var start:Number = getTimer();
             _handlerErrors.length = 0;
-            // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
-            var touches:TouchTracker = _touches;
-            var world:Vector.<WorldAgent> = findWorld();
-            var predicate:AgentPredicate = filter;
-            _handlers.begin(agents);
             var collider:Collider = system.innerCollider;
             _updatingSystem = system;
             try
             {
-                _input.setTo(agents, _handlers.interests, world);
-                if (predicate != null)
-                {
-                    _input.askFilter(predicate);
-                }
-                // the filter may have called reset(), which forgets the frames before this one
-                var lastFrame:LastFrame = _lastFrame;
-                lastFrame.hasFailed = true;
-                if (collider != null)
-                {
-                    collider.beginFrame();
-                }
-                var pairs:FoundPairs = system.findPairs(_input, _foreign, _statistics);
-                lastFrame.keep(_input.agents, system.equivalentCollider);
-                if (collider != null)
-                {
-                    collider.holdFrame();
-                }
-                _calls.make(pairs, system, _handlers, touches, agents, _handlerErrors);
-                lastFrame.hasFailed = false;
+                runFrame(agents, system, collider);
             }
             finally
             {
@@ -344,14 +320,14 @@ package starlogo.collision
          */
         public function snapshot(withTraits:Boolean = false, withGround:Boolean = true):ByteArray
         {
-            requireSearch("snapshot");
+            requireEngineSystem("snapshot");
             if (_lastFrame.hasFailed)
             {
                 throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
             }
             var searched:Collider = _lastFrame.collider || _system.equivalentCollider;
             return _snapshots.write(_touches, searched.search.table, _lastFrame.agents, _lastFrame.collider == _system.equivalentCollider,
-                    kindOfSystem(), findWorld(), withTraits, withGround);
+                    kindOfSystem(), presentWorld(), withTraits, withGround);
         }
 
         /**
@@ -368,11 +344,11 @@ package starlogo.collision
          */
         public function restore(bytes:ByteArray, agents:Vector.<Agent>):void
         {
-            requireSearch("restore");
+            requireEngineSystem("restore");
             requireGiven("bytes", bytes);
             requireGiven("agents", agents);
             var collider:Collider = _system.equivalentCollider;
-            _touches = _snapshots.read(bytes, agents, collider.search, kindOfSystem(), findWorld());
+            _touches = _snapshots.read(bytes, agents, collider.search, kindOfSystem(), presentWorld());
             collider.takeContactsFromFrame();
             _lastFrame.keep(agents, collider);
             _lastFrame.hasFailed = false;
@@ -396,6 +372,33 @@ package starlogo.collision
             terrain = value;
         }
 
+        // Finds the pairs of a frame, and calls their handlers. What the filter or a handler exchanges counts from the next frame on.
+        private function runFrame(agents:Vector.<Agent>, system:BaseCollider, collider:Collider):void
+        {
+            var touches:TouchTracker = _touches;
+            _handlers.begin(agents);
+            _input.setTo(agents, _handlers.interests, presentWorld());
+            if (filter != null)
+            {
+                _input.askFilter(filter);
+            }
+            // the filter may have called reset(), which forgets the frames before this one
+            var lastFrame:LastFrame = _lastFrame;
+            lastFrame.hasFailed = true;
+            if (collider != null)
+            {
+                collider.beginFrame();
+            }
+            var pairs:FoundPairs = system.findPairs(_input, _foreign, _statistics);
+            lastFrame.keep(_input.agents, system.equivalentCollider);
+            if (collider != null)
+            {
+                collider.holdFrame();
+            }
+            _calls.make(pairs, system, _handlers, touches, agents, _handlerErrors);
+            lastFrame.hasFailed = false;
+        }
+
         // Lets another Collision have a system's collider, unless this one still needs it.
         private function release(system:BaseCollider):void
         {
@@ -414,7 +417,7 @@ package starlogo.collision
             }
         }
 
-        private function requireSearch(what:String):void
+        private function requireEngineSystem(what:String):void
         {
             requireIdle(what);
             if (_system.equivalentCollider == null)
@@ -429,7 +432,7 @@ package starlogo.collision
         }
 
         // The agents of the ground and of the edges as they are now.
-        private function findWorld():Vector.<WorldAgent>
+        private function presentWorld():Vector.<WorldAgent>
         {
             _world[ListedAgents.GROUND_ROW] = terrain == null ? null : terrain.worldAgent;
             _world[ListedAgents.EDGES_ROW] = bounds == null ? null : bounds.worldAgent;

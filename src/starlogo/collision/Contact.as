@@ -67,6 +67,16 @@ package starlogo.collision
             depth = from.depth;
         }
 
+        /** @private Takes the values of another contact. */
+        engine function copyFrom(other:Contact):void
+        {
+            time = other.time;
+            point.copyFrom(other.point);
+            normal.copyFrom(other.normal);
+            depth = other.depth;
+            approachSpeed = other.approachSpeed;
+        }
+
         /** @private Sets a contact half way between two agents, along the line from one to the other. */
         engine function setBetween(collider:Agent, collidee:Agent):void
         {

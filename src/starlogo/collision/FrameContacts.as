@@ -1,6 +1,9 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /** The contacts of a frame's pairs, for the pairs whose handlers take contacts. */
     internal final class FrameContacts
@@ -44,7 +47,7 @@ package starlogo.collision
          * Returns the contact of a pair, in an object that the next call overwrites. If a handler has changed a breed, the contact may not be
          * known yet. The collision system then computes it as the frame has seen the two agents.
          *
-         * @param pair the number of the pair, from 0
+         * @param pair the index of the pair
          * @param first the first agent of the pair
          * @param second the second agent
          * @param isBack whether the second agent is the collider
@@ -55,12 +58,7 @@ package starlogo.collision
             {
                 find(pair, first, second);
             }
-            var known:Contact = _contacts[pair];
-            _given.time = known.time;
-            _given.depth = known.depth;
-            _given.approachSpeed = known.approachSpeed;
-            _given.point.copyFrom(known.point);
-            _given.normal.copyFrom(known.normal);
+            _given.copyFrom(_contacts[pair]);
             if (isBack)
             {
                 _given.normal.negate();

@@ -10,10 +10,9 @@ package starlogo.collision
         private var _agents:Vector.<Agent> = null;
         private var _pairs:FoundPairs = null;
 
-        // Whether the list had its length, and each agent that was asked for its index. From the first change on, _indices has, by row, the last
-        // known index, or -1 once the agent was missing.
-        private var _isUnchanged:Boolean = true;
+        // By row: the last known index, or -1 once the agent was missing. Before an agent was found elsewhere, the ranks are the indices.
         private var _indices:Vector.<int> = new Vector.<int>();
+        private var _isUnchanged:Boolean = true;
 
         /**
          * Begins a frame.
@@ -38,36 +37,22 @@ package starlogo.collision
         /** Whether both agents of a pair are in the list. The ground and the edges of the world always are. */
         public function hasBoth(pair:int):Boolean
         {
-            var firstRow:int = _pairs.rows[2 * pair];
-            var secondRow:int = _pairs.rows[2 * pair + 1];
-            var agents:Vector.<Agent> = _agents;
-            var byRow:Vector.<Agent> = _pairs.list.agents;
-            var ranks:Vector.<int> = _pairs.list.ranks;
-            var isOfWorld:Boolean = secondRow < ListedAgents.FIRST_LISTED;
-            if (_isUnchanged)
-            {
-                if (agents.length == _pairs.list.rows.count && agents[ranks[firstRow]] === byRow[firstRow]
-                        && (isOfWorld || agents[ranks[secondRow]] === byRow[secondRow]))
-                {
-                    return true;
-                }
-                _isUnchanged = false;
-                for (var row:int = 0; row < ranks.length; row++)
-                {
-                    _indices[row] = ranks[row];
-                }
-            }
-            return has(firstRow) && (isOfWorld || has(secondRow));
+            return findRow(_pairs.rows[2 * pair]) && findRow(_pairs.rows[2 * pair + 1]);
         }
 
-        // Once an agent was missing, it stays away for the rest of the frame. When agents are removed, others move towards the start of the
-        // list, so an agent is looked for there first.
-        private function has(row:int):Boolean
+        // Finds the agent of a row, and notes where it is. Once it was missing, it stays away for the rest of the frame. When agents are removed,
+        // others move towards the start of the list, so an agent is looked for there first.
+        private function findRow(row:int):Boolean
         {
+            if (row < ListedAgents.FIRST_LISTED)
+            {
+                return true;
+            }
             var agent:Agent = _pairs.list.agents[row];
-            var index:int = _indices[row];
+            var index:int = _isUnchanged ? _pairs.list.ranks[row] : _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {
+                copyRanks();
                 index = _agents.lastIndexOf(agent, index);
                 if (index < 0)
                 {
@@ -76,6 +61,16 @@ package starlogo.collision
                 _indices[row] = index;
             }
             return index >= 0;
+        }
+
+        private function copyRanks():void
+        {
+            var ranks:Vector.<int> = _pairs.list.ranks;
+            for (var row:int = 0; _isUnchanged && row < ranks.length; row++)
+            {
+                _indices[row] = ranks[row];
+            }
+            _isUnchanged = false;
         }
     }
 }

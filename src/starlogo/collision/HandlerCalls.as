@@ -37,14 +37,12 @@ package starlogo.collision
         private var _chosen:NumberList;
         private var _areTouchesComplete:Boolean;
 
-        // The index of the ended touch, or of the pair's turn, that is being called. Its handlers, and the index of the next one. After an error the
-        // calls go on from here.
-        private var _step:int;
+        // Where the calls are, because they go on from here if a handler throws: the number of touches and pairs whose calls are made, the handlers of
+        // the present one, and the index of the next of these. Whether a handler runs.
+        private var _done:int;
         private var _handlers:PairHandlers;
         private var _next:int;
-
-        // Whether a handler runs. An error of a handler leaves it true.
-        private var _isCalling:Boolean = false;
+        private var _isCalling:Boolean;
 
         /**
          * Makes the calls of a frame. Call <code>end()</code> afterwards.
@@ -76,10 +74,9 @@ package starlogo.collision
             {
                 _tracker = tracker;
                 tracker.begin(pairs, compared, table);
-                callAll(true, tracker.endedCount, errors);
                 _chosen = (table.kinds & EACH_FRAME) == 0 ? compared : null;
             }
-            callAll(false, _chosen == null ? pairs.count : _chosen.count, errors);
+            callAll(errors);
         }
 
         /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */
@@ -109,25 +106,28 @@ package starlogo.collision
             }
         }
 
-        // Makes the calls for all ended touches, or for all pairs. The try is here and not around each call, because a method with a try makes an
-        // object for each of its calls in Adobe's VM, and takes longer than most handlers.
-        private function callAll(areEnded:Boolean, end:int, errors:Vector.<Error>):void
+        // Makes all calls: for the touches that have ended, then for the pairs. The try is here and not around each call, because a method with a try
+        // makes an object for each of its calls in Adobe's VM, and takes longer than most handlers.
+        private function callAll(errors:Vector.<Error>):void
         {
-            _step = _next = 0;
-            while (_step < end)
+            var ended:int = _tracker == null ? 0 : _tracker.endedCount;
+            var pairCount:int = _chosen == null ? _pairs.count : _chosen.count;
+            var end:int = ended + pairCount;
+            _done = _next = 0;
+            _isCalling = false;
+            while (_done < end)
             {
-                _isCalling = false;
                 try
                 {
-                    for (; _step < end; _step++)
+                    for (; _done < end; _done++)
                     {
-                        if (areEnded)
+                        if (_done < ended)
                         {
-                            endTouch(_tracker.endedAt(_step));
+                            callForEnded(_tracker.endedAt(_done));
                         }
                         else
                         {
-                            takePair(_chosen == null ? _step : _chosen.numbers[_step]);
+                            callForPair(_chosen == null ? _done - ended : _chosen.numbers[_done - ended]);
                         }
                         _next = 0;
                     }
@@ -148,11 +148,12 @@ package starlogo.collision
                 _areTouchesComplete = false;
                 throw error;
             }
+            _isCalling = false;
             errors.push(nameBreeds(error is Error ? error : new Error(String(error)), _handlers.handlers[_next - 1]));
         }
 
         // The handlers belong to the breeds that the two agents had when the touch began.
-        private function endTouch(touch:Touch):void
+        private function callForEnded(touch:Touch):void
         {
             if (_next == 0)
             {
@@ -161,7 +162,8 @@ package starlogo.collision
             callHandlers(NO_PAIR, touch.first, touch.second, 1 << CollisionHandler.END, touch.isBothWays ? _handlers.handlers.length : _handlers.forwardCount);
         }
 
-        private function takePair(pair:int):void
+        // The handlers belong to the breeds that the two agents have before the first of them is called.
+        private function callForPair(pair:int):void
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
@@ -190,7 +192,18 @@ package starlogo.collision
             }
         }
 
-        // Calls the handlers of two agents from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
+        // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
+        private function touchOf(pair:int):Touch
+        {
+            var touch:Touch = _tracker.touchAt(_pairs, pair);
+            if (touch == null && _list.hasBoth(pair))
+            {
+                touch = _tracker.touchOrStartAt(_pairs, pair);
+            }
+            return touch;
+        }
+
+        // Calls the handlers of the kinds from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
         // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
         private function callHandlers(pair:int, first:Agent, second:Agent, kinds:int, end:int):void
         {
@@ -204,40 +217,33 @@ package starlogo.collision
                 {
                     return;
                 }
+                var isBack:Boolean = _next >= forwardCount;
                 _next++;
-                if (!isMeant || handler.isRemoved)
+                if (isMeant && !handler.isRemoved)
                 {
-                    continue;
+                    call(handler, pair, first, second, isBack);
                 }
-                var isBack:Boolean = _next > forwardCount;
-                var collider:Agent = isBack ? second : first;
-                var collidee:Agent = isBack ? first : second;
-                var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, first, second, isBack) : null;
-                // a local, so that the handler is not called as a method of its CollisionHandler
-                var toCall:Function = handler.callback;
-                count++;
-                _isCalling = true;
-                if (handler.takesContact)
-                {
-                    toCall(collider, collidee, contact);
-                }
-                else
-                {
-                    toCall(collider, collidee);
-                }
-                _isCalling = false;
             }
         }
 
-        // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
-        private function touchOf(pair:int):Touch
+        private function call(handler:CollisionHandler, pair:int, first:Agent, second:Agent, isBack:Boolean):void
         {
-            var touch:Touch = _tracker.touchAt(_pairs, pair);
-            if (touch == null && _list.hasBoth(pair))
+            var collider:Agent = isBack ? second : first;
+            var collidee:Agent = isBack ? first : second;
+            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, first, second, isBack) : null;
+            // a local, so that the handler is not called as a method of its CollisionHandler
+            var toCall:Function = handler.callback;
+            count++;
+            _isCalling = true;
+            if (handler.takesContact)
             {
-                touch = _tracker.touchOrStartAt(_pairs, pair);
+                toCall(collider, collidee, contact);
             }
-            return touch;
+            else
+            {
+                toCall(collider, collidee);
+            }
+            _isCalling = false;
         }
     }
 }

@@ -6,6 +6,7 @@ package starlogo.diagnostics
     import starlogo.collision.Collider;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
+    import starlogo.data.HashTable;
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
@@ -35,8 +36,11 @@ package starlogo.diagnostics
         private var _system:BaseCollider;
         private var _frames:int = 0;
         private var _all:Tally = new Tally();
+
+        // A tally for each pair of breeds, and its index by their numbers, the lesser first.
         private var _pairs:Vector.<Tally> = new Vector.<Tally>();
-        private var _lastPair:Tally;
+        private var _indices:HashTable = new HashTable();
+
         private var _findTimes:FrameTimes = new FrameTimes();
         private var _frameTimes:FrameTimes = new FrameTimes();
 
@@ -129,7 +133,7 @@ package starlogo.diagnostics
             _frames = 0;
             _all = new Tally();
             _pairs.length = 0;
-            _lastPair = null;
+            _indices.clear();
             _findTimes.clear();
             _frameTimes.clear();
         }
@@ -169,13 +173,15 @@ package starlogo.diagnostics
 
         private function countPair(a:Agent, b:Agent):void
         {
-            var tally:Tally = _lastPair;
-            // in most cases the same pair of breeds as before
-            if (tally == null || tally.breed != a.breed || tally.otherBreed != b.breed)
+            var lesser:int = Math.min(a.breedNumber, b.breedNumber);
+            var greater:int = Math.max(a.breedNumber, b.breedNumber);
+            var index:int = _indices.valueOf(lesser, greater);
+            if (index < 0)
             {
-                tally = _lastPair = pairOf(a.breed, b.breed);
+                index = _pairs.push(new Tally(a.breed, b.breed)) - 1;
+                _indices.set (lesser, greater, index);
             }
-            tally.inFrame++;
+            _pairs[index].inFrame++;
         }
 
         private function endFrame(collisions:int):void
@@ -187,20 +193,6 @@ package starlogo.diagnostics
             {
                 _pairs[i].endFrame();
             }
-        }
-
-        private function pairOf(breed:String, otherBreed:String):Tally
-        {
-            for each (var pair:Tally in _pairs)
-            {
-                if ((pair.breed == breed && pair.otherBreed == otherBreed) || (pair.breed == otherBreed && pair.otherBreed == breed))
-                {
-                    return pair;
-                }
-            }
-            pair = new Tally(breed, otherBreed);
-            _pairs.push(pair);
-            return pair;
         }
     }
 }

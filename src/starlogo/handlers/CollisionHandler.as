@@ -39,17 +39,17 @@ package starlogo.handlers
         /** Whether it takes a contact, or may read one: see mayTakeContact. */
         public var takesContact:Boolean;
 
-        /** Its number among the handlers of a Collision, in the order in which they were added. */
-        public var order:int;
+        /** How many handlers of the Collision were added before it. */
+        public var serial:int;
 
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */
         public var isRemoved:Boolean = false;
 
-        public function CollisionHandler(kind:int, breed:String, otherBreed:String, callback:Function, order:int)
+        public function CollisionHandler(kind:int, breed:String, otherBreed:String, callback:Function, serial:int)
         {
             this.kind = kind;
             this.callback = callback;
-            this.order = order;
+            this.serial = serial;
             breedNumber = BreedInterests.numberOfName(breed);
             otherNumber = BreedInterests.numberOfName(otherBreed);
             takesContact = mayTakeContact(callback);

@@ -1,5 +1,6 @@
-// This room keeps a game's handlers, and the touches that begin and end. HandlerTable finds the handlers of two breeds (PairHandlers);
-// TouchTracker knows since which frame two agents touch (Touch). Read this file first, then HandlerCalls in the room collision, which calls them.
+// This room keeps a game's handlers, and the touches that begin and end. HandlerTable takes what a game adds (AddedHandlers), and finds what a
+// frame calls for two breeds (PairHandlers); TouchTracker knows since which frame two agents touch (Touch). Read this file first, then
+// HandlerCalls in the room collision, which calls them.
 package starlogo.handlers
 {
     import starlogo.agents.Agent;
@@ -21,7 +22,7 @@ package starlogo.handlers
      */
     public final class HandlerTable
     {
-        /** The pairs of breeds that have handlers. */
+        /** The pairs of breeds that have handlers. Each frame after a change of the handlers has another object. */
         public var interests:BreedInterests = new BreedInterests();
 
         /** The kinds of the handlers: a bit for each kind, 1 << kind. */
@@ -30,16 +31,19 @@ package starlogo.handlers
         /** The kinds of the handlers that take the contact of a touch. */
         public var contactKinds:int = 0;
 
-        // An entry for each two breeds that have handlers, or that have met, and its index.
-        private var _all:Vector.<PairHandlers> = new Vector.<PairHandlers>();
-        private var _indices:HashTable = new HashTable();
+        // The added handlers, and by the numbers of the collider's breed and of the collidee's: their index.
+        private var _added:Vector.<AddedHandlers> = new Vector.<AddedHandlers>();
+        private var _addedIndices:HashTable = new HashTable();
 
-        // The handlers that came after the last frame began, and whether one was removed since then. How many were ever added, and how many of
-        // them the frame knows.
-        private var _added:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
-        private var _isOneRemoved:Boolean = false;
+        // What the frame calls for breeds that have met, and its index by their numbers.
+        private var _called:Vector.<PairHandlers> = new Vector.<PairHandlers>();
+        private var _calledIndices:HashTable = new HashTable();
+
+        // How many handlers were ever added, and how many of these the frame calls if they are not removed. Whether any has come or gone since the
+        // frame began.
         private var _count:int = 0;
         private var _knownCount:int = 0;
+        private var _hasChanged:Boolean = false;
 
         /**
          * Adds a handler of a kind.
@@ -52,6 +56,7 @@ package starlogo.handlers
             requireParameters(breed, otherBreed, callback, kind);
             enter(new CollisionHandler(kind, breed, otherBreed, callback, _count));
             _count++;
+            _hasChanged = true;
         }
 
         /** See Collision.removeHandler. */
@@ -63,25 +68,20 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            var index:int = _indices.valueOf(findBreed(breed), findBreed(otherBreed));
-            var removed:CollisionHandler = index < 0 ? null : _all[index].find(callback, kind == null ? PairHandlers.ANY_KIND : wanted);
-            if (removed == null)
-            {
-                return false;
-            }
-            _isOneRemoved = true;
-            _all[index].remove(removed, _knownCount);
-            return true;
+            var entry:AddedHandlers = addedFor(knownNumberOf(breed), knownNumberOf(otherBreed));
+            var isRemoved:Boolean = entry != null && entry.remove(callback, wanted);
+            _hasChanged ||= isRemoved;
+            return isRemoved;
         }
 
         /** Removes all handlers. */
         public function clear():void
         {
-            for each (var entry:PairHandlers in _all)
+            for each (var entry:AddedHandlers in _added)
             {
-                entry.removeAll(_knownCount);
+                entry.clear();
             }
-            _isOneRemoved = true;
+            _hasChanged = true;
         }
 
         /**
@@ -91,74 +91,58 @@ package starlogo.handlers
          */
         public function begin(agents:Vector.<Agent>):void
         {
-            if (_isOneRemoved)
-            {
-                startAgain();
-            }
-            if (_added.length == 0)
+            if (!_hasChanged)
             {
                 return;
             }
-            for each (var handler:CollisionHandler in _added)
+            _hasChanged = false;
+            var all:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+            for each (var entry:AddedHandlers in _added)
             {
+                entry.appendTo(all, _count);
+            }
+            _added.length = _called.length = 0;
+            _addedIndices.clear();
+            _calledIndices.clear();
+            interests = new BreedInterests();
+            kinds = contactKinds = 0;
+            var newNames:Vector.<String> = new Vector.<String>();
+            for each (var handler:CollisionHandler in all)
+            {
+                enter(handler);
                 interests.addNumbers(handler.breedNumber, handler.otherNumber);
-                warnOfBreeds(new <String>[Breeds.nameOf(handler.breedNumber), Breeds.nameOf(handler.otherNumber)], agents);
                 kinds |= 1 << handler.kind;
                 contactKinds |= handler.needsContact ? 1 << handler.kind : 0;
+                if (handler.serial >= _knownCount)
+                {
+                    newNames.push(Breeds.nameOf(handler.breedNumber), Breeds.nameOf(handler.otherNumber));
+                }
             }
-            _added.length = 0;
+            warnOfBreeds(newNames, agents);
             _knownCount = _count;
         }
 
         /**
-         * Returns the handlers of two breeds. They are empty if the two have no handlers.
+         * Returns what the frame calls for two breeds. It is empty if the two have no handlers.
          *
          * @param breed the number of the first agent's breed
          * @param otherBreed the number of the second agent's breed
          */
         public function handlersOf(breed:int, otherBreed:int):PairHandlers
         {
-            var index:int = _indices.valueOf(breed, otherBreed);
-            var found:PairHandlers = index < 0 ? entryOf(breed, otherBreed) : _all[index];
-            return found.knownCount == _knownCount ? found : refresh(found);
+            var index:int = _calledIndices.valueOf(breed, otherBreed);
+            if (index < 0)
+            {
+                index = _called.push(new PairHandlers(between(breed, otherBreed), between(otherBreed, breed))) - 1;
+                _calledIndices.set (breed, otherBreed, index);
+            }
+            return _called[index];
         }
 
         /** Returns the handlers of the breeds that the agents of a found pair have now. */
         public function handlersOfPair(pairs:FoundPairs, pair:int):PairHandlers
         {
             return handlersOf(pairs.firstOf(pair).breedNumber, pairs.secondOf(pair).breedNumber);
-        }
-
-        // Finds the handlers of an entry, as they were when the frame began.
-        private function refresh(entry:PairHandlers):PairHandlers
-        {
-            entry.setHandlers(between(entry.breed, entry.otherBreed), between(entry.otherBreed, entry.breed));
-            entry.knownCount = _knownCount;
-            return entry;
-        }
-
-        // The handlers whose collider is of the first breed and whose collidee is of the second, in the order of their calls.
-        private function between(breed:int, otherBreed:int):Vector.<CollisionHandler>
-        {
-            var found:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
-            for each (var number:int in breed > Breeds.ANY ? [breed, Breeds.ANY] : [breed])
-            {
-                for each (var other:int in otherBreed > Breeds.ANY ? [otherBreed, Breeds.ANY] : [otherBreed])
-                {
-                    var index:int = _indices.valueOf(number, other);
-                    for each (var handler:CollisionHandler in index < 0 ? null : _all[index].added)
-                    {
-                        if (handler.order < _knownCount)
-                        {
-                            found.push(handler);
-                        }
-                    }
-                }
-            }
-            return found.sort(function(a:CollisionHandler, b:CollisionHandler):Number
-                {
-                    return a.kind == b.kind ? a.order - b.order : a.kind - b.kind;
-                });
         }
 
         /** The breeds that handlers of the last frame name, and that none of these agents has. */
@@ -182,49 +166,44 @@ package starlogo.handlers
 
         private function enter(handler:CollisionHandler):void
         {
-            _added.push(handler);
-            entryOf(handler.breedNumber, handler.otherNumber).added.push(handler);
+            var entry:AddedHandlers = addedFor(handler.breedNumber, handler.otherNumber);
+            if (entry == null)
+            {
+                entry = new AddedHandlers();
+                _addedIndices.set (handler.breedNumber, handler.otherNumber, _added.push(entry) - 1);
+            }
+            entry.add(handler);
         }
 
-        // Begins an empty table with the handlers that are not removed.
-        private function startAgain():void
+        // The handlers that the frame calls if an agent of the first breed, as the collider, meets one of the second.
+        private function between(breed:int, otherBreed:int):Vector.<CollisionHandler>
         {
-            var before:Vector.<PairHandlers> = _all;
-            _all = new Vector.<PairHandlers>();
-            _indices.clear();
-            // another object, because its revision begins again: KeptPairs compares both
-            interests = new BreedInterests();
-            kinds = contactKinds = 0;
-            _isOneRemoved = false;
-            _added.length = 0;
-            for each (var entry:PairHandlers in before)
+            var found:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+            for each (var number:int in breed > Breeds.ANY ? [breed, Breeds.ANY] : [breed])
             {
-                for each (var handler:CollisionHandler in entry.added)
+                for each (var other:int in otherBreed > Breeds.ANY ? [otherBreed, Breeds.ANY] : [otherBreed])
                 {
-                    if (!handler.isRemoved)
+                    var entry:AddedHandlers = addedFor(number, other);
+                    if (entry != null)
                     {
-                        enter(handler);
+                        entry.appendTo(found, _knownCount);
                     }
                 }
             }
+            return found;
         }
 
-        // The entry of two breeds. A new one has no handlers yet.
-        private function entryOf(breed:int, otherBreed:int):PairHandlers
+        // The handlers that were added for two breeds, by their numbers; null if there are none.
+        private function addedFor(breed:int, otherBreed:int):AddedHandlers
         {
-            var index:int = _indices.valueOf(breed, otherBreed);
-            if (index < 0)
-            {
-                index = _all.push(new PairHandlers(breed, otherBreed)) - 1;
-                _indices.set (breed, otherBreed, index);
-            }
-            return _all[index];
+            var index:int = _addedIndices.valueOf(breed, otherBreed);
+            return index < 0 ? null : _added[index];
         }
 
-        // The number of a breed, Breeds.ANY for ANY_BREED, or -1 for an unknown breed, which has no handlers.
-        private static function findBreed(name:String):int
+        // The number of a breed's name, or of ANY_BREED; -1 if it has none yet.
+        private static function knownNumberOf(breed:String):int
         {
-            return name == BreedInterests.ANY_BREED ? Breeds.ANY : Breeds.find(name);
+            return breed == BreedInterests.ANY_BREED ? Breeds.ANY : Breeds.knownNumberOf(breed);
         }
 
         private static function require(breed:String, otherBreed:String, callback:Function):void

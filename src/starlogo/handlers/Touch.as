@@ -28,7 +28,7 @@ package starlogo.handlers
         public var seenIn:int;
 
         /** How many touches began before it. */
-        public var order:Number;
+        public var serial:Number;
 
         /** Its index among the tracker's touches. */
         public var index:int;

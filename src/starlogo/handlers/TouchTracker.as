@@ -31,7 +31,7 @@ package starlogo.handlers
         // By index: all touches that there are, and objects for later ones.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
 
-        // By the numbers of two agents, the lesser first: the index of their touch.
+        // By the ids of two agents, the lesser first: the index of their touch.
         private var _indices:HashTable = new HashTable();
 
         // The indices of the objects for later touches.
@@ -66,22 +66,11 @@ package starlogo.handlers
             forgetEnded();
             if (compared == null)
             {
-                pairs.clearTouches();
+                compareAll(pairs, table);
             }
-            var end:int = compared == null ? pairs.count : compared.count;
-            for (var i:int = 0; i < end; i++)
+            else
             {
-                var pair:int = compared == null ? i : compared.numbers[i];
-                if (table.handlersOfPair(pairs, pair).tracksTouches)
-                {
-                    renew(pairs, pair);
-                }
-            }
-            end = compared == null ? _all.length : pairs.droppedTouches.count;
-            for (i = 0; i < end; i++)
-            {
-                var open:int = compared == null ? i : pairs.droppedTouches.numbers[i];
-                endUnlessSeen(_all[open]);
+                compareSome(pairs, compared, table);
             }
             _ended.sortFirst(_ended.count);
         }
@@ -152,7 +141,7 @@ package starlogo.handlers
             {
                 if (_all[i].first != null)
                 {
-                    order.add(i, _all[i].order);
+                    order.add(i, _all[i].serial);
                 }
             }
             order.sortFirst(order.count);
@@ -162,6 +151,32 @@ package starlogo.handlers
                 ordered.push(_all[order.numbers[i]]);
             }
             return ordered;
+        }
+
+        private function compareAll(pairs:FoundPairs, table:HandlerTable):void
+        {
+            pairs.clearTouches();
+            for (var pair:int = 0; pair < pairs.count; pair++)
+            {
+                renew(pairs, pair, table);
+            }
+            for (var index:int = 0; index < _all.length; index++)
+            {
+                endUnlessSeen(_all[index]);
+            }
+        }
+
+        private function compareSome(pairs:FoundPairs, added:NumberList, table:HandlerTable):void
+        {
+            for (var i:int = 0; i < added.count; i++)
+            {
+                renew(pairs, added.numbers[i], table);
+            }
+            var dropped:NumberList = pairs.droppedTouches;
+            for (i = 0; i < dropped.count; i++)
+            {
+                endUnlessSeen(_all[dropped.numbers[i]]);
+            }
         }
 
         private function newTouch():Touch
@@ -178,16 +193,16 @@ package starlogo.handlers
                 touch.index = _all.push(touch) - 1;
             }
             touch.beganIn = touch.seenIn = frame;
-            touch.order = _begun;
+            touch.serial = _begun;
             _begun++;
             return touch;
         }
 
-        // Lets the touch of two agents go on, if there is one. It does not if the breeds have changed, or if handlers were called for the first
-        // agent only.
-        private function renew(pairs:FoundPairs, pair:int):void
+        // Lets the touch of a pair go on, if there is one. It does not go on if the two have no handlers for starts or ends, if a breed has changed, or
+        // if handlers were called for the first agent only.
+        private function renew(pairs:FoundPairs, pair:int, table:HandlerTable):void
         {
-            var index:int = indexOf(pairs.firstOf(pair), pairs.secondOf(pair));
+            var index:int = table.handlersOfPair(pairs, pair).tracksTouches ? indexOf(pairs.firstOf(pair), pairs.secondOf(pair)) : -1;
             if (index < 0)
             {
                 return;
@@ -207,7 +222,7 @@ package starlogo.handlers
             {
                 _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
                 count--;
-                _ended.add(touch.index, touch.order);
+                _ended.add(touch.index, touch.serial);
             }
         }
 

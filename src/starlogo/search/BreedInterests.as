@@ -67,7 +67,7 @@ package starlogo.search
          */
         public function indexOf(breed:String):int
         {
-            var number:int = Breeds.find(breed);
+            var number:int = Breeds.knownNumberOf(breed);
             // no pair names an unknown breed
             return representativeOf(number < 0 ? Breeds.ANY : number);
         }

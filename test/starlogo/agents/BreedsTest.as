@@ -15,6 +15,8 @@ package starlogo.agents
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.search.BreedInterests;
+    import starlogo.terrain.Terrain;
+    import support.assertThrows;
     import support.landOf;
 
     use namespace engine;
@@ -75,6 +77,20 @@ package starlogo.agents
             assertEquals(0, queries.countNear(_agents[0], Infinity, AgentFilter.ofBreeds("unknown to questions")));
             assertEquals(_agents.length - 1, queries.countNear(_agents[0], Infinity, filter));
             assertEquals(count, Breeds.count);
+        }
+
+        [Test]
+        public function aLookUpAddsNoName():void
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            var ground:Agent = new Terrain(2, 2).agent;
+            var count:int = Breeds.count;
+            assertFalse(collision.removeHandler("a breed that nothing has", "nor this", log([])));
+            assertFalse(collision.removeHandler("a breed that nothing has", Collision.ANY_BREED, log([])));
+            assertThrows(ArgumentError, /breed must not be "another that nothing has"/, setBreed, ground, "another that nothing has");
+            assertEquals(count, Breeds.count);
+            assertEquals(-1, Breeds.knownNumberOf("nor this"));
+            assertEquals(_agents[0].breedNumber, Breeds.knownNumberOf(_agents[0].breed));
         }
 
         [Test]
@@ -172,6 +188,11 @@ package starlogo.agents
             collision.update(three);
             assertEquals("both calls of the first pair", 2, cats);
             assertEquals(6, all);
+        }
+
+        private static function setBreed(agent:Agent, breed:String):void
+        {
+            agent.breed = breed;
         }
 
         private static function log(calls:Array):Function

@@ -5,7 +5,7 @@ package starlogo.collision.snapshots
     import starlogo.ground.HeightGrid;
 
     /**
-     * Writes and reads the ground in a snapshot. The bytes are: the number of columns; the number of rows; the width of a cell; its place; whether
+     * The surface of the ground in a snapshot. The bytes are: the number of columns; the number of rows; the width of a cell; its place; whether
      * the surface is columns; then the heights; then the holes, a bit for each, as numbers of 32 bits. After a number of 0 comes the count of numbers
      * that are 0 from there on, and only the first of them is written.
      *
@@ -13,8 +13,9 @@ package starlogo.collision.snapshots
      */
     internal final class SnapshotGround
     {
-        // The number of bytes before the surface.
-        private static const HEAD:int = 4 + 4 + 3 * 8;
+        private var _isBlocky:Boolean;
+        private var _heights:Vector.<Number>;
+        private var _holes:Vector.<Number>;
 
         /** Writes a ground. */
         public static function write(bytes:ByteArray, grid:HeightGrid):void
@@ -36,12 +37,13 @@ package starlogo.collision.snapshots
         }
 
         /**
-         * Passes over the bytes of a ground. Returns whether they are one.
+         * Reads the surface of a ground. Returns null if the bytes are none.
          *
+         * @param grid the ground that may take it
          * @throws ArgumentError if they are a ground of other cells
          * @throws EOFError if they are cut off
          */
-        public static function passOver(bytes:ByteArray, grid:HeightGrid):Boolean
+        public static function read(bytes:ByteArray, grid:HeightGrid):SnapshotGround
         {
             var columns:int = bytes.readInt();
             var rows:int = bytes.readInt();
@@ -53,24 +55,26 @@ package starlogo.collision.snapshots
                 throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights from (" + x + ", " + y
                         + ") on, in cells " + cellWidth + " wide");
             }
-            return bytes.readUnsignedByte() <= 1 && readNumbers(bytes, columns * rows, false) != null
-                && readNumbers(bytes, countHoleNumbers(grid), true) != null;
+            var flag:int = bytes.readUnsignedByte();
+            var ground:SnapshotGround = new SnapshotGround();
+            ground._isBlocky = flag == 1;
+            ground._heights = readNumbers(bytes, columns * rows, false);
+            ground._holes = ground._heights == null ? null : readNumbers(bytes, countHoleNumbers(grid), true);
+            return flag > 1 || ground._holes == null ? null : ground;
         }
 
-        /** Gives a ground the surface that was written. */
-        public static function restore(bytes:ByteArray, grid:HeightGrid):void
+        /** Gives a ground the surface that was read. */
+        public function restore(grid:HeightGrid):void
         {
-            bytes.position += HEAD;
-            grid.isBlocky = bytes.readBoolean();
-            grid.heights = readNumbers(bytes, grid.columns * grid.rows, false);
+            grid.isBlocky = _isBlocky;
+            grid.heights = _heights;
             grid.holes = null;
-            var numbers:Vector.<Number> = readNumbers(bytes, countHoleNumbers(grid), true);
-            for (var i:int = 0; i < numbers.length; i++)
+            for (var i:int = 0; i < _holes.length; i++)
             {
-                if (numbers[i] != 0)
+                if (_holes[i] != 0)
                 {
-                    grid.holes ||= new Vector.<int>(numbers.length, true);
-                    grid.holes[i] = numbers[i];
+                    grid.holes ||= new Vector.<int>(_holes.length, true);
+                    grid.holes[i] = _holes[i];
                 }
             }
             grid.updateBounds(0, 0, grid.columns - 1, grid.rows - 1);

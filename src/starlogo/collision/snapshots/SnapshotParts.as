@@ -1,29 +1,27 @@
 package starlogo.collision.snapshots
 {
+    import starlogo.agents.PlatformLink;
     import starlogo.handlers.TouchTracker;
 
-    /** What is in a snapshot that is read, and where its parts begin. A record. */
+    /** What was read of a snapshot: all but the traits of agents, which are not known to be right before an agent has taken them. A record. */
     internal final class SnapshotParts
     {
-        /** What is in it, as in Snapshots. */
-        public var contents:int = 0;
+        /** Whether traits follow. */
+        public var hasTraits:Boolean = false;
 
         /** The names. */
         public var names:SnapshotNames = new SnapshotNames();
 
+        /** The places of the agents. */
+        public var places:SnapshotPlaces = null;
+
         /** The touching pairs. */
-        public var touches:TouchTracker = new TouchTracker();
+        public var touches:TouchTracker = null;
 
-        /** Where the places begin. */
-        public var placesAt:uint = 0;
+        /** What agents stand on. */
+        public var platforms:Vector.<PlatformLink> = null;
 
-        /** Where begins what agents stand on. */
-        public var platformsAt:uint = 0;
-
-        /** Where the heights of the ground begin. */
-        public var groundAt:uint = 0;
-
-        /** Where the traits begin. */
-        public var traitsAt:uint = 0;
+        /** The heights of the ground, or null. */
+        public var ground:SnapshotGround = null;
     }
 }

@@ -3,17 +3,25 @@ package starlogo.collision.snapshots
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.isInWorld;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.RowPlaces;
 
     use namespace engine;
 
     /**
-     * Writes and reads the part of a snapshot that belongs to a table: the place of each agent in the last search, and whether the agent's
-     * motion begins there.
+     * The part of a snapshot that belongs to a table: the place of each agent in the last search, and whether the agent's motion begins there.
+     *
+     * @private
      */
     internal final class SnapshotPlaces
     {
+        /** The number of bytes for each agent. */
+        public static const SIZE:int = 1 + 3 * 8;
+
+        private var _places:Vector.<Number> = new Vector.<Number>();
+        private var _haveMotions:Vector.<Boolean> = new Vector.<Boolean>();
+
         /**
          * Writes the places.
          *
@@ -34,22 +42,38 @@ package starlogo.collision.snapshots
             }
         }
 
+        /** Reads the places of this number of agents. Returns null if the bytes are none. @throws EOFError if they are cut off */
+        public static function read(bytes:ByteArray, count:int):SnapshotPlaces
+        {
+            var found:SnapshotPlaces = new SnapshotPlaces();
+            for (var i:int = 0; i < count; i++)
+            {
+                var flag:int = bytes.readUnsignedByte();
+                var x:Number = bytes.readDouble();
+                var y:Number = bytes.readDouble();
+                var z:Number = bytes.readDouble();
+                if (flag > 1 || !isInWorld(x, y, z))
+                {
+                    return null;
+                }
+                found._haveMotions.push(flag == 1);
+                found._places.push(x, y, z);
+            }
+            return found;
+        }
+
         /**
-         * Reads a list of agents into a table as if the last search had seen them at the places that were written.
+         * Reads a list of agents into a table as if the last search had seen them at these places.
          *
-         * @param bytes written for the same number of agents
+         * @param list as many agents
          * @throws ArgumentError as <code>AgentTable.read()</code> does
          */
-        public static function restore(bytes:ByteArray, list:Vector.<Agent>, table:AgentTable):void
+        public function restore(list:Vector.<Agent>, table:AgentTable):void
         {
             table.read(list);
             for (var i:int = 0; i < list.length; i++)
             {
-                var hasMotion:Boolean = bytes.readBoolean();
-                var x:Number = bytes.readDouble();
-                var y:Number = bytes.readDouble();
-                var z:Number = bytes.readDouble();
-                table.setLastPlace(table.list.rows.numbers[i], x, y, z, hasMotion);
+                table.setLastPlace(table.list.rows.numbers[i], _places[3 * i], _places[3 * i + 1], _places[3 * i + 2], _haveMotions[i]);
             }
         }
     }

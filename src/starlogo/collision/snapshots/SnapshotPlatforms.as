@@ -54,45 +54,47 @@ package starlogo.collision.snapshots
             bytes.position = bytes.length;
         }
 
-        /** Passes over the bytes of what this number of agents stand on. Returns whether they are that. @throws EOFError if they are cut off */
-        public static function passOver(bytes:ByteArray, agents:int):Boolean
+        /** Reads what agents stand on. Returns null if the bytes are not that. @throws EOFError if they are cut off */
+        public static function read(bytes:ByteArray, agents:Vector.<Agent>):Vector.<PlatformLink>
         {
             var left:uint = bytes.readUnsignedInt();
-            if (left > agents || left * SIZE > bytes.bytesAvailable)
+            if (left > agents.length || left * SIZE > bytes.bytesAvailable)
             {
-                return false;
+                return null;
             }
+            var links:Vector.<PlatformLink> = new Vector.<PlatformLink>();
             for (; left > 0; left--)
             {
                 var walker:uint = bytes.readUnsignedInt();
                 var on:uint = bytes.readUnsignedInt();
-                var isValid:Boolean = walker < agents && on < agents && walker != on && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
-                if (!isValid || !readPlacement(bytes, new Placement()))
+                if (walker >= agents.length || on >= agents.length || walker == on)
                 {
-                    return false;
+                    return null;
                 }
+                var link:PlatformLink = new PlatformLink(agents[walker]);
+                link.platform = agents[on];
+                link.place.setTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
+                if (!isInWorld(link.place.x, link.place.y, link.place.z) || !readPlacement(bytes, link.platformPlace))
+                {
+                    return null;
+                }
+                links.push(link);
             }
-            return true;
+            return links;
         }
 
-        /** Lets agents stand as they stood when it was written. */
-        public static function restore(bytes:ByteArray, agents:Vector.<Agent>):void
+        /** Lets agents stand on what was read, and the others of the list on nothing. */
+        public static function restore(links:Vector.<PlatformLink>, agents:Vector.<Agent>):void
         {
             for (var i:int = 0; i < agents.length; i++)
             {
-                if (agents[i].platformLink != null)
-                {
-                    agents[i].platformLink.platform = null;
-                }
+                agents[i].platformLink = null;
             }
-            for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
+            for (i = 0; i < links.length; i++)
             {
-                var walker:Agent = agents[bytes.readUnsignedInt()];
-                var link:PlatformLink = walker.platformLink ||= new PlatformLink(walker);
-                link.platform = agents[bytes.readUnsignedInt()];
+                var link:PlatformLink = links[i];
                 link.platformRevision = link.platform.revision;
-                link.place.setTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
-                readPlacement(bytes, link.platformPlace);
+                link.agent.platformLink = link;
             }
         }
 

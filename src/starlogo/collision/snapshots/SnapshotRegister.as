@@ -20,7 +20,10 @@ package starlogo.collision.snapshots
         private static const MOST_IDS:int = 65536;
         private static const NAMED:int = 10;
 
-        // What an entry begins with: the hash, the number of bytes, and Agent.createdCount at that time. The ids follow.
+        // What an entry begins with. The ids of the agents follow.
+        private static const HASH:int = 0;
+        private static const LENGTH:int = 1;
+        private static const CREATED_COUNT:int = 2;
         private static const HEAD:int = 3;
 
         // The entries, the oldest first, and how many numbers they have together.
@@ -53,17 +56,15 @@ package starlogo.collision.snapshots
         {
             var hash:int = hashOf(bytes);
             var known:Vector.<int> = null;
-            var other:int = -1;
             for (var i:int = _entries.length - 1; i >= 0; i--)
             {
                 var entry:Vector.<int> = _entries[i];
-                if (entry[0] == hash && entry[1] == bytes.length && entry.length == HEAD + count)
+                if (entry[HASH] == hash && entry[LENGTH] == bytes.length && entry.length == HEAD + count)
                 {
                     known = entry;
-                    other = count == agents.length ? firstOther(entry, agents) : -1;
-                    if (other < 0)
+                    if (count == agents.length && firstOther(entry, agents) < 0)
                     {
-                        break;
+                        return;
                     }
                 }
             }
@@ -71,8 +72,9 @@ package starlogo.collision.snapshots
             {
                 throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents, but of " + wanted(count, known));
             }
-            if (other >= 0)
+            if (known != null)
             {
+                var other:int = firstOther(known, agents);
                 throw new ArgumentError("bytes are no snapshot of these " + count + " agents, but of " + wanted(count, known) + "; at place " + other
                         + " the list has " + agents[other]);
             }
@@ -85,9 +87,9 @@ package starlogo.collision.snapshots
             var other:int = -1;
             for (var i:int = agents.length - 1; i >= 0; i--)
             {
-                var number:int = agents[i].idNumber;
-                areNew = areNew && number > entry[2];
-                other = number == entry[HEAD + i] ? other : i;
+                var id:int = agents[i].idNumber;
+                areNew = areNew && id > entry[CREATED_COUNT];
+                other = id == entry[HEAD + i] ? other : i;
             }
             return areNew ? -1 : other;
         }

@@ -33,7 +33,6 @@ package starlogo.collision.snapshots
     {
         // "SLF5"
         private static const MARK:uint = 0x534C4635;
-        private static const BYTES_PER_AGENT:int = 25;
 
         // What is in a snapshot, as a sum: traits; whether there was ground; the ground's heights.
         private static const HAS_TRAITS:int = 1;
@@ -120,7 +119,7 @@ package starlogo.collision.snapshots
             var parts:SnapshotParts = new SnapshotParts();
             try
             {
-                checkAll(copy, agents, system, world, parts);
+                readParts(copy, agents, system, world, parts);
             }
             catch (error:Error)
             {
@@ -129,31 +128,28 @@ package starlogo.collision.snapshots
                 throw error;
             }
             restoreAgents(copy, agents, search, parts);
-            copy.position = parts.platformsAt;
-            SnapshotPlatforms.restore(copy, agents);
-            if ((parts.contents & HAS_HEIGHTS) != 0)
+            SnapshotPlatforms.restore(parts.platforms, agents);
+            if (parts.ground != null)
             {
-                copy.position = parts.groundAt;
-                SnapshotGround.restore(copy, world[ListedAgents.GROUND_ROW].beginChange());
+                parts.ground.restore(world[ListedAgents.GROUND_ROW].beginChange());
             }
             return parts.touches;
         }
 
-        // Puts the agents back: their traits, if these are in the snapshot, and their places in the last frame. If that fails, the agents have the
-        // traits that they had before.
+        // Puts the agents back: their traits, which the bytes have next if they are in the snapshot, and their places in the last frame. If that
+        // fails, the agents have the traits that they had before.
         private function restoreAgents(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, parts:SnapshotParts):void
         {
             var namesBefore:SnapshotNames = new SnapshotNames();
             var before:ByteArray = newBytes();
             try
             {
-                if ((parts.contents & HAS_TRAITS) != 0)
+                if (parts.hasTraits)
                 {
                     SnapshotTraits.write(before, agents, namesBefore);
-                    readTraits(bytes, agents, parts);
+                    readTraits(bytes, agents, parts.names);
                 }
-                bytes.position = parts.placesAt;
-                SnapshotPlaces.restore(bytes, agents, search.table);
+                parts.places.restore(agents, search.table);
                 search.forgetSearch();
             }
             catch (error:Error)
@@ -167,12 +163,11 @@ package starlogo.collision.snapshots
             }
         }
 
-        private static function readTraits(bytes:ByteArray, agents:Vector.<Agent>, parts:SnapshotParts):void
+        private static function readTraits(bytes:ByteArray, agents:Vector.<Agent>, names:SnapshotNames):void
         {
-            bytes.position = parts.traitsAt;
             try
             {
-                SnapshotTraits.restore(bytes, agents, parts.names);
+                SnapshotTraits.restore(bytes, agents, names);
             }
             catch (error:Error)
             {
@@ -209,11 +204,10 @@ package starlogo.collision.snapshots
             return index;
         }
 
-        // Checks all parts but the traits, finds where they begin, and reads the touching pairs. The last argument receives what it has found.
-        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, system:int, world:Vector.<WorldAgent>,
-                parts:SnapshotParts):void
+        // Reads and checks all parts but the traits. If there are traits, they are next.
+        private function readParts(bytes:ByteArray, agents:Vector.<Agent>, system:int, world:Vector.<WorldAgent>, parts:SnapshotParts):void
         {
-            var contents:int = parts.contents = bytes.readUnsignedByte();
+            var contents:int = bytes.readUnsignedByte();
             var writtenBy:int = contents / SYSTEM;
             check(writtenBy < SYSTEMS.length && (contents & (HAS_GROUND | HAS_HEIGHTS)) != HAS_HEIGHTS);
             if (writtenBy != system)
@@ -221,20 +215,15 @@ package starlogo.collision.snapshots
                 throw new ArgumentError("bytes are no snapshot of a Collision with " + SYSTEMS[system] + ": that one had " + SYSTEMS[writtenBy]);
             }
             var count:uint = bytes.readUnsignedInt();
-            check(count <= bytes.bytesAvailable / BYTES_PER_AGENT);
+            check(count <= bytes.bytesAvailable / SnapshotPlaces.SIZE);
             _register.check(bytes, count, agents);
             parts.names.read(bytes);
-            parts.placesAt = bytes.position;
-            for (var i:int = 0; i < count; i++)
-            {
-                check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
-            }
+            parts.places = SnapshotPlaces.read(bytes, count);
+            check(parts.places != null);
+            parts.touches = readTouches(bytes, agents, world, parts.names);
+            parts.platforms = SnapshotPlatforms.read(bytes, agents);
+            check(parts.platforms != null);
             var ground:WorldAgent = world[ListedAgents.GROUND_ROW];
-            var partners:Vector.<Agent> = agents.concat();
-            partners.push(ground, world[ListedAgents.EDGES_ROW]);
-            readTouches(bytes, partners.concat(_former), count, parts);
-            parts.platformsAt = bytes.position;
-            check(SnapshotPlatforms.passOver(bytes, count));
             var hasGround:Boolean = (contents & HAS_GROUND) != 0;
             if (hasGround != (ground != null))
             {
@@ -243,33 +232,37 @@ package starlogo.collision.snapshots
             }
             if ((contents & HAS_HEIGHTS) != 0)
             {
-                parts.groundAt = bytes.position;
-                check(SnapshotGround.passOver(bytes, ground.surface.grid));
+                parts.ground = SnapshotGround.read(bytes, ground.surface.grid);
+                check(parts.ground != null);
             }
-            parts.traitsAt = bytes.position;
-            check((contents & HAS_TRAITS) != 0 || parts.traitsAt == bytes.length);
+            parts.hasTraits = (contents & HAS_TRAITS) != 0;
+            check(parts.hasTraits || bytes.position == bytes.length);
         }
 
-        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, count:int, parts:SnapshotParts):void
+        private function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<WorldAgent>, names:SnapshotNames):TouchTracker
         {
+            var partners:Vector.<Agent> = agents.concat();
+            partners.push(world[ListedAgents.GROUND_ROW], world[ListedAgents.EDGES_ROW], _former[ListedAgents.GROUND_ROW], _former[ListedAgents.EDGES_ROW]);
+            var touches:TouchTracker = new TouchTracker();
             var pairs:uint = bytes.readUnsignedInt();
             for (var left:uint = pairs; left > 0; left--)
             {
                 var first:uint = bytes.readUnsignedInt();
                 var second:uint = bytes.readUnsignedInt();
-                var firstBreed:int = Breeds.numberOf(parts.names.nameAt(bytes.readUnsignedInt()));
-                var secondBreed:int = Breeds.numberOf(parts.names.nameAt(bytes.readUnsignedInt()));
+                var firstBreed:int = Breeds.numberOf(names.nameAt(bytes.readUnsignedInt()));
+                var secondBreed:int = Breeds.numberOf(names.nameAt(bytes.readUnsignedInt()));
                 var flag:int = bytes.readUnsignedByte();
-                check(first < count && second < agents.length && first != second && flag <= 1);
-                if (agents[second] == null)
+                check(first < agents.length && second < partners.length && first != second && flag <= 1);
+                if (partners[second] == null)
                 {
-                    var missing:String = second == count ? "ground" : "bounds";
+                    var missing:String = second == agents.length ? "ground" : "bounds";
                     throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
                 }
-                parts.touches.touchOrStart(agents[first], agents[second], firstBreed, secondBreed, flag == 1);
+                touches.touchOrStart(agents[first], partners[second], firstBreed, secondBreed, flag == 1);
             }
             // each pair is there once
-            check(parts.touches.count == pairs);
+            check(touches.count == pairs);
+            return touches;
         }
 
         private static function check(isSnapshot:Boolean):void

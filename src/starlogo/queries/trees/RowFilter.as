@@ -82,7 +82,7 @@ package starlogo.queries.trees
             var found:int = 0;
             for (var i:int = 0; i < names.length; i++)
             {
-                var breed:int = names[i] == null ? -1 : Breeds.find(names[i]);
+                var breed:int = names[i] == null ? -1 : Breeds.knownNumberOf(names[i]);
                 if (breed >= 0)
                 {
                     found |= RowTree.breedBit(breed);

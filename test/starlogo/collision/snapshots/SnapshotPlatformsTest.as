@@ -1,14 +1,16 @@
 package starlogo.collision.snapshots
 {
     import flash.utils.ByteArray;
-    import org.flexunit.asserts.assertFalse;
-    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.asserts.assertNotNull;
+    import org.flexunit.asserts.assertNull;
     import starlogo.agents.Agent;
 
     /** A snapshot's standings: each number that no game can have is refused. */
     public class SnapshotPlatformsTest
     {
         private static const AGENTS:int = 2;
+
+        private var _agents:Vector.<Agent> = new <Agent>[new Agent("sphere"), new Agent("cube")];
 
         // Where the parts of a standing are: the number of standings, two indices, two places, a size, a rotation.
         private static const WALKER:int = 4;
@@ -21,10 +23,10 @@ package starlogo.collision.snapshots
         [Test]
         public function takesWhatAgentsCanHave():void
         {
-            assertTrue(SnapshotPlatforms.passOver(standing(), AGENTS));
+            assertNotNull(SnapshotPlatforms.read(standing(), _agents));
             for each (var size:Number in [Agent.SMALLEST_SIZE, 1, Agent.LARGEST_SIZE])
             {
-                assertTrue("size " + size, SnapshotPlatforms.passOver(standing(SIZE, size), AGENTS));
+                assertNotNull("size " + size, SnapshotPlatforms.read(standing(SIZE, size), _agents));
             }
         }
 
@@ -38,7 +40,7 @@ package starlogo.collision.snapshots
             {
                 for each (var value:Number in each[1])
                 {
-                    assertFalse("at " + each[0] + ": " + value, SnapshotPlatforms.passOver(standing(each[0], value), AGENTS));
+                    assertNull("at " + each[0] + ": " + value, SnapshotPlatforms.read(standing(each[0], value), _agents));
                 }
             }
         }
@@ -52,7 +54,7 @@ package starlogo.collision.snapshots
                 bytes.position = each[0];
                 bytes.writeInt(each[1]);
                 bytes.position = 0;
-                assertFalse("at " + each[0] + ": " + each[1], SnapshotPlatforms.passOver(bytes, AGENTS));
+                assertNull("at " + each[0] + ": " + each[1], SnapshotPlatforms.read(bytes, _agents));
             }
         }
 

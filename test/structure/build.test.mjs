@@ -40,6 +40,9 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 	assert.equal(status, 3);
 	assert.doesNotMatch(stdout.split('Total time: 8 seconds\n')[0], /BUILD FAILED|more than one/);
 	assert.equal(stdout.split('Total time: 8 seconds\n')[1], '\nFAILED ATest.is: 1, not 2\ncompc (Flex):\n/c/src/A.as: Error: more than one definition\n');
+	const ofExec = ['BUILD FAILED', '/a/build/module.xml:9: exec returned: 1', '', 'Total time: 8 seconds'];
+	assert.equal(runAnt(['FAILED ATest.is: 1, not 2', '', ...ofExec], 1).stdout.split('seconds\n')[1], '\nFAILED ATest.is: 1, not 2\n');
+	assert.equal(runAnt(ofExec, 1).stdout.split('seconds\n')[1], '\nexec returned: 1\n');
 	const good = runAnt(['BUILD SUCCESSFUL', 'Total time: 8 seconds'], 0);
 	assert.equal(good.status, 0);
 	assert.equal(good.stdout, 'BUILD SUCCESSFUL\nTotal time: 8 seconds\n');

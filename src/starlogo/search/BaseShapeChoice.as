@@ -103,8 +103,9 @@ package starlogo.search
             }
             if (!greatLand.isLoading(agent.shape))
             {
-                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first"
-                        + meantOf(agent.shape, greatLand.modelNames));
+                var problem:Error = greatLand.problemOf(agent.shape);
+                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; " + (problem != null ? "its load failed: " + problem.message
+                        : "add it to the GreatLand first" + meantOf(agent.shape, greatLand.modelNames)));
             }
             return true;
         }

@@ -5,6 +5,7 @@ import { mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, utimesSync, writ
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
+import { failuresIn } from '../failures.mjs';
 import { read, root } from './sources.mjs';
 
 test('no property has two defaults: what one file means by it another would not', () => {
@@ -82,6 +83,12 @@ test('every part of the build asks that way', () => {
 	for (const file of readdirSync(path.join(root, 'build')).filter((name) => name.endsWith('.xml')).map((name) => `build/${name}`).concat('build.xml')) {
 		assert.doesNotMatch(read(file), /<uptodate [^>]*[^/]>/, file);
 	}
+});
+
+test('tests that fail without a player are named, whatever Node prints', () => {
+	const tap = 'TAP version 13\n# Subtest: a.test.mjs\n    not ok 2 - adds two\n      ---\n    ok 3 - adds three\nnot ok 1 - a.test.mjs\nnot ok 2 - later # TODO\n';
+	assert.deepEqual(failuresIn(tap), ['adds two', 'a.test.mjs']);
+	assert.deepEqual(failuresIn('▶ a.test.mjs\n  ✖ adds two (1.5ms)\n✔ adds three (0.2ms)\n✖ failing tests:\n\n✖ adds two (1.5ms)\n'), ['adds two']);
 });
 
 test('an option that no build file reads is refused, with the nearest', () => {

@@ -12,6 +12,9 @@ export const BROAD = ['SoakTest.whatAGameSeesFirstIsTheSameEverywhere', 'SoakTes
 
 const simpleName = (name) => name.split('.').pop();
 
+/** The room of a class: starlogo.models of starlogo.models.gltf.GltfReader. */
+const roomOf = (name) => name.split('.').slice(0, -1).slice(0, 2).join('.');
+
 /** The texts of the test classes, and of the files that they use, by qualified name. Tests call the stand-ins for flash.* standin.flash.*. */
 export function readTests() {
 	const files = [...sourcesBelow('src'), ...sourcesBelow('test'), ...sourcesBelow('js/standins/common')];
@@ -41,9 +44,10 @@ export function inNodeAlone(file = 'test/headless/in-node.txt') {
 }
 
 /**
- * The tests of what is farther from the sources that a pattern names, in the order in which they find a fault soonest: those of the classes that count as
- * farther, then BROAD, whose games and questions run most of the engine, then those of all other classes that use the source, by any number of files
- * between. Those that take long are last, in the same order. Of two of a kind the nearer is first.
+ * The tests of what is farther from the sources that a pattern names, in the order in which they find a fault soonest: those of the sources' own room, which
+ * say most; then BROAD, whose games and questions run most of the engine; then those of the room that take long; then those of other rooms that count as
+ * farther, and all other classes that use the source, by any number of files between. Of these last too those that take long come after the others. Of two of a
+ * kind the nearer is first.
  *
  * @param {{ tests: Map<string, string[] | null>, farther: Set<string>, named: string[] }} choice what choose() found
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
@@ -55,11 +59,13 @@ export function fartherTests({ tests, farther, named }, classes, sources, long =
 	const beyond = named.flatMap((source) => [...users(source, classes, sources)].flat()).filter((name) => classes.has(name) && !tests.has(name));
 	const names = new Set([...farther, ...beyond]);
 	const isLong = ([name, test]) => long.has(name) || long.has(`${name}.${test}`);
+	const rooms = new Set(named.map(roomOf));
 	const place = (each) => {
 		const [name, test] = each;
 		const broad = BROAD.findIndex((wanted) => [simpleName(name), `${simpleName(name)}.${test}`].includes(wanted));
 		if (broad >= 0) return 1 + broad / BROAD.length;
-		return (farther.has(name) ? 0 : 2) + (isLong(each) ? 3 : 0);
+		if (rooms.has(roomOf(name))) return isLong(each) ? 2 : 0;
+		return (farther.has(name) ? 3 : 4) + (isLong(each) ? 2 : 0);
 	};
 	return [...names].flatMap((name) => testsIn(classes.get(name)).map((test) => [name, test])).sort((a, b) => place(a) - place(b));
 }

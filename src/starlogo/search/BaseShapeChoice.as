@@ -105,7 +105,7 @@ package starlogo.search
             {
                 var problem:Error = greatLand.problemOf(agent.shape);
                 throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; " + (problem != null ? "its load failed: " + problem.message
-                        : "add it to the GreatLand first" + meantOf(agent.shape, greatLand.modelNames)));
+                            : "add it to the GreatLand first" + meantOf(agent.shape, greatLand.modelNames)));
             }
             return true;
         }

@@ -8,7 +8,6 @@ package starlogo
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelPreparation;
     import starlogo.libraries.ModelTable;
-    import starlogo.models.FailureReceiver;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.models.cooked.CookedFile;
@@ -28,7 +27,7 @@ package starlogo
      * the one that is added last replaces the other. If you call <code>addModel()</code> while another model of that name is loading, yours
      * is used until the other is loaded.</p>
      */
-    public class GreatLand implements ModelReceiver, FailureReceiver
+    public class GreatLand implements ModelReceiver
     {
         /** Whether the tightest bounding structure of a model is computed. The TightestFitCollider needs it. */
         public var loadTightestFit:Boolean = true;
@@ -183,18 +182,6 @@ package starlogo
         public function expect(name:String):void
         {
             _models.entryToWrite(name).beginLoading();
-        }
-
-        /** @private */
-        public function loadFailed(name:String, problem:Error):void
-        {
-            _models.entryToWrite(name).failLoading(problem);
-        }
-
-        /** @private Why the last load of a model failed; null if it did not, or if another has begun or a model was added since. */
-        engine function problemOf(name:String):Error
-        {
-            return _models.entryOf(name).problem;
         }
 
         /** @inheritDoc */

@@ -137,28 +137,6 @@ package starlogo
                 });
         }
 
-        [Test(async, timeout="150000")]
-        public function whyALoadFailedIsSaidUntilAnotherBegins():void
-        {
-            var agent:Agent = new Agent("bear");
-            var other:Agent = new Agent("cube");
-            _greatLand.addModel(BuiltInModel.cube());
-            var text:String = null;
-            _loader.addEventListener(ErrorEvent.ERROR, function(event:ErrorEvent):void
-                {
-                    text = event.text;
-                });
-            _loader.loadText("bear", "v 1");
-            whenComplete(function():void
-                {
-                    assertTrue(text, /line 1/.test(text));
-                    assertSays(agent, other, /there is no model "bear"; its load failed: .*line 1/);
-                    _greatLand.expect("bear");
-                    _greatLand.expectNoMore("bear");
-                    assertSays(agent, other, /there is no model "bear"; add it/);
-                });
-        }
-
         [Test]
         public function aLoadThatEndsWithoutABeginningChangesNothing():void
         {

@@ -28,7 +28,6 @@ package starlogo.libraries
 
         private var _revision:int = 0;
         private var _loadingCount:int = 0;
-        private var _problem:Error = null;
 
         /** @param table counts replaced and removed data of all shapes */
         public function ModelEntry(table:ModelTable)
@@ -96,7 +95,6 @@ package starlogo.libraries
                 _model.removeListener(followPose);
             }
             _model = model;
-            _problem = null;
             if (_model != null)
             {
                 _model.addListener(followPose);
@@ -115,19 +113,6 @@ package starlogo.libraries
         public function beginLoading():void
         {
             _loadingCount++;
-            _problem = null;
-        }
-
-        /** Keeps why a load failed, until another begins or a model is added. */
-        public function failLoading(problem:Error):void
-        {
-            _problem = problem;
-        }
-
-        /** Why the last load failed; null if it did not. */
-        public function get problem():Error
-        {
-            return _problem;
         }
 
         /** Counts one less, if one is loading. */

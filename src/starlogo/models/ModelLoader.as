@@ -318,10 +318,6 @@ package starlogo.models
             {
                 problem = error is ModelError ? error : new ModelError(load.name, "", "it can't be added: " + error.message);
             }
-            if (problem != null && _receiver is FailureReceiver && _loads.indexOf(load) >= 0)
-            {
-                FailureReceiver(_receiver).loadFailed(load.name, problem);
-            }
             if (!hasMore && remove(load)) // the step may have cancelled its own load
             {
                 _doneCount++;

@@ -103,9 +103,8 @@ package starlogo.search
             }
             if (!greatLand.isLoading(agent.shape))
             {
-                var problem:Error = greatLand.problemOf(agent.shape);
-                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; " + (problem != null ? "its load failed: " + problem.message
-                            : "add it to the GreatLand first" + meantOf(agent.shape, greatLand.modelNames)));
+                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first"
+                        + meantOf(agent.shape, greatLand.modelNames));
             }
             return true;
         }

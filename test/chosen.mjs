@@ -1,5 +1,5 @@
 /** Which tests -Dtest names: by a class of tests, by a test, or by the source file that they test. */
-import { definitionIn, packageOf, read, sourcesBelow, usesIn } from './structure/sources.mjs';
+import { definitionIn, filesBelow, packageOf, read, sourcesBelow, usesIn } from './structure/sources.mjs';
 
 /** Fewer tests than these say little of a source. */
 const ENOUGH = 5;
@@ -11,6 +11,9 @@ const MANY = 100;
 export const BROAD = ['SoakTest.whatAGameSeesFirstIsTheSameEverywhere', 'SoakTest.whatAGameSeesIsTheSameEverywhere', 'QuestionMatrixTest', 'QuestionVerdictsTest', 'ContactsOfTheFrameTest', 'PlacementsTest', 'ExactStructuresTest', 'CallsOfGamesTest'];
 
 const simpleName = (name) => name.split('.').pop();
+
+/** The room of a class: starlogo.models of starlogo.models.gltf.GltfReader. */
+const roomOf = (name) => name.split('.').slice(0, -1).slice(0, 2).join('.');
 
 /** The texts of the test classes, and of the files that they use, by qualified name. Tests call the stand-ins for flash.* standin.flash.*. */
 export function readTests() {
@@ -41,9 +44,10 @@ export function inNodeAlone(file = 'test/headless/in-node.txt') {
 }
 
 /**
- * The tests of what is farther from the sources that a pattern names, in the order in which they find a fault soonest. First come those of the classes that
- * count as farther; then those of all other classes that use the source, by any number of files between. Of both, those that take long are last. BROAD is
- * before others that take as long. Of two of a kind the nearer is first.
+ * The tests of what is farther from the sources that a pattern names, in the order in which they find a fault soonest: those of the sources' own room, which
+ * say most; then BROAD, whose games and questions run most of the engine; then those of the room that take long; then those of other rooms that count as
+ * farther, and all other classes that use the source, by any number of files between. Of these last too those that take long come after the others. Of two of a
+ * kind the nearer is first.
  *
  * @param {{ tests: Map<string, string[] | null>, farther: Set<string>, named: string[] }} choice what choose() found
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
@@ -55,14 +59,31 @@ export function fartherTests({ tests, farther, named }, classes, sources, long =
 	const beyond = named.flatMap((source) => [...users(source, classes, sources)].flat()).filter((name) => classes.has(name) && !tests.has(name));
 	const names = new Set([...farther, ...beyond]);
 	const isLong = ([name, test]) => long.has(name) || long.has(`${name}.${test}`);
-	const last = BROAD.length + 2;
+	const rooms = new Set(named.map(roomOf));
 	const place = (each) => {
 		const [name, test] = each;
 		const broad = BROAD.findIndex((wanted) => [simpleName(name), `${simpleName(name)}.${test}`].includes(wanted));
-		const order = !isLong(each) ? Number(broad < 0) : broad < 0 ? last : broad + 2;
-		return order + (farther.has(name) ? 0 : last + 1);
+		if (broad >= 0) return 1 + broad / BROAD.length;
+		if (rooms.has(roomOf(name))) return isLong(each) ? 2 : 0;
+		return (farther.has(name) ? 3 : 4) + (isLong(each) ? 2 : 0);
 	};
 	return [...names].flatMap((name) => testsIn(classes.get(name)).map((test) => [name, test])).sort((a, b) => place(a) - place(b));
+}
+
+/**
+ * The files of tests without a player that check some sources on the module of the engine and the tests: those whose first comment says "Checks PACKAGE,
+ * PACKAGE." with a source's package, or one above it.
+ *
+ * @param {string[]} named the sources' qualified names
+ * @param {[string, string][]} [files] the path and text of each such file
+ */
+export function testsBeside(named, files = filesBelow('test', '.test.mjs').map((file) => [file, read(file)])) {
+	return files.filter(([, text]) => packagesIn(text).some((checked) => named.some((name) => name.startsWith(`${checked}.`)))).map(([file]) => file);
+}
+
+/** The packages that the first comment of a test without a player says it checks. */
+function packagesIn(text) {
+	return (/\bChecks ((?:starlogo[\w.]+(?:,\s[\s*]*)?)+)\.\s/.exec(text.split('*/')[0])?.[1] ?? '').split(/[,\s*]+/).filter((each) => each !== '');
 }
 
 /** The names of the tests that a test class declares, in its order. */

@@ -7,14 +7,14 @@
  * OUT gets AllTests.as and tests.properties: picked, what is run if it is not all, and allocations, the tests of allocations among them. The samples of
  * the documentation are test classes too. With --away3d those that need Away3D are listed, without it all others. FILE lists what Node runs in place
  * of the player: of that, only what the pattern names itself is taken. What is left to Node is left in the properties; if all is, they have none. What
- * Node runs after that, as far as the time goes, is then: the tests farther from a source, the nearest first, those that take long last. away3d is the
- * number of tests that need Away3D, of those that the pattern names and those of a source of the adapters.
+ * Node runs after that, as far as the time goes, is then: the tests farther from a source, the nearest first, those that take long last. beside has the
+ * files of tests without a player that check the source, and of the sources' names. away3d is the number of tests that need Away3D, of those that the pattern names and those of a source of the adapters.
  * Files that would be the same keep their times.
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
-import { choose, fartherTests, inNodeAlone, readTests, testsIn } from './chosen.mjs';
+import { choose, fartherTests, inNodeAlone, readTests, testsBeside, testsIn } from './chosen.mjs';
 import { NOT_HERE } from './module/not-here.mjs';
 
 const simpleName = (name) => name.split('.').pop();
@@ -47,6 +47,8 @@ const inNode = [...tests.keys()].filter((name) => !farther.has(name)).flatMap((n
 if (inNode.length > 0) console.log(`in Node only: ${inNode.join(', ')}`);
 if (inAway3d.length > 0) console.log(`with Away3D: ${inAway3d.map(([name]) => simpleName(name)).join(', ')}`);
 const then = values.elsewhere === '' ? [] : fartherTests(choice, classes, sources).filter(([name]) => !left.has(name)).map(([name, test]) => `${simpleName(name)}.${test}`);
+const beside = values.elsewhere === '' ? [] : testsBeside(choice.named);
+if (beside.length > 0) console.log(`in Node, without a class: ${beside.join(', ')}`);
 
 const names = [...left.keys()];
 write('AllTests.as', `package
@@ -62,7 +64,7 @@ ${names.map((name) => `    import ${name};`).join('\n')}
 }
 `);
 const picked = [...left].flatMap(([name, list]) => list?.map((test) => `${name}.${test}`) ?? [name]);
-write('tests.properties', `picked=${values.test === '' ? '' : picked.join(',')}\nallocations=${picked.filter((name) => /AllocationTest\b/.test(name)).join(',')}\n${inNode.length + then.length > 0 ? `left=${inNode.join(',')}\nthen=${then.join(',')}\n` : ''}${left.size === 0 ? 'none=true\n' : ''}${inAway3d.length > 0 ? `away3d=${inAway3d.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0)}\n` : ''}`);
+write('tests.properties', `picked=${values.test === '' ? '' : picked.join(',')}\nallocations=${picked.filter((name) => /AllocationTest\b/.test(name)).join(',')}\n${inNode.length + then.length + beside.length > 0 ? `left=${inNode.join(',')}\nthen=${then.join(',')}\nbeside=${beside.join(',')}\nof=${choice.named.join(',')}\n` : ''}${left.size === 0 ? 'none=true\n' : ''}${inAway3d.length > 0 ? `away3d=${inAway3d.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0)}\n` : ''}`);
 
 /** The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther on. */
 function withoutElsewhere() {

@@ -15,6 +15,7 @@ import { mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'n
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { failuresIn } from './failures.mjs';
 import { missing } from './headless/browsers.mjs';
 
 const folder = path.dirname(fileURLToPath(import.meta.url));
@@ -65,6 +66,8 @@ const passed = count(run.stdout, 'pass');
 const failed = Math.max(count(run.stdout, 'fail'), run.status === 0 && passed > 0 ? 0 : 1);
 if (failed > 0) {
 	console.log(run.stdout + run.stderr);
+	// as of all other tests: antw says them last
+	for (const name of failuresIn(run.stdout)) console.log(`FAILED ${name}`);
 }
 const counts = `${passed} passed, ${failed} failed, ${count(run.stdout, 'skipped')} skipped`;
 console.log(`tests without a player: ${counts}`);

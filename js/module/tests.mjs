@@ -49,5 +49,5 @@ ${text}
 export const CLASSES = [
 	${classes.join(",\n\t")}
 ];
-export { flexunit, ${program.names.map((qname) => program.shortName(qname)).join(", ")} };
+export { ByteArray, flexunit, ${program.names.map((qname) => program.shortName(qname)).join(", ")} };
 `);

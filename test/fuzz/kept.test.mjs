@@ -1,4 +1,8 @@
-/** Some of the games of kept.mjs; that command plays more. */
+/**
+ * Some of the games of kept.mjs; that command plays more.
+ *
+ * Checks starlogo.broadphase, starlogo.search, starlogo.handlers, starlogo.collision.
+ */
 import assert from "node:assert/strict";
 import test from "node:test";
 import { play } from "./kept.mjs";

@@ -1,4 +1,8 @@
-/** A few of the walks of levels.mjs. */
+/**
+ * A few of the walks of levels.mjs.
+ *
+ * Checks starlogo.queries, starlogo.ground.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { walkLevels } from "./levels.mjs";

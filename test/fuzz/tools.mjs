@@ -1,6 +1,6 @@
 /** What the games and their kinds of calls share. */
-import * as engine from "../../bin/module/starlogo-collision.min.js";
-import { randomNumbers } from "../module/games.mjs";
+import { engine } from "../module/engine.mjs";
+import { randomNumbers } from "../module/random.mjs";
 
 export { engine };
 

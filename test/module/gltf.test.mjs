@@ -1,17 +1,20 @@
 /**
  * glTF and STL models beside what three.js draws of them: random files of all that the format has, those of Debian's package
  * assimp-testmodels and, where the environment's GLTF_MODELS names a folder that has them, Khronos's sample models.
+ *
+ * Checks starlogo.models.gltf, starlogo.models.stl, starlogo.models.polygons.
  */
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { fileURLToPath } from "node:url";
+import { engine } from "./engine.mjs";
 import { attempt, buffersOf, difference, drawnOf, partsOf, stlOf, trianglesOfModel } from "./gltf.mjs";
 import { randomGltf } from "./random-gltf.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
-const { ByteArray, GltfModel, Model, ModelError, StlModel } = await import(pathToFileURL(path.join(root, "bin/module/starlogo-collision.js")));
+const { ByteArray, GltfModel, Model, ModelError, StlModel } = engine;
 
 const ASSIMP = "/usr/share/assimp/models";
 const TOLERANCE = 1e-5;

@@ -81,6 +81,14 @@ const questions = {
 		put(point, agent, 0.5);
 		found += queries.nearPoint(point, 3, null, out).length;
 	},
+	countNearPoint: (agent) => {
+		put(point, agent, 0.5);
+		found += queries.countNearPoint(point, 3);
+	},
+	nearestToPoint: (agent) => {
+		put(point, agent, 0.5);
+		found += queries.nearestToPoint(point) === null ? 0 : 1;
+	},
 	touching: (agent) => { found += queries.touching(agent, null, out).length; },
 	touchesAny: (agent) => { found += queries.touchesAny(agent) ? 1 : 0; },
 	overlapping: (agent) => {
@@ -123,6 +131,10 @@ const questions = {
 	castShape: (agent) => {
 		put(structure.center, agent, 0);
 		found += queries.castShape(structure, 9, 0, 0, null, shapeHit) === null ? 0 : 1;
+	},
+	castShapeAll: (agent) => {
+		put(structure.center, agent, 0);
+		found += queries.castShapeAll(structure, 9, 0, 0, null, shapeHits).length;
 	},
 	overlapsAgent: (agent, other) => { found += queries.overlapsAgent(agent, other.x, other.y, 0) ? 1 : 0; },
 	distanceToPoint: (agent) => {

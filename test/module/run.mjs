@@ -2,18 +2,20 @@
 /**
  * Runs the FlexUnit classes on the ES module's code, in Node.
  *
- *   node test/module/run.mjs TESTS [--test PATTERN] [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
+ *   node test/module/run.mjs TESTS [--test PATTERN] [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--beside FILE,...] [--of SOURCE,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
  *
  * TESTS is what the build made of the engine and the tests together. With --order these run alone, in that order; with --first it ends when one fails.
- * If none fails, those of --then run, or those farther from the source that PATTERN names, until one fails or they have taken their time.
+ * If none fails, those of --then run, or those farther from the source that PATTERN names, until one fails or they have taken their time. Before these the
+ * files of --beside run, each as node --test with TESTS as their engine. --of says of which sources all these are tests.
  * With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines of TESTS that it
  * runs. The first line has those that run when TESTS is loaded.
  */
+import { spawnSync } from "node:child_process";
 import { appendFileSync, mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
-import { choose, fartherTests, readTests } from "../chosen.mjs";
+import { choose, fartherTests, readTests, testsBeside } from "../chosen.mjs";
 import { countLines } from "./coverage.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
@@ -21,7 +23,7 @@ import { watch } from "./watch.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
-	options: { test: { type: "string", default: "" }, order: { type: "string", default: "" }, then: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" }, coverage: { type: "string" } },
+	options: { test: { type: "string", default: "" }, order: { type: "string", default: "" }, then: { type: "string", default: "" }, beside: { type: "string", default: "" }, of: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" }, coverage: { type: "string" } },
 });
 
 const linesRun = options.coverage ? countLines(positionals[0]) : () => [];
@@ -57,9 +59,10 @@ process.on("uncaughtException", (error) => {
 });
 
 const simpleName = ({ name }) => name.split(".").pop();
-const isOrdered = options.order !== "" || options.then !== "";
-const namesIn = (list) => list.split(",").filter((text) => text !== "").map((text) => text.split("."));
-const { classes, farther } = isOrdered ? { classes: inOrder(namesIn(options.order)), farther: inOrder(namesIn(options.then)) } : options.test !== "" ? chosen() : { classes: inOrder(tests.CLASSES.map((each) => [each.name])), farther: [] };
+const isOrdered = [options.order, options.then, options.beside].some((list) => list !== "");
+const wordsIn = (list) => list.split(",").filter((text) => text !== "");
+const namesIn = (list) => wordsIn(list).map((text) => text.split("."));
+const { classes, farther, beside, of } = isOrdered ? { classes: inOrder(namesIn(options.order)), farther: inOrder(namesIn(options.then)), beside: wordsIn(options.beside), of: wordsIn(options.of) } : options.test !== "" ? chosen() : { classes: inOrder(tests.CLASSES.map((each) => [each.name])), farther: [], beside: [], of: [] };
 
 /** Some classes and tests, by the class's name with or without its package. A class whose tests follow one another is begun once. */
 function inOrder(names) {
@@ -85,11 +88,30 @@ function chosen() {
 	return {
 		classes: near.map((each) => ({ ...each, isRun: (test) => found.get(each.name)?.includes(test) ?? true })),
 		farther: inOrder(then),
+		beside: options.full ? [] : testsBeside(choice.named),
+		of: choice.named,
 	};
 }
 
 for (const each of classes) await runClass(each, () => true);
+for (const file of beside) if (failed === 0) runBeside(file);
 if (failed === 0) await runFarther();
+
+/** Runs a file of tests without a player on the module that is tested. */
+function runBeside(file) {
+	const { status, stdout, stderr } = spawnSync(process.execPath, ["--test", file], { encoding: "utf8", maxBuffer: 1e9, env: { ...process.env, ENGINE: path.resolve(positionals[0]) } });
+	if (status === 0) passed++;
+	else {
+		failed++;
+		console.log(`FAILED ${file}${ofSources()}:\n${stdout}${stderr}`);
+		if (options.first) process.exit(1);
+	}
+}
+
+/** What a test that fails is a test of, where its name may not say that. */
+function ofSources() {
+	return of.length > 0 ? ` (a test of ${of.join(", ")})` : "";
+}
 
 /** Runs one class of tests farther off after another, until one fails or they have taken their time. Says how many tests have not been run. */
 async function runFarther() {
@@ -135,7 +157,7 @@ async function runClass({ name, type, metadata, isRun }, isNext) {
 		else if (error === null) passed++;
 		else {
 			failed++;
-			console.log(`FAILED ${name.split(".").pop()}.${each.name}: ${error.stack ?? error}`);
+			console.log(`FAILED ${name.split(".").pop()}.${each.name}${ofSources()}: ${error.stack ?? error}`);
 			if (options.first) process.exit(1);
 		}
 		if (options.coverage) appendFileSync(options.coverage, `${JSON.stringify({ test: `${simpleName({ name })}.${each.name}`, ms, lines: [...linesBefore, ...linesRun()] })}\n`);
@@ -163,6 +185,9 @@ async function run(type, test, methods) {
 	}
 	return expected ? new Error(`expected ${expected}, but nothing was thrown`) : null;
 }
+
+// an error that no test has caught comes in a turn of its own
+await new Promise((resolve) => setTimeout(resolve));
 
 if (options.test === "" && !isOrdered && only.size > 0) {
 	failed++;

@@ -22,9 +22,12 @@ class LaterTest {
 		throw new flexunit.AssumptionViolatedException("nothing to test");
 	}
 	passes() {}
+	throwsLater() {
+		setTimeout(() => { throw new Error("too late"); });
+	}
 }
 const test = (name) => ({ kind: "Test", name, args: {} });
-export const CLASSES = [{ name: "LaterTest", type: LaterTest, metadata: [test("waits"), test("isSkipped"), test("passes")] }];
+export const CLASSES = [{ name: "LaterTest", type: LaterTest, metadata: [test("waits"), test("isSkipped"), test("passes"), test("throwsLater")] }];
 export const Effort = {};
 export const Fixtures = { load: (files, done) => done() };
 export const setFetch = () => {};
@@ -34,11 +37,27 @@ export { flexunit };
 test("tests that were made in another folder are waited for, and skipped if they say so", () => {
 	cpSync(path.join(here, "flexunit.mjs"), path.join(folder, "flexunit.mjs"));
 	writeFileSync(path.join(folder, "tests.mjs"), TESTS);
-	const { stdout, stderr, status } = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest"], { encoding: "utf8" });
+	const { stdout, stderr, status } = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.waits,LaterTest.isSkipped,LaterTest.passes"], { encoding: "utf8" });
 	assert.match(stdout, /FAILED LaterTest.waits: Error: it came/, stderr);
 	assert.match(stdout, /: 1 passed, 1 failed, 1 skipped,/);
 	assert.equal(status, 1);
 	const skipped = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.isSkipped"], { encoding: "utf8" });
 	assert.match(skipped.stdout, /: 0 passed, 0 failed, 1 skipped,/);
 	assert.equal(skipped.status, 0);
+});
+
+test("an error outside of any test counts, even after the last one", () => {
+	const { stdout, status } = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.throwsLater"], { encoding: "utf8" });
+	assert.match(stdout, /FAILED, outside of any test: Error: too late[^]*: 1 passed, 1 failed,/);
+	assert.equal(status, 1);
+});
+
+test("a failure names the sources that it is a test of, and files beside the classes run on the same module", () => {
+	const file = path.join(folder, "beside.test.mjs");
+	writeFileSync(file, "import assert from 'node:assert/strict';\nimport test from 'node:test';\ntest('engine', () => assert.equal(process.env.ENGINE, 'none'));\n");
+	const run = (...given) => spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--of=a.Low", ...given], { encoding: "utf8", env: { ...process.env, NODE_TEST_CONTEXT: undefined } });
+	assert.match(run("--order=LaterTest.waits").stdout, /FAILED LaterTest.waits \(a test of a.Low\): Error: it came/);
+	const { stdout, status } = run("--order=LaterTest.passes", `--beside=${file}`);
+	assert.match(stdout, /FAILED \S*beside.test.mjs \(a test of a.Low\):[^]*tests.mjs[^]*: 1 passed, 1 failed,/);
+	assert.equal(status, 1);
 });

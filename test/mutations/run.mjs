@@ -8,7 +8,7 @@
  * TESTS is what the build made of the engine and the tests together. PACKAGES are those to change, with commas: search,solid. The tests that the quick
  * command takes for the changed source run, and then the hash of all that the soak's game sees is compared. With "all" every test runs that runs the
  * changed line. The first time, all tests run once for that, and TESTS.coverage keeps which lines each of them runs. With "chosen" those run that ./antw
- * test -Dtest=SOURCE runs in Node, and those that it leaves to the player; PACKAGES are all then. No *.test.mjs runs.
+ * test -Dtest=SOURCE runs in Node, and those that it leaves to the player; PACKAGES are all then. Of *.test.mjs those run that check the source.
  *
  * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes
  * are visited in another order; boxes are wider, or what would spare work does not; there is room for more than comes; a limit that nothing is
@@ -25,7 +25,7 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { choose, fartherTests, readTests } from "../chosen.mjs";
+import { choose, fartherTests, readTests, testsBeside } from "../chosen.mjs";
 import { randomNumbers } from "../module/random.mjs";
 
 const PACKAGES = "collision,handlers,search,ground,terrain,hierarchy,solid,intersection,queries";
@@ -100,7 +100,7 @@ function testsOf(name, line) {
 	const choice = choose(`${name}.as`, known.classes, known.sources);
 	const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
 	if (all !== "chosen") return [`--order=${[...near, SOAK]}`];
-	return [`--order=${near}`, `--then=${fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`)}`];
+	return [`--order=${near}`, `--beside=${testsBeside(choice.named)}`, `--then=${fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`)}`];
 }
 
 function runTests(file, options) {

@@ -1,10 +1,11 @@
 /** Tests of the build files. */
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
+import { failuresIn } from '../failures.mjs';
 import { read, root } from './sources.mjs';
 
 test('no property has two defaults: what one file means by it another would not', () => {
@@ -40,9 +41,54 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 	assert.equal(status, 3);
 	assert.doesNotMatch(stdout.split('Total time: 8 seconds\n')[0], /BUILD FAILED|more than one/);
 	assert.equal(stdout.split('Total time: 8 seconds\n')[1], '\nFAILED ATest.is: 1, not 2\ncompc (Flex):\n/c/src/A.as: Error: more than one definition\n');
+	const ofExec = ['BUILD FAILED', '/a/build/module.xml:9: exec returned: 1', '', 'Total time: 8 seconds'];
+	assert.equal(runAnt(['FAILED ATest.is: 1, not 2', '', ...ofExec], 1).stdout.split('seconds\n')[1], '\nFAILED ATest.is: 1, not 2\n');
+	assert.equal(runAnt(ofExec, 1).stdout.split('seconds\n')[1], '\nexec returned: 1\n');
 	const good = runAnt(['BUILD SUCCESSFUL', 'Total time: 8 seconds'], 0);
 	assert.equal(good.status, 0);
 	assert.equal(good.stdout, 'BUILD SUCCESSFUL\nTotal time: 8 seconds\n');
+});
+
+test('what is made is made again after any edit of its sources: in the same second, or while it is made', () => {
+	const project = path.join(home, 'made.xml');
+	writeFileSync(project, `<project default="make" basedir="." xmlns:unless="ant:unless">
+		<property name="stamps" value="stamps"/>
+		<import file="${path.join(root, 'build/made.xml')}"/>
+		<target name="check"><made property="done" file="out.txt"><fileset dir="." includes="in.txt,other.txt"/></made></target>
+		<target name="make" depends="check" unless="done"><fail if="broken"/><copy file="in.txt" tofile="out.txt" overwrite="true"/></target>
+	</project>`);
+	const at = (name) => path.join(home, name);
+	const time = (name) => statSync(at(name)).mtimeMs / 1000;
+	const isMade = (...options) => {
+		const before = statSync(at('out.txt'), { throwIfNoEntry: false })?.mtimeMs;
+		spawnSync(process.env.ANT_HOME ? path.join(process.env.ANT_HOME, 'bin/ant') : 'ant', ['-q', '-f', project, ...options], { encoding: 'utf8' });
+		return statSync(at('out.txt'), { throwIfNoEntry: false })?.mtimeMs !== before;
+	};
+	const edit = (seconds) => utimesSync(at('in.txt'), seconds, seconds);
+	writeFileSync(at('in.txt'), 'one');
+	assert.ok(isMade(), 'at first');
+	assert.ok(!isMade(), 'nothing changed');
+	edit(time('out.txt') + 0.01);
+	assert.ok(isMade(), 'an edit a moment after');
+	// it had been begun before the file was written
+	utimesSync(at('out.txt'), time('out.txt') + 9, time('out.txt') + 9);
+	edit(time('out.txt') - 1);
+	assert.ok(isMade(), 'an edit while it was made');
+	writeFileSync(at('other.txt'), 'two');
+	assert.ok(!isMade('-Dbroken=true'));
+	assert.ok(isMade(), 'after one that failed');
+});
+
+test('every part of the build asks that way', () => {
+	for (const file of readdirSync(path.join(root, 'build')).filter((name) => name.endsWith('.xml')).map((name) => `build/${name}`).concat('build.xml')) {
+		assert.doesNotMatch(read(file), /<uptodate [^>]*[^/]>/, file);
+	}
+});
+
+test('tests that fail without a player are named, whatever Node prints', () => {
+	const tap = 'TAP version 13\n# Subtest: a.test.mjs\n    not ok 2 - adds two\n      ---\n    ok 3 - adds three\nnot ok 1 - a.test.mjs\nnot ok 2 - later # TODO\n';
+	assert.deepEqual(failuresIn(tap), ['adds two', 'a.test.mjs']);
+	assert.deepEqual(failuresIn('▶ a.test.mjs\n  ✖ adds two (1.5ms)\n✔ adds three (0.2ms)\n✖ failing tests:\n\n✖ adds two (1.5ms)\n'), ['adds two']);
 });
 
 test('an option that no build file reads is refused, with the nearest', () => {

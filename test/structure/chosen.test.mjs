@@ -1,7 +1,7 @@
 /** Tests of what -Dtest finds. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BROAD, choose, fartherTests, readTests, testsIn } from '../chosen.mjs';
+import { BROAD, choose, fartherTests, readTests, testsBeside, testsIn } from '../chosen.mjs';
 
 const known = readTests();
 
@@ -143,13 +143,24 @@ test('all other classes that use a source by any files between have tests farthe
 	assert.ok(all.some(([name, test]) => name.endsWith('.ExactStructuresTest') && test === 'moving'));
 });
 
-test('of the tests farther off those that take long come last, and of these the broad ones first', () => {
-	const sources = new Map([['a.low', 'package a { public function low() {} }'], ['b.High', 'import a.low;']]);
+test('of the tests farther off the room\'s own are first, then the broad ones, then those of the room that take long, then all others', () => {
+	const sources = new Map([['s.a.low', 'package s.a { public function low() {} }'], ['s.b.High', 'import s.a.low;']]);
 	const text = '[Test]\n public function one\n [Test]\n public function two\n import ';
-	const classes = new Map([['c.FirstTest', `${text} a.low;`], ['a.FarTest', `${text} b.High;`], [`a.${BROAD[3]}`, `${text} b.High;`], [`a.${BROAD[2]}`, `${text} b.High;`]]);
-	const choice = { tests: new Map([['c.FirstTest', null]]), farther: new Set(['c.FirstTest']), named: ['a.low'] };
-	const found = fartherTests(choice, classes, sources, new Set(['c.FirstTest.one', 'a.FarTest.one', `a.${BROAD[2]}`, `a.${BROAD[3]}`]));
-	assert.deepEqual(found.map((each) => each.join('.')), ['c.FirstTest.two', 'c.FirstTest.one', 'a.FarTest.two', ...BROAD.slice(2, 4).flatMap((each) => [`a.${each}.one`, `a.${each}.two`]), 'a.FarTest.one']);
+	const of = (name, used) => [name, `${text} ${used};`];
+	const classes = new Map([of('s.c.FirstTest', 's.a.low'), of('s.c.FarTest', 's.b.High'), of('s.c.LongTest', 's.b.High'), of('s.a.RoomTest', 's.b.High'), of('s.a.in.LongRoomTest', 's.b.High'), of(`s.c.${BROAD[3]}`, 's.b.High'), of(`s.c.${BROAD[2]}`, 's.b.High')]);
+	const choice = { tests: new Map([['s.c.FirstTest', null]]), farther: new Set(['s.c.FirstTest']), named: ['s.a.low'] };
+	const found = fartherTests(choice, classes, sources, new Set(['s.c.FirstTest.one', 's.c.LongTest', 's.a.in.LongRoomTest', `s.c.${BROAD[2]}`, `s.c.${BROAD[3]}`]));
+	const both = (name) => [`${name}.one`, `${name}.two`];
+	assert.deepEqual(found.map((each) => each.join('.')), [...both('s.a.RoomTest'), ...BROAD.slice(2, 4).flatMap((name) => both(`s.c.${name}`)), ...both('s.a.in.LongRoomTest'), 's.c.FirstTest.two', ...both('s.c.FarTest'), 's.c.FirstTest.one', ...both('s.c.LongTest')]);
 	const tests = [...known.classes].flatMap(([name, each]) => [name.split('.').pop(), ...testsIn(each).map((test) => `${name.split('.').pop()}.${test}`)]);
 	for (const name of BROAD) assert.ok(tests.includes(name), name);
+});
+
+test('tests without a player run with the sources of the packages that they say they check', () => {
+	const files = [['one.test.mjs', '/**\n * One. Checks starlogo.a, starlogo.b.c,\n * starlogo.d.\n */\nChecks starlogo.z.'], ['two.test.mjs', '/** Checks nothing. */']];
+	const found = (name) => testsBeside([name], files);
+	for (const name of ['starlogo.a.Low', 'starlogo.a.inner.Low', 'starlogo.b.c.High', 'starlogo.d.Low']) assert.deepEqual(found(name), ['one.test.mjs'], name);
+	for (const name of ['starlogo.ab.Low', 'starlogo.b.High', 'starlogo.z.Low']) assert.deepEqual(found(name), [], name);
+	assert.deepEqual(testsBeside(['starlogo.search.table.AgentTable']), ['test/fuzz/kept.test.mjs']);
+	assert.deepEqual(testsBeside(['starlogo.models.gltf.GltfAccessor']), ['test/module/gltf.test.mjs']);
 });

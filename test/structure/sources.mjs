@@ -16,12 +16,17 @@ export function foldersIn(folder) {
 		.filter((entry) => entry.isDirectory()).map((entry) => entry.name).sort();
 }
 
-/** The ActionScript files below a folder, by their paths in the project. */
-export function sourcesBelow(folder) {
+/** The files below a folder whose names end in one way, by their paths in the project. */
+export function filesBelow(folder, ending) {
 	return readdirSync(path.join(root, folder), { withFileTypes: true }).flatMap((entry) => {
 		const child = `${folder}/${entry.name}`;
-		return entry.isDirectory() ? sourcesBelow(child) : entry.name.endsWith('.as') ? [child] : [];
+		return entry.isDirectory() ? filesBelow(child, ending) : entry.name.endsWith(ending) ? [child] : [];
 	});
+}
+
+/** The ActionScript files below a folder, by their paths in the project. */
+export function sourcesBelow(folder) {
+	return filesBelow(folder, '.as');
 }
 
 /** The name that a file defines, with its package: src/starlogo/agents/Agent.as is starlogo.agents.Agent. */

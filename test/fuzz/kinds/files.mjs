@@ -1,6 +1,6 @@
 /** Damaged model files: each is refused or read, and nothing else comes of it. */
 import assert from "node:assert/strict";
-import { randomNumbers } from "../../module/games.mjs";
+import { randomNumbers } from "../../module/random.mjs";
 import { engine } from "../tools.mjs";
 
 const { ByteArray, ModelError, ObjModel } = engine;

@@ -1,5 +1,5 @@
 /** Models of several closed parts: inside out, overlapping, hollow, far from their origin; removed and replaced while they are asked about. Windings of each part say what is inside. */
-import { randomNumbers } from "../../module/games.mjs";
+import { randomNumbers } from "../../module/random.mjs";
 import { toTriangle, windingOf } from "../geometry.mjs";
 import { trianglesOf } from "../shapes.mjs";
 import { engine, HAIR, numbersOf, toolsOf } from "../tools.mjs";

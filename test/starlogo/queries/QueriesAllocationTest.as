@@ -149,6 +149,8 @@ package starlogo.queries
             _answers += _queries.countNear(agent, 3);
             _answers += _queries.inCone(agent, 3, 90, null, _out).length;
             _answers += _queries.nearPoint(_point, 3, null, _out).length;
+            _answers += _queries.countNearPoint(_point, 3);
+            _answers += _queries.nearestToPoint(_point) == null ? 0 : 1;
             _answers += _queries.nearestOf(agent, 4, 3, null, _out).length;
             _queries.nearest(agent);
         }

@@ -116,6 +116,7 @@ package starlogo.terrain
                 var alongY:Number = (terrain.heightAt(x, y + step) - terrain.heightAt(x, y)) / step;
                 if (!isNaN(alongX + alongY))
                 {
+                    assertTrue("of length 1, and up", Math.abs(normal.length - 1) < 1e-12 && normal.z > 0);
                     assertTrue("across x", Math.abs(normal.x + alongX * normal.z) < 1e-5);
                     assertTrue("across y", Math.abs(normal.y + alongY * normal.z) < 1e-5);
                 }

@@ -1,0 +1,56 @@
+/** Tests of the lists that docs/adding*.md gives to who adds something: what is there already stands everywhere in them. */
+import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
+import path from 'node:path';
+import { test } from 'node:test';
+import { codeOf, definitionIn, read, root, sourcesBelow } from './sources.mjs';
+
+const simpleName = (file) => definitionIn(file).split('.').pop();
+
+/** The files that a page's table lists, below a heading. */
+function filesOf(page, heading) {
+	const section = read(page).split(`\n## ${heading}\n`)[1].split('\n## ')[0];
+	const files = [...section.matchAll(/^\| `([\w./-]+)` \|/gm)].map(([, file]) => file);
+	for (const file of files) assert.ok(existsSync(path.join(root, file)), `${page} lists ${file}, which is not there`);
+	assert.ok(files.length >= 3, page);
+	return files;
+}
+
+/** The classes below a folder that can be made, and extend one of some classes. */
+function classesOf(folder, bases) {
+	const extended = new RegExp(`\\bpublic (?:final )?class (\\w+) extends (?:${bases.join('|')})\\b`);
+	return sourcesBelow(folder).filter((file) => extended.test(codeOf(read(file)))).map(simpleName).filter((name) => !bases.includes(name));
+}
+
+/** What stands in no file that a list names, as "file: name". */
+function missing(names, files, known) {
+	const isIn = (file, name) => new RegExp(`\\b${name}\\b`).test(read(file));
+	return files.flatMap((file) => names.filter((name) => !isIn(file, name)).map((name) => `${file}: ${name}`)).filter((each) => !known.includes(each));
+}
+
+test('every fitter stands in the files of "A fitter in the engine"', () => {
+	const fitters = classesOf('src/starlogo/fitting', ['Fitter', 'BoxAxisFitter']);
+	assert.ok(fitters.includes('HullFitter') && fitters.includes('CapsuleFitter') && fitters.length > 9);
+	// HullFitterTest compares hulls, ReferenceFitsTest the smallest capsules
+	const known = ['test/starlogo/fitting/ReferenceFitsTest.as: HullFitter', 'test/starlogo/libraries/FittersOfModelsTest.as: HullFitter', 'test/starlogo/libraries/FittersOfModelsTest.as: MinimalCapsuleFitter'];
+	assert.deepEqual(missing(fitters, filesOf('docs/adding-a-fitter.md', 'A fitter in the engine'), known), []);
+});
+
+test('every structure stands in the files of "A structure of the engine"', () => {
+	const structures = classesOf('src/starlogo/bounding', ['BoundingStructure', 'AxialStructure']);
+	assert.deepEqual(structures.sort(), ['Box', 'Capsule', 'Cylinder', 'Hull', 'Sphere']);
+	assert.deepEqual(missing(structures, filesOf('docs/adding-a-structure.md', 'A structure of the engine'), []), []);
+});
+
+test('every question stands in the files of "A question"', () => {
+	const source = read('src/starlogo/queries/AgentQueries.as');
+	const older = [...source.matchAll(/An older name of <code>(\w+)\(\)<\/code>\. \*\/\s+public function (\w+)/g)].map(([, name, before]) => [before, name]);
+	assert.ok(older.length > 1);
+	const others = ['AgentQueries', 'update', 'refresh', 'moved', ...older.map(([before]) => before)];
+	const questions = [...codeOf(source).matchAll(/^ {8}public function (\w+)\(/gm)].map(([, name]) => name).filter((name) => !others.includes(name));
+	assert.ok(questions.length > 20);
+	// it asks only the agent's own shape
+	const known = ['test/module/questions.mjs: touchesEdge'];
+	const isAsked = (each) => older.some(([before, name]) => each.endsWith(`: ${name}`) && new RegExp(`\\b${before}\\b`).test(read(each.split(':')[0])));
+	assert.deepEqual(missing(questions, filesOf('docs/adding.md', 'A question'), known).filter((each) => !isAsked(each)), []);
+});

@@ -28,7 +28,9 @@ const WARNING = new Map([
 	["starlogo.GreatLand.addModel", "$warnOfNames(this, true);"],
 	["starlogo.collision.Collision.update", "$warnOfSilence(this, agents);"],
 	["starlogo.queries.AgentQueries.update", "$warnOfStale(this, agents, null);"],
-	...["refresh", "moveUntilTouch", "slide", "walk"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, agent);"]),
+	...["refresh", "moveUntilTouch", "slide"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, agent);"]),
+	["starlogo.queries.AgentQueries.walk", ["$warnOfStale(this, null, agent);", "$warnOfFall(agent, dx, dy);"]],
+	["starlogo.queries.AgentWalks.walk", "$warnOfFall(agent, dx, dy);"],
 	...["cast", "near", "nearest"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, null);"]),
 ]);
 
@@ -61,7 +63,8 @@ export class Checks {
 			const others = parameters.filter((parameter) => parameter.type !== "Number").flatMap((parameter) => this.#check(type, member, parameter));
 			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...others];
 		}
-		const first = kind === "method" ? WARNING.get(`${qname}.${name}`) ?? [] : [];
+		const isCollider = kind === "constructor" && /\.collision\.\w+Collider$/.test(qname) && parameters.length > 0;
+		const first = isCollider ? `$warnOfMore("${type.name}", arguments, ${parameters.length});` : kind === "method" ? WARNING.get(`${qname}.${name}`) ?? [] : [];
 		return [first, parameters.flatMap((parameter) => this.#check(type, member, parameter))].flat();
 	}
 

@@ -195,6 +195,8 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			() => new TerrainGeometry(terrain, { upAxis: "z" }), () => new ThreeAgentBinding(new Agent("any"), object, null, { upAxis: "z" }), () => new ThreeWireframe({ upAxis: "z" })]) {
 			assert.throws(make, /^ArgumentError: \w+: options\.upAxis is no option; (?:the nearest is up; there are|there is) (?:up|color, up)\b/);
 		}
+		const notOptions = /^ArgumentError: \w+: options must be a literal such as \{ up: "y" \}, not "as given"$/;
+		for (const make of [() => modelFromObject("any", object, Model.AS_GIVEN), () => levelFromObject("any", object, Model.AS_GIVEN), () => new ThreeAgentBinding(new Agent("box"), object, null, Model.AS_GIVEN)]) assert.throws(make, notOptions);
 		assert.throws(() => levelFromObject("any", { scene: object }), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not Object\. Its scene is an Object3D$/);
 		const group = new THREE.Group();
 		group.name = "hall";
@@ -514,9 +516,10 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		for (const index of [-1, 3, 0.5, NaN, "1"]) assert.throws(() => bindInstance(agent, mesh, index), /^RangeError: the mesh has instances 0 to 2, not /);
 		assert.throws(() => bindInstance(agent, new THREE.Mesh(), 0), /^ArgumentError: an InstancedMesh is needed, not Mesh/);
 		const object = new THREE.Object3D();
-		for (const wrong of [null, {}, "bear"]) assert.throws(() => new ThreeAgentBinding(wrong, object), /^ArgumentError: an Agent is needed, not /);
-		for (const wrong of [null, {}, new THREE.BoxGeometry()]) assert.throws(() => new ThreeAgentBinding(agent, wrong), /^ArgumentError: an Object3D is needed, not /);
-		assert.throws(() => new ThreeAgentBinding(agent, object, object), /^ArgumentError: a Model is needed, or null, not Object3D/);
+		for (const wrong of [null, {}, "bear"]) assert.throws(() => new ThreeAgentBinding(wrong, object), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not /);
+		assert.throws(() => new ThreeAgentBinding(object, agent), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not Object3D$/);
+		for (const wrong of [null, {}, new THREE.BoxGeometry()]) assert.throws(() => new ThreeAgentBinding(agent, wrong), /^ArgumentError: ThreeAgentBinding: object must be an Object3D, not /);
+		assert.throws(() => new ThreeAgentBinding(agent, object, object), /^ArgumentError: ThreeAgentBinding: model must be a Model or null, not Object3D/);
 		assert.throws(() => new ThreeAgentBinding(agent, object, null, { up: "x" }), /^ArgumentError: up must be "y" or "z", not "x"/);
 		assert.throws(() => modelFromObject("any", new THREE.BoxGeometry(), { up: "Y" }), /^ArgumentError: up must be "y" or "z", not "Y"/);
 		for (const wrong of [null, undefined, {}, "bear.glb"]) assert.throws(() => modelFromObject("any", wrong), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not /);

@@ -357,6 +357,42 @@ test("while a game is developed, handlers and places that can't be meant are war
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
 
+test("while a game is developed, settings that a constructor does not take, levels without a tree and falls without end are warned of, once", () => {
+	const program = (module) => `import { Agent, AgentQueries, BinCollider, BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.box(40, 40, 8, "ground"));
+		land.addModel(BuiltInModel.capsule(0.3, 1.8, "hero"));
+		new TightestFitCollider(land), new BinCollider();
+		for (let i = 0; i < 2; i++) new HierarchicalCollider(land, { exact: true });
+		class Own extends TightestFitCollider { constructor(land, more) { super(land); this.more = more; } }
+		new Own(land, 3);
+		const queries = new AgentQueries(Object.assign(new CombinationCollider(land), { exact: true }));
+		const [level, hero, twin] = [new Agent("ground", "levels"), new Agent("hero", "heroes"), new Agent("hero", "heroes")];
+		level.moveTo(0, 0, -8);
+		queries.update([level, hero, twin]);
+		queries.walk(hero, 0.1, 0);                     // in its twin, which is no larger
+		if (said.length > 1) throw new Error(said.join());
+		hero.moveTo(2, 3, -6);
+		for (let i = 0; i < 3; i++) queries.walk(hero, 0.1, 0);
+		hero.moveTo(100, 0, 500);
+		for (let i = 0; i < 199; i++) queries.walk(hero, 0.1, 0);
+		hero.moveTo(100, 0, 500);                       // begun anew
+		for (let i = 0; i < 199; i++) queries.walk(hero, 0.1, 0);
+		if (said.some((text) => text.includes("has fallen"))) throw new Error("too early");
+		for (let i = 0; i < 199; i++) queries.walk(hero, 0.1, 0);
+		console.log(JSON.stringify(said));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const said = run("starlogo-collision.js");
+	const expected = [/new HierarchicalCollider takes 1 argument, and does nothing with the others: settings such as exact are set after it/,
+		/agent \d+ \(breed "heroes", shape "hero"\) begins a motion 3\.8 deep inside of the structure around agent \d+ \(breed "levels", shape "ground"\), and a walk pushes it out.*hierarchical.*CombinationCollider/,
+		/agent \d+ \(breed "heroes", shape "hero"\) has fallen in 200 walks, from z = 500 to 400: .*AS_GIVEN.*"y"/];
+	assert.equal(said.length, expected.length, said.join("\n"));
+	expected.forEach((pattern, i) => assert.match(said[i], pattern));
+	assert.deepEqual(run("starlogo-collision.min.js"), []);
+});
+
 test("it runs in Node", async () => {
 	const sampleModule = await import(pathToFileURL(bundle("sample.node.js", { external: ["starlogo-collision"] })));
 	check(await use(sampleModule, `${server.url}assets`, bear, new Uint8Array(bytes)));

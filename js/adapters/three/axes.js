@@ -17,6 +17,7 @@ export function isYUp(up) {
 export function refuseOthers(call, others, ...names) {
 	const [wrong] = Object.keys(others);
 	if (wrong === undefined) return;
+	if (wrong === "0") throw new ArgumentError(`${call}: options must be a literal such as { up: "y" }, not ${textOf(Object.values(others).join(""))}`);
 	const inCommon = names.map((name) => [...name].findIndex((letter, i) => letter.toLowerCase() !== wrong[i]?.toLowerCase())).map((length, i) => (length < 0 ? names[i].length : length));
 	const most = Math.max(...inCommon);
 	const nearest = most > 1 && names.length > 1 ? `the nearest is ${names[inCommon.indexOf(most)]}; ` : "";
@@ -73,7 +74,7 @@ export class AgentPlace {
 	 * @param {boolean} isYUp whether the scene has y up
 	 */
 	constructor(agent, isYUp) {
-		if (typeof agent?.getQuaternion !== "function") throw new ArgumentError(`an Agent is needed, not ${textOf(agent)}`);
+		if (typeof agent?.getQuaternion !== "function") throw new ArgumentError(`ThreeAgentBinding: agent must be an Agent, not ${textOf(agent)}`);
 		this.agent = agent;
 		this.#isYUp = isYUp;
 	}

@@ -39,9 +39,9 @@ export class ThreeAgentBinding {
 	 */
 	constructor(agent, object, model = null, { up = "y", modelUp = upOf(model) ?? up, index = null, ...others } = {}) {
 		refuseOthers("ThreeAgentBinding", others, "up", "modelUp", "index");
-		if (!object?.isObject3D) throw new ArgumentError(`an Object3D is needed, not ${textOf(object)}`);
 		const isLandYUp = isYUp(up);
 		this.#place = new AgentPlace(agent, isLandYUp);
+		if (!object?.isObject3D) throw new ArgumentError(`ThreeAgentBinding: object must be an Object3D, not ${textOf(object)}`);
 		this.#drawn = index === null ? new DrawnObject(object) : new DrawnInstance(object, index);
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isLandYUp);
@@ -52,7 +52,7 @@ export class ThreeAgentBinding {
 	}
 
 	#setModel(model, isLandYUp) {
-		if (!model.source?.matrix) throw new ArgumentError(`a Model is needed, or null, not ${textOf(model)}`);
+		if (!model.source?.matrix) throw new ArgumentError(`ThreeAgentBinding: model must be a Model or null, not ${textOf(model)}`);
 		matrix.fromArray(model.source.matrix.rawData);
 		if (!decompose(matrix)) throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);
 		const { x, y, z, w } = quaternion;

@@ -3,6 +3,7 @@ import { parametersOf } from "./contacts.mjs";
 
 const $MOST_LOOKED_AT = 1000;
 const $LONG_SILENCE = 300;
+const $LONG_FALL = 200;
 const $END = 2; // CollisionHandler.END
 const $STRUCTURE = "structure"; // what a cast structure is called: see Body.readStructure
 const $warned = /* @__PURE__ */ new Set();
@@ -10,6 +11,7 @@ const $checkedBreeds = /* @__PURE__ */ new Map();
 const $checkedObjects = /* @__PURE__ */ new WeakSet();
 const $silentFrames = /* @__PURE__ */ new WeakMap();
 const $updates = /* @__PURE__ */ new WeakMap();
+const $falls = /* @__PURE__ */ new WeakMap();
 let $frames = 0;
 let $lookedAt = 0;
 
@@ -76,17 +78,21 @@ export function $warnOfEvent(object, type) {
 }
 
 /**
- * Warns of an agent that does not stop a motion, because the motion begins deep inside of its tree or its triangles. See warnOfInside.as. What
- * moves is an agent if one of the shape is at the place.
+ * Warns of an agent that does not stop a motion, because the motion begins deep inside of its tree or its triangles, or whose
+ * structure has all that moves inside. See warnOfInside.as. What moves is an agent if one of the shape is at the place.
  */
-export function $warnOfInside(agents, index, shape, place, below, depth) {
+export function $warnOfInside(agents, index, shape, place, below, depth, isTree) {
 	const level = agents[index];
 	const mover = agents.find((each) => each?.shape === shape && each.x === place.x && each.y === place.y && each.z === place.z);
-	const rounded = (number) => String(Number(number.toPrecision(3)));
+	const name = mover ?? `the shape ${JSON.stringify(shape)}`;
+	if (!isTree) {
+		$warn(`${name} begins a motion ${$rounded(depth)} deep inside of the structure around ${level}, and a walk pushes it out. If this is a level, whose triangles should count, set hierarchical of it, and take a CombinationCollider with exact. See docs/questions.md in the package, "thrown out of the level"`, `inside ${level.shape} ${shape}`);
+		return;
+	}
 	const remedy = below > 0.01 * place.size && shape !== $STRUCTURE
-		? `Its lowest point is ${rounded(below)} below its place: a model that is AS_GIVEN keeps its origin. If its place is on the ground, move it up by ${rounded(below)}, or give it a model whose origin is its lowest point.`
+		? `Its lowest point is ${$rounded(below)} below its place: a model that is AS_GIVEN keeps its origin. If its place is on the ground, move it up by ${$rounded(below)}, or give it a model whose origin is its lowest point.`
 		: "What is inside of a closed model collides; without exact, what is inside of a box of its tree. A room needs exact, and an opening or thick walls.";
-	$warn(`${mover ?? `the shape ${JSON.stringify(shape)}`} begins a motion at (${[place.x, place.y, place.z].map(rounded).join(", ")}), ${rounded(depth)} deep inside of ${level}, which does not stop it. ${remedy} See docs/questions.md in the package, "floats in a room"`, `inside ${level.shape} ${shape}`);
+	$warn(`${name} begins a motion at (${[place.x, place.y, place.z].map($rounded).join(", ")}), ${$rounded(depth)} deep inside of ${level}, which does not stop it. ${remedy} See docs/questions.md in the package, "floats in a room"`, `inside ${level.shape} ${shape}`);
 }
 
 /**
@@ -147,6 +153,26 @@ export function $warnOfStale(queries, agents, mover) {
 	if (moved) $warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${$frames - last.frameThen} frames ago: call it once a frame, or refresh(agent)`, "stale");
 }
 
+/** Warns of arguments that a collision system's constructor does not take: `new CombinationCollider(greatLand, { exact: true })`. */
+export function $warnOfMore(name, given, taken) {
+	if (given.length > taken) $warn(`new ${name} takes ${taken} argument, and does nothing with the others: settings such as exact are set after it`);
+}
+
+/**
+ * Warns of an agent that falls without end: in each of many walks it has come down by more than it went sideways. Steeper than that is no
+ * ground that it walks on.
+ */
+export function $warnOfFall(agent, dx, dy) {
+	if (typeof agent?.z !== "number") return;
+	let fall = $falls.get(agent);
+	if (!fall) $falls.set(agent, fall = { walks: 0, from: agent.z, last: agent.z });
+	fall.walks = fall.last - agent.z > Math.hypot(dx, dy) ? fall.walks + 1 : 0;
+	if (fall.walks === 0) fall.from = agent.z;
+	fall.last = agent.z;
+	if (fall.walks !== $LONG_FALL) return;
+	$warn(`${agent} has fallen in ${$LONG_FALL} walks, from z = ${$rounded(fall.from)} to ${$rounded(agent.z)}: nothing stops it. If it should stand, its ground has to be in the list of update(), as large as it should be (a model is one unit wide, unless it is Model.AS_GIVEN), and upright (a file's up axis may be "y"); a level that is one model has to be hierarchical`, "fall");
+}
+
 /** Warns of a slope that is probably in radians. */
 export function $warnOfUnits(options) {
 	if (!(options?.slopeDegrees > 0 && options.slopeDegrees < 1.6)) return;
@@ -197,6 +223,11 @@ export function $changesBetween(name, other) {
 		earlier = before;
 	});
 	return counts[other.length];
+}
+
+/** A number for a text, with three digits. */
+function $rounded(number) {
+	return String(Number(number.toPrecision(3)));
 }
 
 /** How many letters two words have in common from the beginning on. */

@@ -30,7 +30,7 @@ package starlogo.collision
         engine static function errorAbout(system:Object):ArgumentError
         {
             return new ArgumentError("questions need a Collision or one of the engine's collision systems, such as new TightestFitCollider(greatLand), not "
-                    + textOf(system, "a Collision or a Collider"));
+                    + textOf(system, "a Collision or a Collider") + "; a SeenAgents may also have a LevelShapes");
         }
 
         /** The ground that questions see: a Collision has its own. Others have the one that was set for the questions, <code>own</code>. */

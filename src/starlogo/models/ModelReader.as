@@ -1,5 +1,6 @@
 package starlogo.models
 {
+    import starlogo.data.textOf;
     import starlogo.geometry.AffineTransform;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -41,7 +42,8 @@ package starlogo.models
             data.transform = upAxis as ModelTransform;
             _upAxis = data.transform == null ? String(upAxis) : "z";
             refuseIf(_upAxis != "x" && _upAxis != "y" && _upAxis != "z", name,
-                    "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " + (upAxis is String ? "\"" + upAxis + "\"" : upAxis));
+                    "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " + textOf(upAxis)
+                    + (upAxis == Model.FOOTPRINT || upAxis == Model.VOLUME || upAxis == Model.AS_GIVEN ? ": a scaling is the argument after it" : ""));
         }
 
         /** Does all steps that are left. Returns the data. */

@@ -26,6 +26,9 @@ package starlogo.queries.motion
         // The factor by which the inset of a core grows until the core is free.
         private static const NARROWER:Number = 4;
 
+        // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
+        private static const WITH_ROOM:Number = 2.1;
+
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
         private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
 
@@ -208,17 +211,26 @@ package starlogo.queries.motion
          */
         public function isExitShort(row:int, contact:ContactPoint):Boolean
         {
-            return _seen.table.shapes[row].form != ModelShape.TREE || contact.depth <= Math.abs(contact.normalX) * source.halfX
-                + Math.abs(contact.normalY) * source.halfY + Math.abs(contact.normalZ) * source.halfZ;
+            return _seen.table.shapes[row].form != ModelShape.TREE || contact.depth <= halfAlong(contact);
         }
 
-        /** Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. */
+        // Half of the extent of the box around the body, along a contact's normal.
+        private function halfAlong(contact:ContactPoint):Number
+        {
+            return Math.abs(contact.normalX) * source.halfX + Math.abs(contact.normalY) * source.halfY + Math.abs(contact.normalZ) * source.halfZ;
+        }
+
+        /**
+         * Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
+         * too of one that begins with all of the body inside of another structure, and with room to spare, as that around a level.
+         */
         public function warnIfInside(row:int, contact:ContactPoint):void
         {
-            if (!isExitShort(row, contact))
+            var form:int = _seen.table.shapes[row].form;
+            if (form != ModelShape.GROUND && contact.depth > (form == ModelShape.TREE ? 1 : WITH_ROOM) * halfAlong(contact))
             {
                 var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
-                warnOfInside(_seen.table.list.agents, row, source.shape.modelName, source.placement, below, contact.depth);
+                warnOfInside(_seen.table.list.agents, row, source.shape.modelName, source.placement, below, contact.depth, form == ModelShape.TREE);
             }
         }
 

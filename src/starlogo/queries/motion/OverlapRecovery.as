@@ -127,6 +127,7 @@ package starlogo.queries.motion
                 {
                     continue;
                 }
+                body.warnIfInside(row, _contact);
                 _contact.depth += body.core.clearance;
                 if (body.isExitShort(row, _contact))
                 {

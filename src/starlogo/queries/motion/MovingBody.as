@@ -227,7 +227,12 @@ package starlogo.queries.motion
         public function warnIfInside(row:int, contact:ContactPoint):void
         {
             var form:int = _seen.table.shapes[row].form;
-            if (form != ModelShape.GROUND && contact.depth > (form == ModelShape.TREE ? 1 : WITH_ROOM) * halfAlong(contact))
+            var least:Number = halfAlong(contact);
+            if (form != ModelShape.TREE)
+            {
+                least *= WITH_ROOM;
+            }
+            if (form != ModelShape.GROUND && contact.depth > least)
             {
                 var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
                 warnOfInside(_seen.table.list.agents, row, source.shape.modelName, source.placement, below, contact.depth, form == ModelShape.TREE);

@@ -21,7 +21,7 @@ package starlogo.search
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
         private var _motions:RowMotions;
-        private var _order:PairOrder = new PairOrder();
+        private var _sorter:PairSorter = new PairSorter();
 
         // The input of the search under way, and whether an agent sweeps.
         private var _input:FrameInput = null;
@@ -69,7 +69,7 @@ package starlogo.search
         /** Ends the search: puts the pairs into order. */
         public function end():void
         {
-            _order.sort(_out, _anySweeps);
+            _sorter.sort(_out, _anySweeps);
         }
 
         /** @inheritDoc */

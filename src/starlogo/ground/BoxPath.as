@@ -98,8 +98,8 @@ package starlogo.ground
             passage.high = Math.max(start, end) + _half.z + up;
         }
 
-        // Narrows a passage to the part in which the box is over a column or a row. If it does not move along x or y, it is beside the square all
-        // the time or never.
+        // Narrows a passage to the part in which the box is over a column or a row. If it does not move along x or y, it is
+        // over the column or row all the time or never.
         private function narrowAlong(isX:Boolean, square:int, level:int, passage:SquarePassage):void
         {
             var width:Number = widthAt(level);

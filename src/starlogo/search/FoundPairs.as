@@ -12,7 +12,8 @@ package starlogo.search
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
      * <p>PairFinder has pairs added, and PairSorter sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
-     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter writes to the columns itself.</p>
+     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter writes to the columns itself, and
+     * PairFinder to the times.</p>
      *
      * @private
      */
@@ -74,17 +75,9 @@ package starlogo.search
             count++;
         }
 
-        /**
-         * Adds the pairs of a row. In each of them the agent that is first in the list comes first.
-         *
-         * @param pairTimes the times of the pairs; null if no agent sweeps
-         */
-        internal function addPairs(row:int, others:Vector.<int>, othersCount:int, pairTimes:Vector.<Number> = null):void
+        /** Adds the pairs of a row. In each of them the agent that is first in the list comes first. */
+        internal function addPairs(row:int, others:Vector.<int>, othersCount:int):void
         {
-            for (var k:int = 0; pairTimes != null && k < othersCount; k++)
-            {
-                times[int(count + k)] = pairTimes[k];
-            }
             var to:int = 2 * count;
             var ranks:Vector.<int> = list.ranks;
             var rank:int = ranks[row];

@@ -97,6 +97,12 @@ package starlogo.search.pairs
             return limits.exact && tree.hasTriangles ? tree.prepareCorners() : null;
         }
 
+        // The depth to which a body's tree is visited.
+        private static function depthOf(body:Body, limits:TreeLimits, corners:Vector.<Number>):int
+        {
+            return corners != null ? BoxTree.EXACT : limits.depthOf(body);
+        }
+
         // Finds how far a body's shape reaches in the model's space.
         private function findInModel(body:Body, limits:TreeLimits, direction:Vector3D, out:SupportPoint):void
         {
@@ -107,7 +113,7 @@ package starlogo.search.pairs
             }
             var tree:BoxTree = body.shape.hierarchy.boxTree;
             var corners:Vector.<Number> = cornersOf(body, limits);
-            var depth:int = corners != null ? BoxTree.EXACT : limits.depthOf(body);
+            var depth:int = depthOf(body, limits, corners);
             out.support = -Infinity;
             _nodes[0] = 0;
             _limits[0] = Infinity;
@@ -162,7 +168,7 @@ package starlogo.search.pairs
             }
             var tree:BoxTree = body.shape.hierarchy.boxTree;
             var corners:Vector.<Number> = cornersOf(body, limits);
-            var depth:int = corners != null ? BoxTree.EXACT : limits.depthOf(body);
+            var depth:int = depthOf(body, limits, corners);
             _nodes[0] = 0;
             for (var top:int = 0; top >= 0; top--)
             {

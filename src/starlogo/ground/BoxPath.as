@@ -72,7 +72,8 @@ package starlogo.ground
         {
             var speed:Number = isX ? search.motion.x : search.motion.y;
             var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
-            var around:Number = (isX ? _half.x : _half.y) + search.maxDistance;
+            var half:Number = isX ? _half.x : _half.y;
+            var around:Number = half + search.maxDistance;
             var start:Number = at + passage.from * speed;
             var end:Number = at + passage.to * speed;
             var place:Number = isLast ? Math.max(start, end) + around : Math.min(start, end) - around;

@@ -129,9 +129,9 @@ package starlogo.search.pairs
                 {
                     var left:int = tree.left[node];
                     var axis:int = tree.axisOf(node);
-                    var isLeftNearer:Boolean = (axis == 0 ? direction.x : axis == 1 ? direction.y : direction.z) > 0;
-                    _nodes[top] = isLeftNearer ? left : left + 1;
-                    _nodes[top + 1] = isLeftNearer ? left + 1 : left;
+                    var along:Number = axis == 0 ? direction.x : axis == 1 ? direction.y : direction.z;
+                    _nodes[top] = along > 0 ? left : left + 1;
+                    _nodes[top + 1] = along > 0 ? left + 1 : left;
                     _limits[top] = _limits[top + 1] = limit;
                     top += 2;
                 }

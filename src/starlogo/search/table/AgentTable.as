@@ -183,10 +183,11 @@ package starlogo.search.table
         public function holdWorld(isHeld:Boolean):void
         {
             var ground:ModelShape = shapes[ListedAgents.GROUND_ROW];
+            var change:int = isHeld ? 1 : -1;
             _isWorldHeld = isHeld;
             if (ground != null)
             {
-                ground.grid.holders += isHeld ? 1 : -1;
+                ground.grid.holders += change;
             }
         }
 

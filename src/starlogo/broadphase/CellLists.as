@@ -96,8 +96,8 @@ package starlogo.broadphase
             return _buckets[row] != NONE;
         }
 
-        /** Puts a row into the bucket of its extents, and makes it a member if it is none. Returns false if its level has no buckets. */
-        public function place(row:int):Boolean
+        /** Moves a row to the bucket of its extents, and makes it a member if it is none. Returns false if its level has no buckets. */
+        public function update(row:int):Boolean
         {
             var level:BinLevel = _bins.byIndex[_extents.level[row]];
             if (!level.hasBuckets)

@@ -195,7 +195,7 @@ package starlogo.collision
         {
             _phase = HANDLING;
             takeContactsFromFrame();
-            search.table.holdWorld();
+            search.table.holdWorld(true);
         }
 
         /** @private The frame is over. */
@@ -203,7 +203,7 @@ package starlogo.collision
         {
             if (_phase == HANDLING)
             {
-                search.table.releaseWorld();
+                search.table.holdWorld(false);
             }
             _phase = IDLE;
         }

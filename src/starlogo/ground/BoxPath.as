@@ -27,8 +27,8 @@ package starlogo.ground
         public var search:GroundSearch;
         public var grid:HeightGrid;
 
-        // The latest time at the beginning of the search. The search's own may have become earlier since.
-        private var _latest:Number = 0;
+        /** The latest time at the beginning of the search. The search's own may have become earlier since. Read only. */
+        public var latest:Number = 0;
 
         // Half the box's lengths, with a margin for rounding; and the distance that rounding errors may hide.
         private var _half:Vector3D = new Vector3D();
@@ -46,12 +46,12 @@ package starlogo.ground
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
-            _latest = search.latest;
+            latest = search.latest;
             corner.setTo(grid.x - search.origin.x - border, grid.y - search.origin.y - border, -search.origin.z);
-            var pathX:Number = _latest * Math.abs(motion.x);
-            var pathY:Number = _latest * Math.abs(motion.y);
+            var pathX:Number = latest * Math.abs(motion.x);
+            var pathY:Number = latest * Math.abs(motion.y);
             var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(corner.x) + Math.abs(box.y) + Math.abs(corner.y) + Math.abs(box.z)
-                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + _latest * Math.abs(motion.z));
+                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + latest * Math.abs(motion.z));
             _slack = FARTHER * rounding;
             _half.setTo(box.halfX + rounding, box.halfY + rounding, box.halfZ + rounding);
             length = Math.max(2 * _half.x + pathX, 2 * _half.y + pathY) + 2 * search.maxDistance;
@@ -64,76 +64,61 @@ package starlogo.ground
         }
 
         /**
-         * The first of some columns or rows of a level that the box may pass over in a passage, or the number after the last one if it passes over
-         * none.
+         * The first or the last column or row of a level that the box may pass over in a passage. It may be outside of the grid.
          *
          * @param isX whether these are columns, along x; otherwise they are rows
          */
-        public function firstPassed(passage:SquarePassage, level:int, isX:Boolean, first:int, last:int):int
+        public function endOf(passage:SquarePassage, level:int, isX:Boolean, isLast:Boolean):int
         {
             var speed:Number = isX ? search.motion.x : search.motion.y;
             var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
             var half:Number = isX ? _half.x : _half.y;
-            var least:Number = Math.min(at + passage.from * speed, at + passage.to * speed) - (half + search.maxDistance);
-            return Math.max(first, Math.min(last + 1, Math.floor(least / widthAt(level))));
-        }
-
-        /** The last one, or the number before the first one. See <code>firstPassed()</code>. */
-        public function lastPassed(passage:SquarePassage, level:int, isX:Boolean, first:int, last:int):int
-        {
-            var speed:Number = isX ? search.motion.x : search.motion.y;
-            var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
-            var half:Number = isX ? _half.x : _half.y;
-            var greatest:Number = Math.max(at + passage.from * speed, at + passage.to * speed) + (half + search.maxDistance);
-            return Math.max(first - 1, Math.min(last, Math.floor(greatest / widthAt(level))));
+            var around:Number = half + search.maxDistance;
+            var start:Number = at + passage.from * speed;
+            var end:Number = at + passage.to * speed;
+            var place:Number = isLast ? Math.max(start, end) + around : Math.min(start, end) - around;
+            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor(place / widthAt(level))));
         }
 
         /**
-         * Finds the part of the motion in which the box is over a square, and the heights between which it is then.
+         * Narrows a passage to the part in which the box is over a square, and finds the heights between which the box is then.
          *
-         * @param isNarrowed whether the part ends with the search's latest time as it is now; otherwise, as it was at the beginning
-         * @param out receives the part and the heights
+         * @param passage a part of the motion; receives the part and the heights
          */
-        public function findPassage(level:int, column:int, row:int, isNarrowed:Boolean, out:SquarePassage):void
+        public function findPassage(level:int, column:int, row:int, passage:SquarePassage):void
         {
-            var box:GroundBox = search.box;
-            var width:Number = widthAt(level);
-            var motion:RelativeMotion = search.motion;
-            var from:Number = 0;
-            var to:Number = isNarrowed ? search.latest : _latest;
-            // the square of how far above or below the box something is near enough
-            var squared:Number = search.maxDistance * search.maxDistance;
-            for (var axis:int = 0; axis < 2; axis++)
-            {
-                var isX:Boolean = axis == 0;
-                var square:int = isX ? column : row;
-                var at:Number = isX ? box.x : box.y;
-                var half:Number = isX ? _half.x : _half.y;
-                var speed:Number = isX ? motion.x : motion.y;
-                var begin:Number = isX ? corner.x : corner.y;
-                if (speed == 0)
-                {
-                    var off:Number = Math.max(0, Math.abs(at - begin - (square + 0.5) * width) - width / 2 - half);
-                    squared -= off * off;
-                    to = off > search.maxDistance ? -1 : to;
-                }
-                else
-                {
-                    var low:Number = (begin + square * width - (at + half)) / speed;
-                    var high:Number = (begin + (square + 1) * width - (at - half)) / speed;
-                    from = Math.max(from, Math.min(low, high));
-                    to = Math.min(to, Math.max(low, high));
-                }
-            }
-            out.from = from;
-            out.to = to;
-            var start:Number = box.z + from * motion.z;
-            var end:Number = box.z + to * motion.z;
+            passage.besideSquared = 0;
+            narrowAlong(true, column, level, passage);
+            narrowAlong(false, row, level, passage);
+            var start:Number = search.box.z + passage.from * search.motion.z;
+            var end:Number = search.box.z + passage.to * search.motion.z;
             // a triangle beside the box must be nearer in height to be near enough
-            var up:Number = Math.sqrt(Math.max(0, squared));
+            var up:Number = Math.sqrt(Math.max(0, search.maxDistance * search.maxDistance - passage.besideSquared));
             var bottom:Number = Math.min(start, end) - _half.z;
-            out.low = Math.max(bottom - up, bottom + search.above + 2 * _slack);
-            out.high = Math.max(start, end) + _half.z + up;
+            passage.low = Math.max(bottom - up, bottom + search.above + 2 * _slack);
+            passage.high = Math.max(start, end) + _half.z + up;
+        }
+
+        // Narrows a passage to the part in which the box is over a column or a row. If it does not move along x or y, it is
+        // over the column or row all the time or never.
+        private function narrowAlong(isX:Boolean, square:int, level:int, passage:SquarePassage):void
+        {
+            var width:Number = widthAt(level);
+            var at:Number = isX ? search.box.x : search.box.y;
+            var half:Number = isX ? _half.x : _half.y;
+            var speed:Number = isX ? search.motion.x : search.motion.y;
+            var first:Number = isX ? corner.x : corner.y;
+            if (speed == 0)
+            {
+                var beside:Number = Math.max(0, Math.abs(at - first - (square + 0.5) * width) - width / 2 - half);
+                passage.besideSquared += beside * beside;
+                passage.to = beside > search.maxDistance ? -1 : passage.to;
+                return;
+            }
+            var low:Number = (first + square * width - (at + half)) / speed;
+            var high:Number = (first + (square + 1) * width - (at - half)) / speed;
+            passage.from = Math.max(passage.from, Math.min(low, high));
+            passage.to = Math.min(passage.to, Math.max(low, high));
         }
 
         /** Narrows a passage over a square to the part in which the box is between the heights of the square. */

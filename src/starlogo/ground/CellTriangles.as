@@ -20,7 +20,7 @@ package starlogo.ground
         private var _row:int = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
 
-        // The number of the next triangle, and the number after the last one.
+        // The index of the next triangle among those of a cell, two on top and then two on each side; and the index after the last one.
         private var _next:int = 0;
         private var _end:int = 0;
 
@@ -68,7 +68,9 @@ package starlogo.ground
                 _end = 2;
                 if (hasWalls)
                 {
-                    _path.findPassage(0, column, row, false, _wholePassage);
+                    _wholePassage.from = 0;
+                    _wholePassage.to = _path.latest;
+                    _path.findPassage(0, column, row, _wholePassage);
                     _end = 10;
                 }
             }
@@ -101,18 +103,17 @@ package starlogo.ground
             return false;
         }
 
-        // Writes the triangle with a number: two on top, then two on each side. Returns false if the cell has no such triangle, or if the
-        // box is above or below it.
-        private function writeTriangle(face:int, out:GroundTriangle):Boolean
+        // Writes a triangle. Returns false if the cell has no such triangle, or if the box is above or below it.
+        private function writeTriangle(index:int, out:GroundTriangle):Boolean
         {
             var corners:Vector.<Number> = out.corners;
-            if (face < 2)
+            if (index < 2)
             {
                 writeCorner(0, corners, 0);
-                writeCorner(face + 1, corners, 3);
-                writeCorner(face + 2, corners, 6);
+                writeCorner(index + 1, corners, 3);
+                writeCorner(index + 2, corners, 6);
             }
-            else if (!writeWall((face - 2) >> 1, (face & 1) == 1, corners))
+            else if (!writeWall((index - 2) >> 1, (index & 1) == 1, corners))
             {
                 return false;
             }

@@ -79,10 +79,10 @@ package starlogo.ground
             var motion:RelativeMotion = _path.search.motion;
             var lastColumn:int = Math.min(firstColumn + most - 1, _path.grid.lastColumnAt(level));
             var lastRow:int = Math.min(firstRow + most - 1, _path.grid.lastRowAt(level));
-            var left:int = _path.firstPassed(_passage, level, true, firstColumn, lastColumn);
-            var right:int = _path.lastPassed(_passage, level, true, firstColumn, lastColumn);
-            var bottom:int = _path.firstPassed(_passage, level, false, firstRow, lastRow);
-            var top:int = _path.lastPassed(_passage, level, false, firstRow, lastRow);
+            var left:int = Math.max(firstColumn, _path.endOf(_passage, level, true, false));
+            var right:int = Math.min(lastColumn, _path.endOf(_passage, level, true, true));
+            var bottom:int = Math.max(firstRow, _path.endOf(_passage, level, false, false));
+            var top:int = Math.min(lastRow, _path.endOf(_passage, level, false, true));
             for (var row:int = bottom; row <= top; row++)
             {
                 for (var column:int = left; column <= right; column++)
@@ -102,7 +102,9 @@ package starlogo.ground
             var level:int = _squares[_top];
             var column:int = _squares[int(_top + 1)];
             var row:int = _squares[int(_top + 2)];
-            _path.findPassage(level, column, row, true, _passage);
+            _passage.from = 0;
+            _passage.to = _path.search.latest;
+            _path.findPassage(level, column, row, _passage);
             if (_passage.from > _passage.to)
             {
                 return;

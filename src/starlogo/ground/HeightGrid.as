@@ -47,7 +47,6 @@ package starlogo.ground
         /** The number of frames that need the ground as it is. While there are any, it must not change. */
         public var holders:int = 0;
 
-        private var _range:HeightRange = new HeightRange();
         private var _point:GroundPoint = new GroundPoint();
 
         // A grid that has been a copy of this one, or of which this one is a copy; or null.
@@ -293,31 +292,8 @@ package starlogo.ground
             return hasCell(column, row) || !isBlocky && (hasCell(column - 1, row) || hasCell(column, row - 1) || hasCell(column - 1, row - 1));
         }
 
-        /** A lower bound for the lengths of all exits from the ground at a place that are shorter than this; 0 if none is known. */
-        public function leastExit(atX:Number, atY:Number, atZ:Number, maxLength:Number):Number
-        {
-            var high:Number = heightAt(atX, atY);
-            if (!(high > atZ && distanceToEnd(atX, atY) >= maxLength))
-            {
-                return 0;
-            }
-            findAround(atX, atY, maxLength, maxLength, _range);
-            if (_range.hasHole)
-            {
-                return 0;
-            }
-            var least:Number = Math.max(0, _range.least - atZ);
-            if (isBlocky)
-            {
-                return least;
-            }
-            var slopeX:Number = _range.stepX / cellWidth;
-            var slopeY:Number = _range.stepY / cellWidth;
-            return Math.max(least, (high - atZ) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
-        }
-
-        // How far a place of the ground is from where the ground ends, along x or y.
-        private function distanceToEnd(atX:Number, atY:Number):Number
+        /** How far a place of the ground is from where the ground ends, along x or y. */
+        public function distanceToEnd(atX:Number, atY:Number):Number
         {
             var alongX:Number = Math.min(atX - x, x + (columns - 1) * cellWidth - atX);
             var alongY:Number = Math.min(atY - y, y + (rows - 1) * cellWidth - atY);

@@ -7,6 +7,9 @@ package starlogo.ground
         public var from:Number = 0;
         public var to:Number = 0;
 
+        /** The square of how far the box is beside the square all the time, along x and y. */
+        public var besideSquared:Number = 0;
+
         /** The heights between which the box is then, or near enough to something. */
         public var low:Number = 0;
         public var high:Number = 0;

@@ -41,8 +41,8 @@ package starlogo.handlers
 
         // How many handlers were ever added, and how many of these the frame calls if they are not removed. Whether any has come or gone since the
         // frame began.
-        private var _count:int = 0;
-        private var _knownCount:int = 0;
+        private var _addedCount:int = 0;
+        private var _calledCount:int = 0;
         private var _hasChanged:Boolean = false;
 
         /**
@@ -54,8 +54,8 @@ package starlogo.handlers
         {
             require(breed, otherBreed, callback);
             requireParameters(breed, otherBreed, callback, kind);
-            enter(new CollisionHandler(kind, breed, otherBreed, callback, _count));
-            _count++;
+            enter(new CollisionHandler(kind, breed, otherBreed, callback, _addedCount));
+            _addedCount++;
             _hasChanged = true;
         }
 
@@ -99,7 +99,7 @@ package starlogo.handlers
             var all:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
             for each (var entry:AddedHandlers in _added)
             {
-                entry.appendTo(all, _count);
+                entry.appendTo(all, _addedCount);
             }
             _added.length = _called.length = 0;
             _addedIndices.clear();
@@ -113,13 +113,13 @@ package starlogo.handlers
                 interests.addNumbers(handler.breedNumber, handler.otherNumber);
                 kinds |= 1 << handler.kind;
                 contactKinds |= handler.needsContact ? 1 << handler.kind : 0;
-                if (handler.serial >= _knownCount)
+                if (handler.serial >= _calledCount)
                 {
                     newNames.push(Breeds.nameOf(handler.breedNumber), Breeds.nameOf(handler.otherNumber));
                 }
             }
             warnOfBreeds(newNames, agents);
-            _knownCount = _count;
+            _calledCount = _addedCount;
         }
 
         /**
@@ -186,7 +186,7 @@ package starlogo.handlers
                     var entry:AddedHandlers = addedFor(number, other);
                     if (entry != null)
                     {
-                        entry.appendTo(found, _knownCount);
+                        entry.appendTo(found, _calledCount);
                     }
                 }
             }

@@ -54,13 +54,13 @@ package starlogo.search
         engine var offsetY:Number = 0;
         engine var offsetZ:Number = 0;
 
-        // The structure in the world, and whether it is at the body's place. By kind: structures of other shapes, for later use; shapes for
-        // structures without a model; the structures that readPlaced() makes.
+        // The structure in the world, and whether it is at the body's place.
         private var _placed:BoundingStructure = null;
         private var _isPlaced:Boolean = false;
+
+        // For later use, by the kind of structure: what _placed was before, and shapes of structures without a model.
         private var _spares:Vector.<BoundingStructure> = null;
         private var _ownShapes:Vector.<ModelShape> = null;
-        private var _worlds:Vector.<BoundingStructure> = null;
 
         /** Takes an agent's shape, rotation and size. The place does not change. */
         public function readShape(agent:Agent, shape:ModelShape):void
@@ -117,11 +117,9 @@ package starlogo.search
         /** Becomes the body of the structure that another body is in the world, without its margin. */
         public function readPlaced(whole:Body):void
         {
-            _worlds ||= new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
-            var world:BoundingStructure = whole.shape.structure.place(whole.placement, _worlds[whole.form]);
-            _worlds[whole.form] = world;
-            world.rotatedBoxInto(UPRIGHT, sExtents);
-            takeStructure(world, sExtents);
+            setPlaced(whole.shape.structure, whole.placement);
+            _placed.rotatedBoxInto(UPRIGHT, sExtents);
+            takeStructure(_placed, sExtents);
         }
 
         // Takes a structure in the world, and its extents.
@@ -333,28 +331,26 @@ package starlogo.search
                 // structure have one
                 widening += (Tolerances.TOUCHING - 1) * halfX;
             }
-            if (_placed == null || _placed.kind != form)
+            setPlaced(shape.structure, placement);
+            _placed.widen(widening);
+            _isPlaced = true;
+        }
+
+        // Makes _placed the structure at a place, in an object of its kind.
+        private function setPlaced(structure:BoundingStructure, at:Placement):void
+        {
+            var kind:int = structure.kind;
+            if (_placed != null && _placed.kind != kind)
             {
-                changeKind();
+                _spares ||= new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
+                _spares[_placed.kind] = _placed;
+                _placed = _spares[kind];
             }
-            var placed:BoundingStructure = shape.structure.place(placement, _placed);
+            var placed:BoundingStructure = structure.place(at, _placed);
             if (_placed !== placed)
             {
                 _placed = placed;
             }
-            placed.widen(widening);
-            _isPlaced = true;
-        }
-
-        private function changeKind():void
-        {
-            if (_placed != null)
-            {
-                _spares ||= new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
-                _spares[_placed.kind] = _placed;
-                _placed = _spares[form];
-            }
-            _placed ||= shape.structure.clone();
         }
     }
 }

@@ -1,5 +1,5 @@
 // This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; PairFinder and
-// NarrowPhase keep the pairs of the broad phase that touch, by a PairTests for each kind of pairs (pairs/); PairOrder puts them into the order of
+// NarrowPhase keep the pairs of the broad phase that touch, by a PairTests for each kind of pairs (pairs/); PairSorter puts them into the order of
 // the list, and KeptPairs takes those of the last frame if little has changed. Read this file first, then AgentTable for the rows, NarrowPhase
 // for the tests, and PenetrationSearch (penetration/) for depths.
 package starlogo.search
@@ -19,7 +19,7 @@ package starlogo.search
 
     /**
      * Finds the pairs of agents that touch: the search that all colliders share. It reads the agents into a table. The bins find the pairs of
-     * rows that are near each other (thesis §3.7). PairFinder keeps those that touch, and PairOrder puts them into order. If few agents have
+     * rows that are near each other (thesis §3.7). PairFinder keeps those that touch, and PairSorter puts them into order. If few agents have
      * changed, KeptPairs begins with the pairs of the last search instead.
      *
      * <p>A question about two agents takes the bodies of their rows if the agents have not changed since, and otherwise makes bodies of them as they are

@@ -11,14 +11,15 @@ package starlogo.search
      * The pairs of a frame: two rows of agents each. After a search they are in the order of the list, by the first agent's index and then by the
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
-     * <p>PairFinder has pairs added, and PairOrder sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
-     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairOrder writes to the columns itself.</p>
+     * <p>PairFinder has pairs added, and PairSorter sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
+     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter writes to the columns itself, and
+     * PairFinder to the times.</p>
      *
      * @private
      */
     public final class FoundPairs
     {
-        /** In place of a revision, or of the number of a touch: there is none. */
+        /** In place of a revision, or of the index of a touch: there is none. */
         public static const NONE:int = -1;
 
         // The revision of the pairs that were written last, by any object.
@@ -45,10 +46,10 @@ package starlogo.search
          */
         public var basis:int = NONE;
 
-        /** By pair: the number of its touch, or NONE. TouchTracker sets it, and kept pairs keep it. Before clearTouches() it means nothing. */
+        /** By pair: the index of its touch, or NONE. TouchTracker sets it, and kept pairs keep it. Before clearTouches() it means nothing. */
         public var touches:Vector.<int> = new Vector.<int>();
 
-        /** The numbers of touches that the dropped pairs had. */
+        /** The indices of the touches that the dropped pairs had. */
         public var droppedTouches:NumberList = new NumberList();
 
         /** The indices of the added pairs among these pairs, in ascending order. */
@@ -74,17 +75,9 @@ package starlogo.search
             count++;
         }
 
-        /**
-         * Adds the pairs of a row. In each of them the agent that is first in the list comes first.
-         *
-         * @param pairTimes the times of the pairs; null if no agent sweeps
-         */
-        internal function addPairs(row:int, others:Vector.<int>, othersCount:int, pairTimes:Vector.<Number> = null):void
+        /** Adds the pairs of a row. In each of them the agent that is first in the list comes first. */
+        internal function addPairs(row:int, others:Vector.<int>, othersCount:int):void
         {
-            for (var k:int = 0; pairTimes != null && k < othersCount; k++)
-            {
-                times[int(count + k)] = pairTimes[k];
-            }
             var to:int = 2 * count;
             var ranks:Vector.<int> = list.ranks;
             var rank:int = ranks[row];
@@ -151,7 +144,7 @@ package starlogo.search
             {
                 var a:int = found.rows[int(2 * i)];
                 var b:int = found.rows[int(2 * i + 1)];
-                for (var place:int = i < early ? 0 : indexFor(a, b, from); from > place; from--)
+                for (var end:int = i < early ? 0 : indexFor(a, b, from); from > end; from--)
                 {
                     to--;
                     rows[int(2 * to)] = rows[int(2 * from - 2)];

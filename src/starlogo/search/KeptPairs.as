@@ -48,9 +48,9 @@ package starlogo.search
         private var _isFiltered:Boolean = false;
         private var _maxDepth:int = 0;
 
-        // The number of the search. By row: the last search that found the row changed. The rows that this one has found changed.
-        private var _searchNumber:int = 0;
-        private var _changedIn:Vector.<int> = new Vector.<int>();
+        // By row: the mark of the last search that has found it changed. The mark of this search, and the rows that have it.
+        private var _marks:Vector.<int> = new Vector.<int>();
+        private var _mark:int = 0;
         private var _changed:NumberList = new NumberList();
 
         /**
@@ -127,7 +127,7 @@ package starlogo.search
             }
             // they are not if the search throws
             _areValid = false;
-            _searchNumber++;
+            _mark++;
             findChanged(input);
             if (!areFew(_changed.count))
             {
@@ -137,12 +137,12 @@ package starlogo.search
             {
                 _motions.findMotions(_changed);
             }
-            if (!placeChanged(input) || !_cells.haveRightBucketCounts())
+            if (!updateCells(input) || !_cells.haveRightBucketCounts())
             {
                 return false;
             }
             findPairsOfChanged(input);
-            _pairs.drop(_table.list, _changedIn, _searchNumber);
+            _pairs.drop(_table.list, _marks, _mark);
             _pairs.merge(_found, _anySweeps);
             _areValid = true;
             return true;
@@ -181,9 +181,9 @@ package starlogo.search
         {
             var length:int = _table.list.agents.length;
             _changed.count = 0;
-            if (_changedIn.length < length)
+            if (_marks.length < length)
             {
-                _changedIn.length = length;
+                _marks.length = length;
             }
             _cells.makeRows(length);
             addAll(_table.places.changed);
@@ -208,9 +208,9 @@ package starlogo.search
 
         private function addChanged(row:int):void
         {
-            if (_changedIn[row] != _searchNumber)
+            if (_marks[row] != _mark)
             {
-                _changedIn[row] = _searchNumber;
+                _marks[row] = _mark;
                 _changed.add(row);
             }
         }
@@ -229,8 +229,8 @@ package starlogo.search
             }
         }
 
-        // Puts the changed rows to their cells. Returns false if one of them needs a level without buckets.
-        private function placeChanged(input:FrameInput):Boolean
+        // Moves the changed rows to their cells. Returns false if one of them needs a level without buckets.
+        private function updateCells(input:FrameInput):Boolean
         {
             for (var i:int = 0; i < _changed.count; i++)
             {
@@ -239,7 +239,7 @@ package starlogo.search
                 {
                     _cells.remove(row);
                 }
-                else if (!_cells.place(row))
+                else if (!_cells.update(row))
                 {
                     return false;
                 }
@@ -255,7 +255,7 @@ package starlogo.search
             {
                 if (_cells.has(_changed.numbers[i]))
                 {
-                    _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _finder);
+                    _cells.findNear(_changed.numbers[i], _marks, _mark, _finder);
                 }
             }
             findPairsOfWorldAgent(ListedAgents.GROUND_ROW);
@@ -269,7 +269,7 @@ package starlogo.search
             var hasChanged:Boolean = _table.hasWorldChanged[worldRow];
             if (hasChanged)
             {
-                _changedIn[worldRow] = _searchNumber;
+                _marks[worldRow] = _mark;
             }
             _finder.findPairsOfWorldAgent(worldRow, hasChanged ? _table.list.rows : _changed);
         }

@@ -21,7 +21,7 @@ package starlogo.search
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
         private var _motions:RowMotions;
-        private var _order:PairOrder = new PairOrder();
+        private var _sorter:PairSorter = new PairSorter();
 
         // The input of the search under way, and whether an agent sweeps.
         private var _input:FrameInput = null;
@@ -32,9 +32,6 @@ package starlogo.search
 
         // The motion of a pair that is tested.
         private var _motion:RelativeMotion = new RelativeMotion();
-
-        // The times of a row's pairs, if an agent sweeps.
-        private var _times:Vector.<Number> = new Vector.<Number>();
 
         // The members that are tested with the ground or the edges of the world.
         private var _members:Vector.<int> = new Vector.<int>();
@@ -69,7 +66,7 @@ package starlogo.search
         /** Ends the search: puts the pairs into order. */
         public function end():void
         {
-            _order.sort(_out, _anySweeps);
+            _sorter.sort(_out, _anySweeps);
         }
 
         /** @inheritDoc */
@@ -115,16 +112,12 @@ package starlogo.search
         // Adds the pairs of a row with those candidates that touch it. There is no level for the ground and the edges, whose extents say nothing.
         private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            if (_anySweeps)
-            {
-                _out.addPairs(row, others, keepTouchingMotions(row, others, count, level, _times), _times);
-                return;
-            }
-            _out.addPairs(row, others, _narrowPhase.keepTouching(_table, level, row, others, count));
+            var kept:int = _anySweeps ? keepTouchingMotions(row, others, count, level, _out) : _narrowPhase.keepTouching(_table, level, row, others, count);
+            _out.addPairs(row, others, kept);
         }
 
-        // Keeps the rows that touch a row on their motions. The last argument receives the times.
-        private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
+        // Keeps the rows that touch a row on their motions. The last argument receives the times of their pairs, which are added to it next.
+        private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, out:FoundPairs):int
         {
             var ranks:Vector.<int> = _table.list.ranks;
             var rank:int = ranks[row];
@@ -138,7 +131,7 @@ package starlogo.search
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    times[kept] = _motion.time;
+                    out.times[int(out.count + kept)] = _motion.time;
                     kept++;
                 }
             }

@@ -34,9 +34,9 @@ package starlogo.queries.rays
         private var _inModel:Ray = new Ray();
         private var _solid:TreeRayQuery = new TreeRayQuery();
 
-        // The crossings with a row's shape, their order, one of them, and a scratch ray.
+        // The crossings with a row's shape, those that are surfaces, one of them, and a scratch ray.
         private var _crossings:RayCrossings = new RayCrossings();
-        private var _order:CrossingOrder = new CrossingOrder();
+        private var _surfaces:SurfaceCrossings = new SurfaceCrossings();
         private var _entry:RayEntry = new RayEntry();
         private var _reversed:Ray = new Ray();
 
@@ -89,10 +89,10 @@ package starlogo.queries.rays
                 bringIntoModel(ray, body.placement, line);
                 areTriangles = line.isFinite && cross(body, line, crossings);
             }
-            _order.arrange(crossings, areTriangles);
-            for (var i:int = 0; i < _order.left.count; i++)
+            _surfaces.find(crossings, areTriangles);
+            for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
-                crossings.readEntry(_order.left.numbers[i], _entry);
+                crossings.readEntry(_surfaces.indices.numbers[i], _entry);
                 if (isGround ? _entry.distance <= ray.to : bringBack(_entry, line, body.placement, ray))
                 {
                     out.addEntry(row, ray, _entry);

@@ -195,33 +195,9 @@ package starlogo.queries.trees
         {
             var boxes:Vector.<Number> = _tree.nodeBoxes;
             var box:int = RowTree.PER_BOX * node;
-            var toX:Number = boxes[box] - _x;
-            if (toX < 0)
-            {
-                toX = _x - boxes[int(box + 3)];
-                if (toX < 0)
-                {
-                    toX = 0;
-                }
-            }
-            var toY:Number = boxes[int(box + 1)] - _y;
-            if (toY < 0)
-            {
-                toY = _y - boxes[int(box + 4)];
-                if (toY < 0)
-                {
-                    toY = 0;
-                }
-            }
-            var toZ:Number = boxes[int(box + 2)] - _z;
-            if (toZ < 0)
-            {
-                toZ = _z - boxes[int(box + 5)];
-                if (toZ < 0)
-                {
-                    toZ = 0;
-                }
-            }
+            var toX:Number = _x < boxes[box] ? boxes[box] - _x : (_x > boxes[int(box + 3)] ? _x - boxes[int(box + 3)] : 0);
+            var toY:Number = _y < boxes[int(box + 1)] ? boxes[int(box + 1)] - _y : (_y > boxes[int(box + 4)] ? _y - boxes[int(box + 4)] : 0);
+            var toZ:Number = _z < boxes[int(box + 2)] ? boxes[int(box + 2)] - _z : (_z > boxes[int(box + 5)] ? _z - boxes[int(box + 5)] : 0);
             var square:Number = toX * toX + toY * toY + toZ * toZ;
             if (square > _found.limit || !_tree.mayHave(node, _found.filter.breeds))
             {

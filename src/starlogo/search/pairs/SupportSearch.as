@@ -23,24 +23,18 @@ package starlogo.search.pairs
      */
     public final class SupportSearch
     {
-        // The depth to which the tree is visited. The triangles' corners if they decide; otherwise null.
-        private var _depth:int;
-        private var _corners:Vector.<Number>;
-
         // The nodes still to visit, the next one last, and how far each may reach. Trees may be too deep for recursion.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _limits:Vector.<Number> = new Vector.<Number>();
+        private var _box:Box = BoxTree.newBox();
 
-        // The direction in the model's space, the farthest support so far, and the least support of points that count as the farthest.
+        // The direction in the model's space.
         private var _direction:Vector3D = new Vector3D();
-        private var _best:Number;
-        private var _least:Number;
 
         // A box around the points that count as the farthest, and the point that is added to it.
         private var _low:Vector3D = new Vector3D();
         private var _high:Vector3D = new Vector3D();
         private var _added:Vector3D = new Vector3D();
-        private var _box:Box = BoxTree.newBox();
 
         /**
          * Finds how far a body reaches in a direction.
@@ -51,23 +45,9 @@ package starlogo.search.pairs
          */
         public function findSupport(body:Body, limits:TreeLimits, direction:Vector3D, out:SupportPoint):void
         {
-            var tree:ModelTree = body.shape.hierarchy;
-            var at:Placement = body.placement;
-            _corners = tree != null && limits.exact && tree.hasTriangles ? tree.prepareCorners() : null;
-            _depth = _corners != null ? BoxTree.EXACT : limits.depthOf(body);
-            _direction.x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
-            _direction.y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;
-            _direction.z = at.r02 * direction.x + at.r12 * direction.y + at.r22 * direction.z;
-            _best = -Infinity;
-            if (tree == null)
-            {
-                _best = body.shape.structure.supportAlong(_direction);
-            }
-            else
-            {
-                findTreeSupport(tree.boxTree);
-            }
-            out.support = at.x * direction.x + at.y * direction.y + at.z * direction.z + at.size * _best;
+            turnIntoModel(direction, body.placement, _direction);
+            findInModel(body, limits, _direction, out);
+            bringSupportBack(direction, body.placement, out);
         }
 
         /**
@@ -81,19 +61,14 @@ package starlogo.search.pairs
          */
         public function findPoint(body:Body, limits:TreeLimits, direction:Vector3D, half:Number, out:SupportPoint):void
         {
-            findSupport(body, limits, direction, out);
-            _least = _best - Tolerances.SEPARATION * half / body.placement.size;
-            _low.setTo(Infinity, Infinity, Infinity);
-            _high.setTo(-Infinity, -Infinity, -Infinity);
-            if (body.shape.hierarchy == null)
-            {
-                addFarthest(body.shape.structure);
-            }
-            else
-            {
-                addFarthestOfTree(body.shape.hierarchy.boxTree);
-            }
             var at:Placement = body.placement;
+            turnIntoModel(direction, at, _direction);
+            findInModel(body, limits, _direction, out);
+            var farthest:Number = out.support;
+            out.support -= Tolerances.SEPARATION * half / at.size;
+            addFarthest(body, limits, _direction, out);
+            out.support = farthest;
+            bringSupportBack(direction, at, out);
             var x:Number = at.size * (_low.x + _high.x) / 2;
             var y:Number = at.size * (_low.y + _high.y) / 2;
             var z:Number = at.size * (_low.z + _high.z) / 2;
@@ -102,106 +77,146 @@ package starlogo.search.pairs
             out.z = at.z + at.r20 * x + at.r21 * y + at.r22 * z;
         }
 
-        // Finds how far a tree reaches.
-        private function findTreeSupport(tree:BoxTree):void
+        private static function turnIntoModel(direction:Vector3D, at:Placement, out:Vector3D):void
         {
+            out.x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
+            out.y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;
+            out.z = at.r02 * direction.x + at.r12 * direction.y + at.r22 * direction.z;
+        }
+
+        // Turns a support in the model's space into one in the world.
+        private static function bringSupportBack(direction:Vector3D, at:Placement, out:SupportPoint):void
+        {
+            out.support = at.x * direction.x + at.y * direction.y + at.z * direction.z + at.size * out.support;
+        }
+
+        // The corners of a body's triangles if they decide; otherwise null.
+        private static function cornersOf(body:Body, limits:TreeLimits):Vector.<Number>
+        {
+            var tree:ModelTree = body.shape.hierarchy;
+            return limits.exact && tree.hasTriangles ? tree.prepareCorners() : null;
+        }
+
+        // The depth to which a body's tree is visited.
+        private static function depthOf(body:Body, limits:TreeLimits, corners:Vector.<Number>):int
+        {
+            return corners != null ? BoxTree.EXACT : limits.depthOf(body);
+        }
+
+        // Finds how far a body's shape reaches in the model's space.
+        private function findInModel(body:Body, limits:TreeLimits, direction:Vector3D, out:SupportPoint):void
+        {
+            if (body.shape.hierarchy == null)
+            {
+                out.support = body.shape.structure.supportAlong(direction);
+                return;
+            }
+            var tree:BoxTree = body.shape.hierarchy.boxTree;
+            var corners:Vector.<Number> = cornersOf(body, limits);
+            var depth:int = depthOf(body, limits, corners);
+            out.support = -Infinity;
             _nodes[0] = 0;
             _limits[0] = Infinity;
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
-                var limit:Number = Math.min(_limits[top], tree.writeBox(node, _box).supportAlong(_direction));
-                if (limit <= _best)
+                var limit:Number = Math.min(_limits[top], tree.writeBox(node, _box).supportAlong(direction));
+                if (limit <= out.support)
                 {
                     continue;
                 }
-                if (tree.endsUpToDepth[node] < _depth)
+                if (tree.endsUpToDepth[node] < depth)
                 {
                     var left:int = tree.left[node];
                     var axis:int = tree.axisOf(node);
-                    var along:Number = axis == 0 ? _direction.x : axis == 1 ? _direction.y : _direction.z;
+                    var along:Number = axis == 0 ? direction.x : axis == 1 ? direction.y : direction.z;
                     _nodes[top] = along > 0 ? left : left + 1;
                     _nodes[top + 1] = along > 0 ? left + 1 : left;
                     _limits[top] = _limits[top + 1] = limit;
                     top += 2;
                 }
-                else if (_corners == null)
+                else if (corners == null)
                 {
-                    _best = limit;
+                    out.support = limit;
                 }
                 else
                 {
-                    findCornerSupport(tree.first[node], tree.end[node]);
+                    findOfCorners(corners, tree.first[node], tree.end[node], direction, out);
                 }
             }
         }
 
-        private function findCornerSupport(first:int, end:int):void
+        private static function findOfCorners(corners:Vector.<Number>, first:int, end:int, direction:Vector3D, out:SupportPoint):void
         {
-            var farthest:Number = _best;
+            var farthest:Number = out.support;
             for (var i:int = 9 * first; i < 9 * end; i += 3)
             {
-                farthest = Math.max(farthest, _corners[i] * _direction.x + _corners[int(i + 1)] * _direction.y + _corners[int(i + 2)] * _direction.z);
+                farthest = Math.max(farthest, corners[i] * direction.x + corners[int(i + 1)] * direction.y + corners[int(i + 2)] * direction.z);
             }
-            _best = farthest;
+            out.support = farthest;
         }
 
-        // Adds the farthest points of a tree.
-        private function addFarthestOfTree(tree:BoxTree):void
+        // Finds the box around the points of a body's shape that count as the farthest: those that reach as far as a support in the model's space.
+        private function addFarthest(body:Body, limits:TreeLimits, direction:Vector3D, least:SupportPoint):void
         {
+            _low.setTo(Infinity, Infinity, Infinity);
+            _high.setTo(-Infinity, -Infinity, -Infinity);
+            if (body.shape.hierarchy == null)
+            {
+                addFarthestOf(body.shape.structure, direction, least);
+                return;
+            }
+            var tree:BoxTree = body.shape.hierarchy.boxTree;
+            var corners:Vector.<Number> = cornersOf(body, limits);
+            var depth:int = depthOf(body, limits, corners);
             _nodes[0] = 0;
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
-                if (tree.writeBox(node, _box).supportAlong(_direction) < _least)
+                if (tree.writeBox(node, _box).supportAlong(direction) < least.support)
                 {
                     continue;
                 }
-                if (tree.endsUpToDepth[node] < _depth)
+                if (tree.endsUpToDepth[node] < depth)
                 {
                     _nodes[top] = tree.left[node] + 1;
                     _nodes[top + 1] = tree.left[node];
                     top += 2;
                 }
-                else if (_corners == null)
+                else if (corners == null)
                 {
-                    addFarthest(_box);
+                    addFarthestOf(_box, direction, least);
                 }
                 else
                 {
-                    addCorners(tree.first[node], tree.end[node]);
+                    addCorners(corners, tree.first[node], tree.end[node], direction, least);
                 }
             }
         }
 
-        private function addCorners(first:int, end:int):void
+        private function addCorners(corners:Vector.<Number>, first:int, end:int, direction:Vector3D, least:SupportPoint):void
         {
             for (var i:int = 9 * first; i < 9 * end; i += 3)
             {
-                _added.setTo(_corners[i], _corners[int(i + 1)], _corners[int(i + 2)]);
-                if (along(_added) >= _least)
+                _added.setTo(corners[i], corners[int(i + 1)], corners[int(i + 2)]);
+                if (_added.x * direction.x + _added.y * direction.y + _added.z * direction.z >= least.support)
                 {
-                    addPoint();
+                    addPoint(_added);
                 }
             }
         }
 
         // Adds the farthest point of a structure, or the middle of several.
-        private function addFarthest(structure:BoundingStructure):void
+        private function addFarthestOf(structure:BoundingStructure, direction:Vector3D, least:SupportPoint):void
         {
-            structure.farthestPoint(_direction, _least, _added);
-            addPoint();
+            structure.farthestPoint(direction, least.support, _added);
+            addPoint(_added);
         }
 
-        private function addPoint():void
+        private function addPoint(point:Vector3D):void
         {
-            _low.setTo(Math.min(_low.x, _added.x), Math.min(_low.y, _added.y), Math.min(_low.z, _added.z));
-            _high.setTo(Math.max(_high.x, _added.x), Math.max(_high.y, _added.y), Math.max(_high.z, _added.z));
-        }
-
-        private function along(vector:Vector3D):Number
-        {
-            return vector.x * _direction.x + vector.y * _direction.y + vector.z * _direction.z;
+            _low.setTo(Math.min(_low.x, point.x), Math.min(_low.y, point.y), Math.min(_low.z, point.z));
+            _high.setTo(Math.max(_high.x, point.x), Math.max(_high.y, point.y), Math.max(_high.z, point.z));
         }
     }
 }

@@ -31,9 +31,14 @@ package starlogo.search.penetration
 
         private var _pair:DisplacedPair;
 
-        // The direction, with the distance that is tested, and the interval along it.
+        // The direction, with the distance that is tested.
         private var _tried:Displacement = new Displacement();
-        private var _interval:ExitInterval = new ExitInterval();
+
+        // The two part between these distances: they touch at the inner one, and not at the outer one, once it is tested. The step is how much
+        // farther out the next test is if they do.
+        private var _inner:Number = 0;
+        private var _outer:Number = 0;
+        private var _step:Number = 0;
 
         // The sweep back, and the contact at its end.
         private var _back:RelativeMotion = new RelativeMotion();
@@ -54,9 +59,9 @@ package starlogo.search.penetration
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
-            _interval.outer = guess.depth + _pair.tolerance;
-            _interval.step = IMPROVED_DEPTH * _pair.extent;
-            goOut(_tried, _interval);
+            _outer = guess.depth + _pair.tolerance;
+            _step = IMPROVED_DEPTH * _pair.extent;
+            goOut();
             refine(out);
         }
 
@@ -69,8 +74,8 @@ package starlogo.search.penetration
         public function shorten(free:Displacement, out:ContactPoint):void
         {
             _tried.setDirection(free.x, free.y, free.z);
-            _interval.inner = 0;
-            _interval.outer = free.distance;
+            _inner = 0;
+            _outer = free.distance;
             refine(out);
         }
 
@@ -78,104 +83,104 @@ package starlogo.search.penetration
         // middle between the place where the two part and the matching place on the first body.
         private function refine(out:ContactPoint):void
         {
-            sweepBack(_tried, _interval, out);
+            sweepBack(out);
             if (out.depth > IMPROVED_DEPTH * _pair.extent)
             {
-                for (var left:int = IMPROVEMENTS; left > 0 && startAlongPartingNormal(_tried, _interval, out); left--)
+                for (var left:int = IMPROVEMENTS; left > 0 && startAlongPartingNormal(out); left--)
                 {
-                    sweepBack(_tried, _interval, out);
+                    sweepBack(out);
                 }
                 out.x = _parting.x - out.depth / 2 * out.normalX;
                 out.y = _parting.y - out.depth / 2 * out.normalY;
                 out.z = _parting.z - out.depth / 2 * out.normalZ;
             }
-            makeSure(_tried, _interval, out);
+            makeSure(out);
         }
 
         // Starts along the normal of the surfaces where the two parted. Returns whether the way out along it is shorter than a contact's depth.
-        private function startAlongPartingNormal(along:Displacement, interval:ExitInterval, contact:ContactPoint):Boolean
+        private function startAlongPartingNormal(contact:ContactPoint):Boolean
         {
             var cosine:Number = _parting.normalX * contact.normalX + _parting.normalY * contact.normalY + _parting.normalZ * contact.normalZ;
             if (!(cosine > 0 && cosine < GAIN))
             {
                 return false;
             }
-            along.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
-            interval.inner = 0;
-            interval.outer = cosine * contact.depth + _pair.tolerance;
-            return !areTouchingAtEnd(along, interval);
+            _tried.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
+            _inner = 0;
+            _outer = cosine * contact.depth + _pair.tolerance;
+            return !areTouchingAtEnd();
         }
 
         // Increases the outer distance by longer and longer steps, until the two do not touch there.
-        private function goOut(along:Displacement, interval:ExitInterval):void
+        private function goOut():void
         {
-            interval.inner = 0;
-            while (areTouchingAtEnd(along, interval) && interval.outer < 1e300)
+            _inner = 0;
+            while (areTouchingAtEnd() && _outer < 1e300)
             {
-                interval.inner = interval.outer;
-                interval.outer += interval.step;
-                interval.step *= 2;
+                _inner = _outer;
+                _outer += _step;
+                _step *= 2;
             }
         }
 
         // Finds the place where the two part, in the interval. Its distance becomes the contact's depth.
-        private function sweepBack(along:Displacement, interval:ExitInterval, out:ContactPoint):void
+        private function sweepBack(out:ContactPoint):void
         {
-            while (interval.outer - interval.inner > NARROW * _pair.extent)
+            while (_outer - _inner > NARROW * _pair.extent)
             {
-                halve(along, interval);
+                halve();
             }
-            along.distance = interval.inner;
-            _pair.displace(along);
-            var length:Number = interval.inner - interval.outer;
-            _back.endAfter(length * along.x, length * along.y, length * along.z);
+            _tried.distance = _inner;
+            _pair.displace(_tried);
+            var length:Number = _inner - _outer;
+            _back.endAfter(length * _tried.x, length * _tried.y, length * _tried.z);
             _pair.findImpact(_back, _parting);
             var time:Number = Math.min(_back.time, 1);
-            out.setNormal(along.x, along.y, along.z);
-            out.depth = interval.outer + time * length;
+            out.setNormal(_tried.x, _tried.y, _tried.z);
+            out.depth = _outer + time * length;
         }
 
-        private function halve(along:Displacement, interval:ExitInterval):void
+        private function halve():void
         {
-            along.distance = (interval.inner + interval.outer) / 2;
-            if (_pair.testAt(along))
+            _tried.distance = (_inner + _outer) / 2;
+            if (_pair.testAt(_tried))
             {
-                interval.inner = along.distance;
+                _inner = _tried.distance;
             }
             else
             {
-                interval.outer = along.distance;
+                _outer = _tried.distance;
             }
         }
 
         // Makes sure, in spite of rounding, that the two do not touch a little beyond a contact's depth, and touch a little before it.
-        private function makeSure(along:Displacement, interval:ExitInterval, out:ContactPoint):void
+        private function makeSure(out:ContactPoint):void
         {
             var probe:Number = _pair.probeDistance;
-            along.setDirection(out.normalX, out.normalY, out.normalZ);
-            interval.outer = out.depth + probe;
-            interval.step = probe;
-            goOut(along, interval);
-            if (interval.inner == 0)
+            _tried.setDirection(out.normalX, out.normalY, out.normalZ);
+            _outer = out.depth + probe;
+            _step = probe;
+            goOut();
+            if (_inner == 0)
             {
-                along.distance = out.depth - probe;
-                if (along.distance <= 0 || _pair.testAt(along))
+                _tried.distance = out.depth - probe;
+                if (_tried.distance <= 0 || _pair.testAt(_tried))
                 {
                     return;
                 }
-                interval.outer = along.distance;
+                _outer = _tried.distance;
             }
-            for (var i:int = 0; i < MOST_STEPS && interval.outer - interval.inner > probe; i++)
+            for (var i:int = 0; i < MOST_STEPS && _outer - _inner > probe; i++)
             {
-                halve(along, interval);
+                halve();
             }
-            out.depth = (interval.outer + interval.inner) / 2;
+            out.depth = (_outer + _inner) / 2;
         }
 
-        private function areTouchingAtEnd(along:Displacement, interval:ExitInterval):Boolean
+        private function areTouchingAtEnd():Boolean
         {
-            along.distance = interval.outer;
-            return _pair.testAt(along);
+            _tried.distance = _outer;
+            return _pair.testAt(_tried);
         }
     }
 }

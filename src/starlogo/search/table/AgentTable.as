@@ -179,23 +179,12 @@ package starlogo.search.table
             }
         }
 
-        /** Holds the ground and the edges of the world as they were read, until <code>releaseWorld()</code>. */
-        public function holdWorld():void
-        {
-            _isWorldHeld = true;
-            countHolders(1);
-        }
-
-        /** Lets go of the ground and the edges of the world. */
-        public function releaseWorld():void
-        {
-            _isWorldHeld = false;
-            countHolders(-1);
-        }
-
-        private function countHolders(change:int):void
+        /** Holds the ground and the edges of the world as they were read, or lets go of them. Call it in turns with true and false. */
+        public function holdWorld(isHeld:Boolean):void
         {
             var ground:ModelShape = shapes[ListedAgents.GROUND_ROW];
+            var change:int = isHeld ? 1 : -1;
+            _isWorldHeld = isHeld;
             if (ground != null)
             {
                 ground.grid.holders += change;

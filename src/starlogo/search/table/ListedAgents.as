@@ -63,9 +63,9 @@ package starlogo.search.table
         // All rows below it are in use or free.
         private var _end:int = FIRST_LISTED;
 
-        // The number of lists that were proposed. By row: the last of them in which the agent was.
-        private var _proposals:int = 0;
-        private var _lastProposals:Vector.<int> = new <int>[0, 0];
+        // By row: the mark of the last list proposed with its agent. The mark of the list that was proposed last.
+        private var _marks:Vector.<int> = new <int>[0, 0];
+        private var _mark:int = 0;
 
         /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */
         public function rowOf(agent:Agent):int
@@ -130,7 +130,7 @@ package starlogo.search.table
             arrived.count = 0;
             var listed:Vector.<int> = rows.numbers;
             var to:Vector.<int> = proposed.numbers;
-            _proposals++;
+            _mark++;
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
@@ -145,11 +145,11 @@ package starlogo.search.table
                     warnOfNames(agent);
                     row = add(agent);
                 }
-                else if (_lastProposals[row] == _proposals)
+                else if (_marks[row] == _mark)
                 {
                     throw new ArgumentError(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
                 }
-                _lastProposals[row] = _proposals;
+                _marks[row] = _mark;
                 to[i] = row;
             }
             proposed.count = list.length;
@@ -221,7 +221,7 @@ package starlogo.search.table
 
         private function grow(length:int):void
         {
-            agents.length = ranks.length = _lastProposals.length = length;
+            agents.length = ranks.length = _marks.length = length;
         }
 
         // Lists rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.

@@ -6,10 +6,10 @@ package starlogo.search
     import starlogo.search.table.ListedAgents;
 
     /** The order of pairs, compared with a sort by comparisons. */
-    public class PairOrderTest
+    public class PairSorterTest
     {
         private var _random:SeededRandom = new SeededRandom(7215);
-        private var _order:PairOrder = new PairOrder();
+        private var _sorter:PairSorter = new PairSorter();
 
         [Test]
         public function isThatOfTheList():void
@@ -57,7 +57,7 @@ package starlogo.search
                 }
             }
             expected.sort(compare);
-            _order.sort(pairs, haveTimes);
+            _sorter.sort(pairs, haveTimes);
             assertEquals(pairCount, pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {

@@ -5,31 +5,31 @@ package starlogo.queries.rays
     import starlogo.intersection.ray.RayCrossings;
 
     /**
-     * Puts the crossings of a ray with one shape into the order of the ray, and leaves out those that are no surface of their own.
-     * AgentRays.castAll says the rules.
+     * The crossings of a ray with one shape, in the order of the ray, without those that are no surface of their own. AgentRays.castAll says the
+     * rules.
      *
      * @private
      */
-    public final class CrossingOrder
+    public final class SurfaceCrossings
     {
-        /** The indices of the crossings that are left. */
-        public var left:NumberList = new NumberList();
+        /** The indices of the crossings that are surfaces. */
+        public var indices:NumberList = new NumberList();
 
         // The indices of all crossings, in the order of the ray.
         private var _all:KeyedList = new KeyedList();
 
-        // By crossing that is left: the side from which the ray comes.
+        // By surface: the side from which the ray comes.
         private var _sides:Vector.<int> = new Vector.<int>();
 
         /**
-         * Sorts crossings.
+         * Finds which crossings are surfaces.
          *
          * @param crossings how a ray crosses a shape
          * @param areTriangles whether triangles are crossed; otherwise structures or nodes, which the ray enters and leaves
          */
-        public function arrange(crossings:RayCrossings, areTriangles:Boolean):void
+        public function find(crossings:RayCrossings, areTriangles:Boolean):void
         {
-            _all.count = left.count = 0;
+            _all.count = indices.count = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
                 // nodes that touch up to rounding overlap
@@ -72,7 +72,7 @@ package starlogo.queries.rays
                 }
                 if (isKept)
                 {
-                    left.add(index);
+                    indices.add(index);
                 }
             }
         }
@@ -97,9 +97,9 @@ package starlogo.queries.rays
                 }
                 if (!joinKept(crossings, index, side, mostSlack))
                 {
-                    _sides[left.count] = side;
+                    _sides[indices.count] = side;
                     mostSlack = Math.max(mostSlack, crossings.slacks[index]);
-                    left.add(index);
+                    indices.add(index);
                 }
             }
         }
@@ -110,9 +110,9 @@ package starlogo.queries.rays
         {
             var distance:Number = crossings.distances[index];
             var slack:Number = crossings.slacks[index];
-            for (var k:int = left.count - 1; k >= 0; k--)
+            for (var k:int = indices.count - 1; k >= 0; k--)
             {
-                var other:int = left.numbers[k];
+                var other:int = indices.numbers[k];
                 var gap:Number = distance - crossings.distances[other];
                 if (gap > slack + mostSlack)
                 {
@@ -124,7 +124,7 @@ package starlogo.queries.rays
                     {
                         _sides[k] = side;
                         // none is kept between the two, because it would have joined the other one
-                        left.numbers[k] = gap <= crossings.slacks[other] ? index : other;
+                        indices.numbers[k] = gap <= crossings.slacks[other] ? index : other;
                     }
                     return true;
                 }

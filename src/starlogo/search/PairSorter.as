@@ -9,7 +9,7 @@ package starlogo.search
      *
      * @private
      */
-    public final class PairOrder
+    public final class PairSorter
     {
         // If there are at least so many agents for each pair, comparing pairs is faster than counting those of each agent.
         private static const MANY_AGENTS:int = 12;
@@ -18,7 +18,7 @@ package starlogo.search
         private static const RANK_FACTOR:Number = 1 << 26;
 
         // The indices of the pairs in their new order, and their keys.
-        private var _order:KeyedList = new KeyedList();
+        private var _indices:KeyedList = new KeyedList();
 
         // By rank: where the next pair goes whose first row has it, and where the next one goes whose second row has it.
         private var _firsts:Vector.<int> = new Vector.<int>();
@@ -85,20 +85,20 @@ package starlogo.search
         {
             var rows:Vector.<int> = pairs.rows;
             var ranks:Vector.<int> = pairs.list.ranks;
-            _order.count = 0;
+            _indices.count = 0;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                _order.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
+                _indices.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
             }
-            _order.sortFirst(pairs.count);
+            _indices.sortFirst(pairs.count);
             if (haveTimes)
             {
                 // pairs of equal times keep their order
                 for (i = 0; i < pairs.count; i++)
                 {
-                    _order.keys[i] = pairs.times[_order.numbers[i]];
+                    _indices.keys[i] = pairs.times[_indices.numbers[i]];
                 }
-                _order.sortFirst(pairs.count);
+                _indices.sortFirst(pairs.count);
             }
             arrange(pairs, haveTimes);
         }
@@ -166,7 +166,7 @@ package starlogo.search
             var from:Vector.<int> = pairs.rows;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                var pair:int = _order.numbers[i];
+                var pair:int = _indices.numbers[i];
                 _spare[int(2 * i)] = from[int(2 * pair)];
                 _spare[int(2 * i + 1)] = from[int(2 * pair + 1)];
             }
@@ -175,7 +175,7 @@ package starlogo.search
             {
                 for (i = 0; i < pairs.count; i++)
                 {
-                    pairs.times[i] = _order.keys[i];
+                    pairs.times[i] = _indices.keys[i];
                 }
             }
         }

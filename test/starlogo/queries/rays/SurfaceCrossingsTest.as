@@ -7,11 +7,11 @@ package starlogo.queries.rays
     import support.Effort;
 
     /** Crossings in any order, with slacks of all sizes. Real ones are so close to each other by rounding alone. */
-    public class CrossingOrderTest
+    public class SurfaceCrossingsTest
     {
         private static const MOST_SLACKS:Number = 8;
 
-        private var _order:CrossingOrder = new CrossingOrder();
+        private var _surfaces:SurfaceCrossings = new SurfaceCrossings();
         private var _random:SeededRandom = new SeededRandom(7403);
 
         [Test]
@@ -28,10 +28,10 @@ package starlogo.queries.rays
                     var distance:Number = _random.integer(0, 9);
                     crossings.add(distance, _random.pick([0, 0.5, 1, 2]), distance + _random.integer(0, 3), _random.pick([1, 1, -1, -1, 0]), k);
                 }
-                _order.arrange(crossings, true);
-                joined += crossings.count - _order.left.count;
+                _surfaces.find(crossings, true);
+                joined += crossings.count - _surfaces.indices.count;
                 var said:String = "crossings " + i + ": " + crossings.distances.join() + " with " + crossings.slacks.join() + " from " + crossings.sides.join() + ", left "
-                    + _order.left.numbers.slice(0, _order.left.count).join();
+                    + _surfaces.indices.numbers.slice(0, _surfaces.indices.count).join();
                 wrong.addIf(!areInOrder(crossings), "the order", said);
                 for (k = 0; k < crossings.count; k++)
                 {
@@ -44,22 +44,22 @@ package starlogo.queries.rays
 
         private function areInOrder(crossings:RayCrossings):Boolean
         {
-            for (var i:int = 1; i < _order.left.count; i++)
+            for (var i:int = 1; i < _surfaces.indices.count; i++)
             {
-                if (!(crossings.distances[_order.left.numbers[i]] >= crossings.distances[_order.left.numbers[i - 1]]) || _order.left.numbers[i] == _order.left.numbers[i - 1])
+                if (!(crossings.distances[_surfaces.indices.numbers[i]] >= crossings.distances[_surfaces.indices.numbers[i - 1]]) || _surfaces.indices.numbers[i] == _surfaces.indices.numbers[i - 1])
                 {
                     return false;
                 }
             }
-            return _order.left.count > 0;
+            return _surfaces.indices.count > 0;
         }
 
         // Whether a crossing is left, or one that may be of the same surface: not farther away than some slacks, and not seen from the other side.
         private function isThere(crossings:RayCrossings, index:int):Boolean
         {
-            for (var i:int = 0; i < _order.left.count; i++)
+            for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
-                var other:int = _order.left.numbers[i];
+                var other:int = _surfaces.indices.numbers[i];
                 var isNear:Boolean = Math.abs(crossings.distances[other] - crossings.distances[index]) <= MOST_SLACKS;
                 var runsAlong:Boolean = crossings.sides[other] == RayCrossings.EDGE_ON || crossings.sides[index] == RayCrossings.EDGE_ON;
                 if (crossings.sides[other] == crossings.sides[index] ? isNear || runsAlong : isNear && runsAlong)

@@ -206,6 +206,7 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const inFront: Agent[] = queries.inCone(agents[0], 9, 90);
 	log.push(`${first}, ${nearIt.length} of ${queries.countNearPoint(origin, 9)}, ${inFront.length} of ${queries.countNear(agents[0], 9)}`);
 	const touches: boolean = queries.touchesAny(agents[0], filter);
+	if (queries.touchesEdge(agents[0], bounds)) log.push("at an edge");
 	log.push(`${nearest}, ${nearestTwo.length} nearest, ${near.length} near, ${touching.length} touching, ${touches}, ${overlapping.length} overlapping`);
 	const [eye, ahead] = [new Vector3D(-9, 0, 0.5), new Vector3D(1, 0, 0)];
 	const hit: RayHit | null = queries.cast(eye, ahead, Infinity, filter, new RayHit());

@@ -38,7 +38,7 @@ test('every fitter stands in the files of "A fitter in the engine"', () => {
 
 test('every structure stands in the files of "A structure of the engine"', () => {
 	const structures = classesOf('src/starlogo/bounding', ['BoundingStructure', 'AxialStructure']);
-	assert.deepEqual(structures.sort(), ['Box', 'Capsule', 'Cylinder', 'Hull', 'Sphere']);
+	for (const known of ['Box', 'Capsule', 'Cylinder', 'Hull', 'Sphere']) assert.ok(structures.includes(known), known);
 	assert.deepEqual(missing(structures, filesOf('docs/adding-a-structure.md', 'A structure of the engine'), []), []);
 });
 

@@ -237,6 +237,11 @@ package starlogo.bounding
             for (var i:int = 0; i < samples.length; i++)
             {
                 var other:BoundingStructure = samples[(i + 1) % samples.length];
+                if (other.kind == samples[i].kind)
+                {
+                    // further structures have the kind of a Hull, and may be exchanged
+                    continue;
+                }
                 var before:String = String(Structures.numbersOf(other));
                 assertThrows(ArgumentError, /out must be .* of the same kind as a /, samples[i].place, new Placement(), other);
                 assertEquals(before, String(Structures.numbersOf(other)));

@@ -186,6 +186,31 @@ package starlogo.collision
             }
         }
 
+        [Test]
+        public function anEdgeThatIsTouchedAcrossTheGapForRoundingCountsInACorner():void
+        {
+            var alone:WorldBounds = new WorldBounds(-9, -9, -9, Infinity, 9, 9);
+            var corner:WorldBounds = new WorldBounds(-9, -9, -9, 9, 9, 9);
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var cube:Agent = agentAt("cube", 8.7, 0, 0);
+                // where it begins to touch the edge at its side
+                var free:Number = 8.4;
+                var touching:Number = 8.5;
+                for (var i:int = 0; i < 60; i++)
+                {
+                    cube.y = (free + touching) / 2;
+                    collider.areColliding(cube, alone.agent) ? touching = cube.y : free = cube.y;
+                }
+                assertTrue(name + touching, touching < 8.5 && touching > 8.499);
+                cube.y = (touching + 8.5) / 2;
+                var contact:Contact = collider.contactOf(cube, corner.agent);
+                assertTrue(name + contact.normal, contact.normal.x < -0.9 && contact.normal.y < 0 && Math.abs(contact.depth - 0.2) < 1e-6);
+                assertTrue(name + contact.point, Math.abs(contact.point.x - 9.1) < 1e-6 && Math.abs(contact.point.y - 9) < 1e-6);
+            }
+        }
+
         private static function landOfPoints():GreatLand
         {
             var land:GreatLand = new GreatLand();

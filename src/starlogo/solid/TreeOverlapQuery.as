@@ -51,6 +51,17 @@ package starlogo.solid
             return overlapInPose(pair);
         }
 
+        /** Whether one of two models, whose surfaces do not touch, is inside of the other. */
+        public function isOneInside(pair:TreePair):Boolean
+        {
+            if (pair.b != null)
+            {
+                return areOverlapping(pair);
+            }
+            pair.relate();
+            return _containment.findInside(pair, null);
+        }
+
         /** Whether two models overlap in the pair's pose. */
         internal function overlapInPose(pair:TreePair):Boolean
         {

@@ -132,6 +132,15 @@ package starlogo.queries.motion
                 lift.clear();
                 return;
             }
+            if (!lift.isLifted && beginsFree(body, from, motion))
+            {
+                if (_impact.row >= 0)
+                {
+                    _liftedPlace.copyFrom(from);
+                    takeImpact(body, from, motion, lift, _impact, out);
+                }
+                return;
+            }
             _recovery.leaveOverlaps(body, from, _planes, lift, _liftedPlace);
             out.isDeep = _planes.count > 0;
             out.isLifted = lift.isLifted;
@@ -148,6 +157,25 @@ package starlogo.queries.motion
             {
                 takeImpact(body, from, motion, lift, _impact, out);
             }
+        }
+
+        // Whether the core touches nothing where a motion begins, so that what it meets first, which the impact receives, decides. One-way rows and
+        // flat bodies are not decided here. A first touch after the beginning shows that no surfaces touch there.
+        private function beginsFree(body:MovingBody, from:Vector3D, motion:Vector3D):Boolean
+        {
+            if (body.core.isFlat || _sweep.findFirst(body, from, motion, _impact) && _impact.time == 0)
+            {
+                return false;
+            }
+            for (var i:int = 0; i < body.obstacles.count; i++)
+            {
+                var row:int = body.obstacles.numbers[i];
+                if (body.isOneWay(row) || body.isCoreInside(row, from))
+                {
+                    return false;
+                }
+            }
+            return true;
         }
 
         // Finds the touch of a motion whose core, lifted, has met an impact.

@@ -154,6 +154,14 @@ package starlogo.queries.motion
             return touches(row, place) && _seen.narrowPhase.areTouching(core.at(place), _seen.table.bodyOf(row));
         }
 
+        /** Whether one of the core and a row is inside of the other when the body stands at a place. Their surfaces must not touch there. */
+        public function isCoreInside(row:int, place:Vector3D):Boolean
+        {
+            var inner:Body = core.at(place);
+            var other:Body = _seen.table.bodyOf(row);
+            return isNear(inner, other, RelativeMotion.NONE, core.slop) && _seen.narrowPhase.testsOf(inner, other).isOneInside(inner, other);
+        }
+
         /**
          * Whether the body at a place overlaps a row that its core touches there. A core of a concave body may touch what is exactly between
          * two sides of the body. Then the row, made smaller instead, does not touch the body. If the row is the ground, no piece of the body is

@@ -28,6 +28,15 @@ package starlogo.search.pairs
         }
 
         /**
+         * Whether one of two bodies is inside of the other. The surfaces of the two must not touch. Solid bodies have no inside of their own: they
+         * touch, or do not.
+         */
+        public function isOneInside(a:Body, b:Body):Boolean
+        {
+            return areTouching(a, b);
+        }
+
+        /**
          * Finds the time at which two bodies first touch, while the first one moves, and their contact then. It is the first moment at which
          * <code>areTouching()</code> would be true.
          *

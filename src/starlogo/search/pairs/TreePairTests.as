@@ -67,6 +67,17 @@ package starlogo.search.pairs
             return areOverlapping(a, b, limits.exact);
         }
 
+        /** @inheritDoc */
+        override public function isOneInside(a:Body, b:Body):Boolean
+        {
+            if (NarrowPhase.isReversed(a, b))
+            {
+                return isOneInside(b, a);
+            }
+            setPair(a, b, limits.exact);
+            return _overlaps.isOneInside(_pair);
+        }
+
         /** Whether two bodies touch if the leaves of trees decide and no triangles. */
         internal function areLeavesTouching(a:Body, b:Body):Boolean
         {

@@ -85,6 +85,28 @@ package starlogo.queries
                 });
         }
 
+        /** The core reaches the edge of a tile with its own edge: it enters the top and leaves the side at the same time, but for rounding. */
+        [Test]
+        public function atEdgesReachedByEdges():void
+        {
+            var clearance:Number = 1.0501733078003133e-10;
+            var places:Array = [[0.3, 2 - 8 * clearance, 0, 0.3, 1], [0.3, 3 - clearance, clearance, 0.3, 1], [0.3, 3 - 2 * clearance, 2 * clearance, 0.3, 1],
+                    [0.9, 2.9999999998949827, clearance, 0.3, 1], [0.9, 2 - 8 * clearance, 0, 0.3, 1], [0.5, 3 - 6 * clearance, 0, 0.3, 0.5],
+                    [0, 3 - 8 * clearance, 0, 0, 1], [0.3, 2 - 6 * clearance, 0, 0.3, 0.5]];
+            eachSystem(function(isBins:Boolean):void
+                {
+                    var mover:Agent = put("cube", 0, 0, 0, 0);
+                    floor(6, 2);
+                    for each (var place:Array in isBins ? [] : places)
+                    {
+                        mover.moveTo(place[0], place[1], place[2]);
+                        step(mover, [place[3], place[4], -1], 1);
+                        expect(mover.x > place[0] + 0.99 * place[3] - 0.001 && mover.y > place[1] + 0.99 * place[4], "stuck", mover, place);
+                        expectShallow(mover);
+                    }
+                });
+        }
+
         [Test]
         public function inCorridorsAsWide():void
         {

@@ -27,6 +27,9 @@ package starlogo.queries.motion
         private var _length:Number = 0;
         private var _contact:ContactPoint = new ContactPoint();
 
+        // Where a sweep begins again that has met what the core leaves.
+        private var _beyond:Vector3D = new Vector3D();
+
         /** @param seen has the rows */
         public function CoreSweep(seen:SeenAgents)
         {
@@ -48,14 +51,14 @@ package starlogo.queries.motion
             out.time = RelativeMotion.NEVER;
             for (var i:int = 0; i < body.obstacles.count; i++)
             {
-                keepEarlier(body, body.obstacles.numbers[i], from, out);
+                keepEarlier(body, body.obstacles.numbers[i], from, motion, out);
             }
             if (out.row < 0)
             {
                 return false;
             }
             out.along = out.contact.along(motion);
-            out.isNormalFallback = !(out.along < -SlidePlanes.PARALLEL_SINE * _length);
+            out.isNormalFallback = !isAgainst(out.contact, motion);
             if (out.isNormalFallback)
             {
                 out.contact.setNormal(-motion.x, -motion.y, -motion.z);
@@ -84,12 +87,13 @@ package starlogo.queries.motion
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
             aim(from, motion);
-            sweepCore(body, _seen.table.bodyOf(row), from);
+            findStop(body, _seen.table.bodyOf(row), from, motion);
             return _motion.time != RelativeMotion.NEVER;
         }
 
         // Finds when the whole body touches the row: earlier than the core, by how far the core is behind the body's surface at the contact. But an
-        // inner face of a concave body touches later than the core's. There the whole body is swept too. Its time counts unless it touches elsewhere.
+        // inner face of a concave body touches later than the core's. There the whole body is swept too. If it touches elsewhere, the core's time
+        // counts: this is no inner face.
         private function findTouchTime(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):void
         {
             var contact:ContactPoint = out.contact;
@@ -104,10 +108,8 @@ package starlogo.queries.motion
                 var whole:Body = body.wholeAt(_end);
                 var other:Body = _seen.table.bodyOf(out.row);
                 _seen.narrowPhase.testsOf(whole, other).findImpact(whole, other, _motion, null);
-                if (Math.abs(_motion.time - out.touchTime) <= out.touchTime - out.time)
-                {
-                    out.touchTime = _motion.time;
-                }
+                var isExpected:Boolean = Math.abs(_motion.time - out.touchTime) <= out.touchTime - out.time;
+                out.touchTime = isExpected ? _motion.time : out.time;
             }
         }
 
@@ -120,15 +122,43 @@ package starlogo.queries.motion
         }
 
         // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer.
-        private function keepEarlier(body:MovingBody, row:int, from:Vector3D, out:Impact):void
+        private function keepEarlier(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            sweepCore(body, _seen.table.bodyOf(row), from);
+            findStop(body, _seen.table.bodyOf(row), from, motion);
             if (_motion.time < out.time)
             {
                 out.row = row;
                 out.time = _motion.time;
                 out.contact.copyFrom(_contact);
             }
+        }
+
+        // Finds when and how a body stops the core. If the first contact does not point against the motion, the core leaves what it touches there. So
+        // it may do at the edge of a tile whose top it enters at the same time. Then the sweep begins again, a clearance farther on. Not for a flat core,
+        // which may be past the body there.
+        private function findStop(body:MovingBody, other:Body, from:Vector3D, motion:Vector3D):void
+        {
+            sweepCore(body, other, from);
+            if (_motion.time == RelativeMotion.NEVER || isAgainst(_contact, motion) || body.core.isFlat)
+            {
+                return;
+            }
+            var part:Number = Math.min(1, _motion.time + body.core.clearance / _length);
+            var rest:Number = 1 - part;
+            _beyond.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
+            _motion.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
+            sweepCore(body, other, _beyond);
+            _motion.endAfter(motion.x, motion.y, motion.z);
+            if (_motion.time != RelativeMotion.NEVER)
+            {
+                _motion.time = part + rest * _motion.time;
+            }
+        }
+
+        // Whether a contact points against the motion.
+        private function isAgainst(contact:ContactPoint, motion:Vector3D):Boolean
+        {
+            return contact.along(motion) < -SlidePlanes.PARALLEL_SINE * _length;
         }
 
         // Finds when and how the core first meets a body. The motion receives the time, because V8 would make an object for a Number that is

@@ -24,7 +24,7 @@ export async function page(report) {
 <body>
 <header>
 <h1>Collision engine: timing report</h1>
-<p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on <span class="whole">${date}</span> UTC. Blue is this engine,
+<p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on <span class="whole">${date}</span> UTC. In bars blue is this engine,
 amber the thesis's algorithms as it describes them in the same player, grey the thesis's own numbers of 2015.</p>
 <p>${takenIn(report.versions)}${report.module ? ` ${escape(moduleText(report.module))}` : ''}</p>
 ${report.load && isBusy(report.load, report.machine.cores) ? `<p class="warning">${escape(loadText(report.load, report.machine.cores))}</p>` : ''}

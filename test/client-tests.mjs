@@ -116,9 +116,14 @@ ${classes.flatMap(placesIn).join(',\n').replaceAll('\\', '/')}
         override public function testFailure(failure:Failure):void
         {
             trace("FAILED " + nameOf(failure.description) + ": " + failure.message);
-            if (failure.exception != null && failure.exception.getStackTrace() != null)
+            var stack:String = failure.exception == null ? null : failure.exception.getStackTrace();
+            for each (var call:String in stack == null ? [] : stack.split("flex.lang.reflect")[0].split("\\n"))
             {
-                trace(failure.exception.getStackTrace());
+                // the client's calls and the engine's, without FlexUnit's and the message
+                if (/^\\s*at /.test(call) && !/org\\.flexunit|::apply\\(|^\\s*at $/.test(call))
+                {
+                    trace(call);
+                }
             }
         }
 

@@ -121,3 +121,18 @@ test('the engine leaves no function open to the player: sines and the like come 
 	const wrong = [...sources].filter(([name, file]) => isEngine(name) && open.test(codeOf(read(file))));
 	assert.deepEqual(wrong.map(([name]) => name), []);
 });
+
+test('constants that are named are there: in JavaScript a misspelt one is no error', () => {
+	const classes = new Map([...sources].filter(([name]) => isEngine(name)).map(([name, file]) => [name.split('.').at(-1), read(file)]));
+	const missing = [...sourcesBelow('src'), ...sourcesBelow('test')].flatMap((file) => [...codeOf(read(file)).matchAll(/(?<![\w.])([A-Z]\w*)\.([A-Z][A-Z_\d]+)\b/g)]
+		.filter(([, name, constant]) => classes.has(name) && !new RegExp(`\\b${constant}\\b`).test(classes.get(name))).map(([use]) => `${file}: ${use}`));
+	assert.equal(missing.join('\n'), '');
+});
+
+test('a list grows from its first entry on: Flash throws for an entry past the end, and a = b = 0 sets b first', () => {
+	const wrong = sourcesBelow('src').filter((file) => {
+		const code = codeOf(read(file));
+		return !code.includes(', true)') && [...code.matchAll(/\b(\w+)\[(\d+)\] = \1\[(\d+)\] = /g)].some(([, , first, second]) => Number(second) > Number(first));
+	});
+	assert.equal(wrong.join('\n'), '');
+});

@@ -16,11 +16,14 @@ export function chartsOf(entries) {
 		combination: combination(of('combination')),
 		scattered: scattered(of('scattered')),
 	};
-	return Object.fromEntries(Object.entries(charts).filter(([, chart]) => chart));
+	return Object.fromEntries(Object.entries(charts).filter(([, chart]) => chart?.series.some(hasNumber)));
 }
 
+/** Whether a series has a number. */
+const hasNumber = ({ values, points = values }) => points.some((point) => point !== null);
+
 function bars(labels, unit, series, options = {}) {
-	const shown = series.filter(({ values, refused }) => values.some((value) => value !== null) || refused?.some(Boolean));
+	const shown = series.filter((one) => hasNumber(one) || one.refused?.some(Boolean));
 	return { kind: 'bars', unit, labels, series: shown, height: 340, ...options };
 }
 

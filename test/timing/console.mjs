@@ -1,4 +1,4 @@
-import { FIGURES, isNoisy } from './figures.mjs';
+import { COLLIDERS, FIGURES, isNoisy } from './figures.mjs';
 import { ratio, time } from './format.mjs';
 import { key } from './statistics.mjs';
 
@@ -10,8 +10,8 @@ export function tables(entries) {
 	for (const figure of FIGURES) {
 		const own = entries.filter((entry) => entry.figure === figure.id);
 		if (own.length > 0) {
-			const lines = (figure.lines?.(own) ?? []).map(wrap);
-			parts.push([figure.title, '', table(figure.head(own), figure.rows(own), figure.text ?? 1), '', ...lines, wrap(figure.note)].join('\n'));
+			const more = figure.more ? [figure.more.title, '', table(figure.more.head(own), figure.more.rows(own), 1), ''] : [];
+			parts.push([figure.title, '', table(figure.head(own), figure.rows(own), figure.text ?? 1), '', ...more, wrap(figure.note)].join('\n'));
 		}
 	}
 	return parts.join('\n\n\n');
@@ -53,15 +53,21 @@ export function comparison(changed, olderDate) {
 const GAMES = ['crowds', 'scattered'];
 const MODELS = ['fits', 'access', 'hierarchies'];
 
-/** Names the entries that are too noisy, with a command for each figure that measures them again; or an empty text. */
-export function repeats(entries) {
+/**
+ * Names the entries that are too noisy, with a command for each figure that measures them again; or an empty text.
+ *
+ * @param {object[]} entries of a run
+ * @param {string} commit what was measured; with changes that are not committed its runs share no report
+ */
+export function repeats(entries, commit = '') {
 	const noisy = entries.filter(isNoisy);
 	if (noisy.length === 0) {
 		return '';
 	}
 	const commands = FIGURES.map(({ id }) => [id, noisy.filter((entry) => entry.figure === id)]).filter(([, found]) => found.length > 0)
 		.map(([id, found]) => `    ./antw timing -Dfigures=${id}${choice(id, found)} -Drepetitions=11`);
-	return ['Too noisy:', ...noisy.map((entry) => `    ${key(entry)}`), 'To measure them again, for the same report:', ...commands].join('\n');
+	const where = commit.endsWith('-dirty') ? 'in a report of their own, as the clone has changes that are not committed. They replace the report that is there' : 'for the same report';
+	return ['Too noisy:', ...noisy.map((entry) => `    ${key(entry)}`), `To measure them again, ${where}:`, ...commands].join('\n');
 }
 
 // The options that measure no more of a figure than these entries.
@@ -70,9 +76,10 @@ function choice(figure, entries) {
 	const variants = entries.map((entry) => entry.variant.replace(/, literal$/, ''));
 	const subjects = entries.map((entry) => entry.subject);
 	const own = variants.filter((name) => name.includes('.'));
+	const colliders = COLLIDERS.every((name) => variants.includes(name)) && own.length === 0 ? '' : ` -Dcolliders=${all(variants)}`;
 	const sources = own.length > 0 ? ' -Dsources=FOLDER' : '';
 	if (MODELS.includes(figure)) {
 		return ` -Dmodels=${all(subjects)}${sources}${sources && ` -Dfitters=${all(own)}`}`;
 	}
-	return GAMES.includes(figure) ? ` -Dagents=${all(subjects.map((subject) => parseInt(subject)))} -Dcolliders=${all(variants)}${sources}` : '';
+	return GAMES.includes(figure) ? ` -Dagents=${all(subjects.map((subject) => parseInt(subject)))}${colliders}${sources}` : '';
 }

@@ -116,7 +116,7 @@ function scatteredRows(entries) {
 			return jit.some(Boolean) ? [game, ['  JIT', ...jit, '', '']] : [game];
 		});
 		const row = (name, values) => [name, ...names.map((collider) => values[collider]?.toFixed(2) ?? ''), '', ''];
-		return [...games, row('exponent', exponents), row('  with collisions', exponentsByWork)];
+		return Object.keys(exponents).length === 0 ? games : [...games, row('exponent', exponents), row('  with collisions', exponentsByWork)];
 	});
 }
 
@@ -146,27 +146,28 @@ export function growth(entries) {
 
 const FRAME_MS = 40;
 
-/** Up to how many agents each collider has frames of at most 40 ms, 25 a second, in the games that were measured: a line for each cast. */
+/** Up to how many agents each collider has frames of at most 40 ms, 25 a second, in the games that were measured: a row for each cast. */
 export function holding(entries) {
-	return [...new Set(entries.map((entry) => castOf(entry)))].map((cast) => {
-		const colliders = [...COLLIDERS, ...others(entries, COLLIDERS)].map((name) => [name, entries.filter((entry) => entry.variant === name && castOf(entry) === cast)])
-			.filter(([, games]) => games.length > 0).map(([name, games]) => `${name.replace('Collider', '')} ${most(games)}`);
-		return colliders.length > 0 ? `25 frames a second (40 ms each), ${cast}: ${colliders.join(', ')} agents` : '';
-	}).filter(Boolean);
+	return [...new Set(entries.map((entry) => castOf(entry)))].map((cast) => [cast, ...[...COLLIDERS, ...others(entries, COLLIDERS)]
+		.map((name) => most(entries.filter((entry) => entry.variant === name && castOf(entry) === cast)))]);
 }
 
 function most(games) {
 	const agents = (condition) => games.filter(condition).map((entry) => entry.agents);
 	const holds = Math.max(...agents((entry) => entry.value && entry.value <= FRAME_MS));
 	const fails = Math.min(...agents((entry) => entry.value > FRAME_MS));
-	// those whose times would tell more
-	const unknown = agents((entry) => !entry.value && entry.agents > holds && entry.agents < fails);
-	const noisy = unknown.length > 0 ? ` (noisy: ${unknown.join(', ')})` : '';
 	if (holds === -Infinity) {
-		return (fails === Infinity ? 'unknown' : `fewer than ${fails}`) + noisy;
+		return fails === Infinity ? (games.length > 0 ? 'noisy' : '') : `fewer than ${fails}`;
 	}
-	return (fails === Infinity ? `at least ${holds}` : `${holds}, not ${fails}`) + noisy;
+	return fails === Infinity ? `at least ${holds}` : `${holds}, not ${fails}`;
 }
+
+/** A second table of games. */
+const HOLDING = {
+	title: '25 frames a second: the most agents whose frames take at most 40 ms',
+	head: (entries) => [['game', ...colliderNames(entries)]],
+	rows: holding,
+};
 
 /** Who plays in a game: the subject without its number. */
 export function castOf(entry) {
@@ -181,6 +182,7 @@ const VOLUMES = {
 
 /** A class's name without its package. */
 const shortName = (name) => name.slice(name.lastIndexOf('.') + 1);
+const colliderNames = (entries) => ['bins', 'tightest fit', 'hierarchical', 'combination', ...others(entries, COLLIDERS).map(shortName)];
 
 /** Every figure: its name, what it shows, and how the lines of its head and its rows come from the entries. */
 export const FIGURES = [
@@ -235,9 +237,9 @@ export const FIGURES = [
 		head: () => [['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', 'takes', 'thesis', 'pairs', 'checked']],
 		text: 2,
 		rows: gameRows,
-		lines: holding,
-		note: 'Handlers included. The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
-			+ ' (the thesis counts it twice), without bins and breeds. One agent of the CombinationCollider\'s crowds is hierarchical.'
+		more: HOLDING,
+		note: 'The engine\'s frames include bins, breeds and handlers. The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
+			+ ' (the thesis counts it twice), without these: so the literal BinCollider, a sphere test for each pair and no more, may take less. One agent of the CombinationCollider\'s crowds is hierarchical.'
 			+ ' Pairs: those that collide. Checked: whether a test of all pairs finds the same.',
 	},
 	{
@@ -269,9 +271,9 @@ export const FIGURES = [
 	},
 	{
 		id: 'scattered', title: 'Scattered games: a frame, by the number of agents',
-		head: (entries) => [['game', 'bins', 'tightest fit', 'hierarchical', 'combination', ...others(entries, COLLIDERS).map(shortName), 'pairs', 'checked']],
+		head: (entries) => [['game', ...colliderNames(entries), 'pairs', 'checked']],
 		rows: scatteredRows,
-		lines: holding,
+		more: HOLDING,
 		note: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes with which any number of them covers as'
 			+ ' much of the ground ("as dense"). Pairs: those that collide, by collider.'
 			+ ' Exponent e: for n times as many agents a frame takes n to the power of e times as long, fitted to all games of the list.'

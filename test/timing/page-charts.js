@@ -18,7 +18,7 @@ function logarithmic(title, values) {
 		type: 'logarithmic',
 		min: 10 ** Math.floor(Math.log10(Math.min(...found)) - 0.15),
 		max: Math.max(...found) * 1.3,
-		title: { display: true, text: title, color: color('quiet') },
+		title: { display: true, text: `${title} (log scale)`, color: color('quiet') },
 		grid: { color: color('grid') },
 		border: { color: color('grid') },
 		// powers of ten alone: the marks between them crowd

@@ -24,18 +24,22 @@ export async function page(report) {
 <body>
 <header>
 <h1>Collision engine: timing report</h1>
-<p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on <span class="whole">${date}</span> UTC. Blue is this engine,
+<p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on <span class="whole">${date}</span> UTC. In bars blue is this engine,
 amber the thesis's algorithms as it describes them in the same player, grey the thesis's own numbers of 2015.</p>
 <p>${takenIn(report.versions)}${report.module ? ` ${escape(moduleText(report.module))}` : ''}</p>
 ${report.load && isBusy(report.load, report.machine.cores) ? `<p class="warning">${escape(loadText(report.load, report.machine.cores))}</p>` : ''}
+${report.isComplete === false ? '<p class="warning">The run ended early. The report has what was measured before.</p>' : ''}
+${leftOut(report.entries)}
 <dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${value}</dd></div>`).join('')}</dl>
 </header>
 <main>
 ${FIGURES.map((figure) => section(figure, report.entries, charts)).join('\n')}
 </main>
 <footer>
-<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; a time or a multiple whose own range is wider than 30 % either way is not reported. “×” is a multiple of the sphere-sphere test, measured in turns
+<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up. “×” is a multiple of the sphere-sphere test, measured in turns
 with it: only these can be compared across machines.</p>
+<p id="left-out">Noisy: the range of the time, or of the multiple, is wider than 30 % either way, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
+cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else; the end of the run prints the commands that measure again.</p>
 <p>${report.load ? escape(loadText(report.load, report.machine.cores)) : ''}</p>
 <p>${Object.entries({ ...report.machine, ...report.versions }).map(([name, value]) => `<span>${words(name)}: ${escape(value)}</span>`).join(' · ')}</p>
 </footer>
@@ -53,10 +57,18 @@ export function moduleText({ player, count, low, median, high }) {
 	return `In ${player} the engine was ${times(median)} times as fast: the median of ${count} times, which range from ${times(low)} to ${times(high)}.`;
 }
 
+/** How many of the times are left out, if any is. */
+function leftOut(entries) {
+	const timed = entries.filter(({ unit }) => unit === 'ms');
+	const count = timed.filter(({ refused }) => refused).length;
+	return count === 0 ? '' : `<p>${count} of ${timed.length} times <a href="#left-out">${count === 1 ? 'is' : 'are'} left out</a>: noisy, or contradictory.</p>`;
+}
+
 /** Which numbers were taken in which player. */
 function takenIn({ player, beside }) {
 	const green = beside ? ` Green, and named JIT: this engine in ${escape(beside)}, the Flash client's virtual machine, in a second run on the same computer.` : '';
-	return `All times but the thesis's were taken in ${escape(player ?? 'an unknown player')}${beside ? ', but for one colour.' : '.'}${green}`;
+	const slow = player?.startsWith('Ruffle') ? ' Ruffle interprets. Flash Player, in which the thesis measured, compiles: compare blue with amber, not with grey.' : '';
+	return `All times but the thesis's were taken in ${escape(player ?? 'an unknown player')}${beside ? ', but for one colour.' : '.'}${slow}${green}`;
 }
 
 function section(figure, entries, charts) {
@@ -71,17 +83,17 @@ function section(figure, entries, charts) {
 	return `<section>
 <h2>${escape(figure.title)}</h2>
 ${picture}
-${isMarked ? '<p class="note">× stands for a number that was refused.</p>' : ''}
-<div class="scroll">${table(figure, figure.head(mine), figure.rows(mine))}</div>
-${(figure.lines?.(mine) ?? []).map((line) => `<p>${escape(line)}.</p>`).join('\n')}
+${isMarked ? '<p class="note crosses">× stands for a number that was left out.</p>' : ''}
+<div class="scroll">${table(figure.head(mine), figure.rows(mine), figure.text)}</div>
+${figure.more ? `<h3>${escape(figure.more.title)}</h3>\n<div class="scroll">${table(figure.more.head(mine), figure.more.rows(mine))}</div>` : ''}
 <p class="note">${escape(figure.note.replace(/^\* /, 'Bold: '))}</p>
 </section>`;
 }
 
-function table(figure, [head, ...subheads], rows) {
+function table([head, ...subheads], rows, textColumns = 1) {
 	const columns = head.map((_, column) => column).filter((column) => column === 0 || rows.some((row) => row[column]));
 	const heads = columns.map((column) => [head, ...subheads].map((line) => line[column]).filter(Boolean).map(escape).join(' '));
-	const type = (column) => (column < (figure.text ?? 1) ? ' class="text"' : '');
+	const type = (column) => (column < textColumns ? ' class="text"' : '');
 	const cell = (text, column) => (column === 0 ? `<th scope="row">${escape(text.trim())}</th>` : `<td${type(column)}>${mark(text)}</td>`);
 	return `<table><thead><tr>${columns.map((column, i) => `<th scope="col"${type(column)}>${heads[i]}</th>`).join('')}</tr></thead>
 <tbody>${rows.map((row) => `<tr${rowClass(row)}>${columns.map((column) => cell(row[column], column)).join('')}</tr>`).join('\n')}</tbody></table>`;

@@ -50,6 +50,7 @@ const report = {
 	created: new Date().toISOString(),
 	...measured,
 	load: { start: existsSync(file('load.txt')) ? Number(await readFile(file('load.txt'), 'utf8')) : undefined, end: load() },
+	...(results.isComplete === false && { isComplete: false }),
 	...(module && { module: { player: module.player, ...timesAsFast(own, module.entries) } }),
 	exponents: growth(entries.filter((entry) => entry.figure === 'scattered')),
 	entries,
@@ -73,8 +74,9 @@ if (older) {
 if (entries.length > taken.length) {
 	console.log(`${entries.length - taken.length} of the report's ${entries.length} entries are of earlier runs of the same commit; their tables are in ${file('timing.txt')}.`);
 }
-if (repeats(taken)) {
-	console.log('\n' + repeats(taken));
+const again = repeats(taken, report.versions.commit);
+if (again) {
+	console.log('\n' + again);
 }
 console.log(`\nThe report: ${file('report.html')}`);
 if (results.isComplete === false) {

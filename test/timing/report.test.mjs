@@ -21,6 +21,8 @@ const timed = (figure, subject, variant, value, more = {}) => ({
 	multiple: value * 4000, multipleLow: value * 3900, multipleHigh: value * 4100, ...more,
 });
 
+const EMPTY = { created: '2026-01-02T03:04:05Z', machine: {}, versions: {}, exponents: [] };
+
 const entries = [
 	timed('fits', 'bear', 'engine', 6.8, { thesis: 555, vertices: 547, tightest: 'box' }),
 	timed('fits', 'bear', 'literal', 243),
@@ -108,21 +110,21 @@ test('a multiple is refused by its own range, and that of the base is 1', () => 
 	assert.match(repeats(found), /tests \/ hullHull \/ engine\nTo/);
 });
 
-test('the games that keep 25 frames a second are named by their colliders', () => {
+test('the games that keep 25 frames a second are named by their colliders', async () => {
 	const game = (agents, variant, value) => timed('scattered', `${agents} mix`, variant, value, { agents, collisions: 0, agrees: true });
 	const games = [game(100, 'BinCollider', 1), game(1000, 'BinCollider', 9), game(100, 'TightestFitCollider', 4), game(1000, 'TightestFitCollider', 41),
 		game(100, 'HierarchicalCollider', 50), game(1000, 'HierarchicalCollider', null)];
-	const line = '25 frames a second (40 ms each), mix: Bin at least 1000, TightestFit 100, not 1000, Hierarchical fewer than 100 agents';
-	assert.deepEqual(holding(games), [line]);
-	assert.ok(tables(games).replaceAll('\n', ' ').includes(line));
+	assert.deepEqual(holding(games), [['mix', 'at least 1000', '100, not 1000', 'fewer than 100', '']]);
+	const text = tables(games);
+	assert.match(text, /^25 frames a second: .*40 ms\n\ngame +bins +tightest fit +hierarchical\n─+\nmix +at least 1000 +100, not 1000 +fewer than 100\n/m);
+	assert.match(await page({ ...EMPTY, entries: games }), /<h3>25 frames a second: .*40 ms<\/h3>\n.*<table>.*>game<.*>bins</);
 });
 
-test('a collider\'s game that was refused is named, if its time would tell more', () => {
-	const game = (agents, variant, value) => timed('scattered', `${agents} mix`, variant, value, { agents });
+test('a collider of which no game has a time holds nobody knows how many', () => {
+	const game = (agents, variant, value) => timed('crowds', `${agents} mix`, variant, value, { agents });
 	const games = [game(100, 'BinCollider', 1), game(1000, 'BinCollider', null), game(100, 'TightestFitCollider', null), game(1000, 'TightestFitCollider', 41),
-		game(100, 'HierarchicalCollider', null)];
-	assert.deepEqual(holding(games), ['25 frames a second (40 ms each), mix: Bin at least 100 (noisy: 1000), TightestFit fewer than 1000 (noisy: 100),'
-		+ ' Hierarchical unknown (noisy: 100) agents']);
+		game(100, 'game.Discs', null)];
+	assert.deepEqual(holding(games), [['mix', 'at least 100', 'fewer than 1000', '', '', 'noisy']]);
 });
 
 test('a number that was refused has a mark in its chart', async () => {
@@ -134,8 +136,8 @@ test('a number that was refused has a mark in its chart', async () => {
 	]);
 	const lines = chartsOf([...entries, { ...timed('scattered', '300 mix', 'BinCollider', 1, { agents: 300 }), value: null }]).scattered;
 	assert.deepEqual(lines.series[0].refused, [300]);
-	const html = await page({ created: '2026-01-02T03:04:05Z', machine: {}, versions: {}, exponents: [], entries });
-	assert.equal(html.split('× stands for a number that was refused').length, 2);
+	const html = await page({ ...EMPTY, entries });
+	assert.equal(html.split('× stands for a number that was left out').length, 2);
 });
 
 test('times and multiples that contradict others are refused', () => {
@@ -299,4 +301,25 @@ test('what is noisy is named, with a command that repeats it', () => {
 	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'noisy' })]), /-Dfigures=fits -Dmodels=bear /);
 	assert.match(repeats([timed('fits', 'cube', 'game.UprightFitter', null, { refused: 'noisy' })]), /-Dmodels=cube -Dsources=FOLDER -Dfitters=game\.UprightFitter -Drep/);
 	assert.equal(repeats(entries.filter((entry) => !entry.refused)), '');
+});
+
+test('what is noisy can join a report only if the commit says what was measured', () => {
+	assert.match(repeats(entries, 'abc'), /^To measure them again, for the same report:$/m);
+	assert.match(repeats(entries, 'abc-dirty'), /^To measure them again, .* changes that are not committed.*report/m);
+	const all = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'].map((name) => timed('crowds', '100 bears', name, null, { refused: 'noisy' }));
+	assert.match(repeats(all), /-Dfigures=crowds -Dagents=100 -Drepetitions=11$/);
+});
+
+test('the page says at its top what is missing', async () => {
+	assert.match(await page({ ...EMPTY, entries }), /1 of 13 times <a href="#left-out">is left out<\/a>/);
+	assert.doesNotMatch(await page({ ...EMPTY, entries: entries.filter(({ refused }) => !refused) }), /href="#left-out"/);
+	assert.match(await page({ ...EMPTY, isComplete: false, entries }), /class="warning">The run ended early/);
+	assert.doesNotMatch(await page({ ...EMPTY, entries }), /ended early/);
+	assert.match(await page({ ...EMPTY, versions: { player: 'Ruffle 1' }, entries }), /Ruffle interprets/);
+});
+
+test('without a number there is no chart, and no exponent', () => {
+	const found = ['BinCollider', 'TightestFitCollider'].flatMap((name) => [100, 1000].map((agents) => timed('scattered', `${agents} mix`, name, null, { agents, collisions: 0, refused: 'noisy' })));
+	assert.deepEqual(chartsOf([...found, timed('fits', 'bear', 'engine', null, { refused: 'noisy' })]), {});
+	assert.doesNotMatch(tables(found), /^exponent|with collisions/m);
 });

@@ -359,8 +359,9 @@ package starlogo.terrain
         {
             if (!(column >= 0 && row >= 0 && columns >= 1 && rows >= 1 && column + columns <= grid.columns && row + rows <= grid.rows))
             {
-                throw new RangeError("a region of " + columns + " by " + rows + " heights from column " + column + " and row " + row
-                        + " on is not within columns 0 to " + (grid.columns - 1) + " and rows 0 to " + (grid.rows - 1));
+                var what:String = columns == 1 && rows == 1 ? "there is no height" : "a region of " + columns + " by " + rows + " heights does not fit";
+                throw new RangeError(what + " at column " + column + " and row " + row + " of the " + this
+                        + "; columns and rows count heights, from 0 on: they are no places");
             }
         }
 

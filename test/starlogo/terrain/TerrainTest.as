@@ -285,7 +285,10 @@ package starlogo.terrain
             assertThrows(RangeError, "NaN", _terrain.setHeight, 0, 0, NaN);
             assertThrows(RangeError, "Infinity", _terrain.setHeight, 0, 0, Infinity);
             assertThrows(RangeError, "2000000000", _terrain.setHeight, 0, 0, 2e9);
-            assertThrows(RangeError, /1 by 1 heights from column -1 and row 0 on is not within columns 0 to 3 and rows 0 to 2/, new Terrain(4, 3).setHeight, -1, 0, 1);
+            var small:Terrain = new Terrain(4, 3, 0.5, -5, 7);
+            var noPlace:RegExp = /^there is no height at column -3 and row 0 of the terrain of 4 by 3 heights, .*from \(-5, 7\); .* count heights, from 0 on: they are no places$/;
+            assertThrows(RangeError, noPlace, small.setHeight, -3, 0, 1);
+            assertThrows(RangeError, noPlace, small.setHole, -3, 0, true);
             assertThrows(RangeError, "column 3 and row 0", _terrain.setHeight, 3, 0, 1);
             assertThrows(RangeError, "column 0 and row -1", _terrain.setHeight, 0, -1, 1);
             assertThrows(RangeError, "column 0 and row 3", _terrain.getHeight, 0, 3);

@@ -25,7 +25,7 @@ export const texts = {
 		openNote: "Die Oberfläche dieses Modells ist nicht geschlossen. Darum hat es kein eigenes Volumen zum Vergleich.",
 		time: "ms",
 		tightest: "am engsten",
-		chosen: (name) => `Die Engine nimmt: ${name}.`,
+		chosen: (name) => `Von selbst nimmt die Engine: ${name}. Eine Hülle nimmt sie nur für Agenten, die eine verlangen.`,
 		hierarchy: "Hierarchie",
 		showLevel: "Eine Ebene der Hierarchie zeigen",
 		level: "Ebene",

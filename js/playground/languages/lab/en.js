@@ -26,7 +26,7 @@ export const texts = {
 		openNote: "This model's surface is not closed, so it has no volume to compare with.",
 		time: "ms",
 		tightest: "tightest",
-		chosen: (name) => `The engine chooses the ${lower(name)}.`,
+		chosen: (name) => `By itself the engine takes the ${lower(name)}, and a hull only for agents that ask for one.`,
 		hierarchy: "Hierarchy",
 		showLevel: "Show a level of the hierarchy",
 		level: "Level",

@@ -54,7 +54,8 @@ package starlogo.hierarchy
             out.least = out.points.distance = Infinity;
             out.current = 0;
             estimate(pose, treeA, 0, treeB, 0, out);
-            nodes[0] = nodes[1] = 0;
+            nodes[0] = 0;
+            nodes[1] = 0;
             bounds[0] = out.current;
             while (top > 0 && out.least > 0)
             {

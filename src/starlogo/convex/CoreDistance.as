@@ -85,13 +85,13 @@ package starlogo.convex
                 }
                 var rounding:Number = _simplex.nearest.rounding;
                 var origin:int = _simplex.reduce(_simplex.count - 1, out.separation > rounding);
-                if (origin == NearestPlace.LOST)
+                if (origin == NearestPoint.LOST)
                 {
                     // no step can come nearer
                     return;
                 }
                 keep(cores, out);
-                if (origin == NearestPlace.INSIDE || _least <= rounding * rounding)
+                if (origin == NearestPoint.INSIDE || _least <= rounding * rounding)
                 {
                     return;
                 }
@@ -152,7 +152,7 @@ package starlogo.convex
         // the points has that direction, which is the more precise one.
         private function keep(cores:CorePair, out:CoreWitness):void
         {
-            var nearest:NearestPlace = _simplex.nearest;
+            var nearest:NearestPoint = _simplex.nearest;
             _along.x = nearest.alongX;
             _along.y = nearest.alongY;
             _along.z = nearest.alongZ;

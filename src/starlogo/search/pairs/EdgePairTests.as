@@ -119,7 +119,7 @@ package starlogo.search.pairs
             out.bY = _contact.y - gap / 2 * _contact.normalY;
             out.bZ = _contact.z - gap / 2 * _contact.normalZ;
             out.distance = gap;
-            out.settle(areTouching);
+            out.correct(areTouching);
         }
 
         // Finds how far the body is beyond each edge at the time of a motion. Returns the edge that it is furthest beyond.

@@ -5,13 +5,13 @@ package starlogo.search.pairs
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.geometry.HalfSpaceSolver;
-    import starlogo.geometry.ShortestExit;
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.TreeLimits;
+    import starlogo.search.penetration.HalfSpaceSolver;
+    import starlogo.search.penetration.ShortestExit;
 
     use namespace engine;
 

@@ -209,7 +209,7 @@ package starlogo.ground
             }
             kernel.shape.margin = _pieceMargin + triangle.margin;
             kernel.setTriangle(triangle.corners, 0);
-            side.setTriangle(triangle.corners, 0);
+            side.setTriangle(triangle.corners);
             return true;
         }
 

@@ -21,9 +21,8 @@ package starlogo.ground
 
         private var _shape:ConvexShape;
 
-        // The triangle: nine numbers of a list. Its plane is set at the first question.
+        // The triangle: nine numbers. Its plane is set at the first question.
         private var _corners:Vector.<Number> = null;
-        private var _at:int = 0;
         private var _isPlaneSet:Boolean = false;
         private var _plane:TrianglePlane = new TrianglePlane();
 
@@ -36,16 +35,10 @@ package starlogo.ground
             _shape = shape;
         }
 
-        /**
-         * Sets the triangle.
-         *
-         * @param corners has nine numbers of it, counter-clockwise seen from outside; kept
-         * @param at index of the first of them
-         */
-        public function setTriangle(corners:Vector.<Number>, at:int):void
+        /** Sets the triangle: nine numbers, counter-clockwise seen from outside. The list is kept. */
+        public function setTriangle(corners:Vector.<Number>):void
         {
             _corners = corners;
-            _at = at;
             _isPlaneSet = false;
         }
 
@@ -110,8 +103,8 @@ package starlogo.ground
         public function isOverTriangle(contact:ContactPoint):Boolean
         {
             var p:Vector.<Number> = _corners;
-            var from:int = _at + 6;
-            for (var to:int = _at; to < _at + 9; to += 3)
+            var from:int = 6;
+            for (var to:int = 0; to < 9; to += 3)
             {
                 var ux:Number = p[to] - p[from];
                 var uy:Number = p[int(to + 1)] - p[int(from + 1)];
@@ -181,7 +174,7 @@ package starlogo.ground
             if (!_isPlaneSet)
             {
                 _isPlaneSet = true;
-                _plane.setTriangle(_corners, _at);
+                _plane.setTriangle(_corners, 0);
             }
         }
     }

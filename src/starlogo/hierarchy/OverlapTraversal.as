@@ -53,9 +53,9 @@ package starlogo.hierarchy
         /**
          * Finds whether two nodes that decide touch: see BoxTree.
          *
-         * <p>The steps for a pair are: the axes of a, each with the vector from the middle of a's box to the middle of b's box along it (z, x, y);
-         * the distance of b's middle from a, compared with the spheres around b and inside of it; the axes of b; and if the boxes decide, the axes across their edges. An axis
-         * of a separates most pairs, mostly z. So its tests stand in the loop, where a call for each pair would take a tenth more time.</p>
+         * <p>The steps for a pair of boxes a and b are: the axes of a (z, x, y); the distance of b's middle from a, compared with the spheres around b
+         * and inside of it; the axes of b; and if the boxes decide, the axes across their edges. An axis of a separates most pairs, mostly z. So
+         * these tests stand in the loop, because a call for each pair takes about a tenth more time.</p>
          *
          * @param pose the pose of the second tree's nodes in the first model's space
          * @param treeA the first tree

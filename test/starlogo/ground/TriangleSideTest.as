@@ -35,7 +35,7 @@ package starlogo.ground
                     corners[3 + k] = _random.between(-5, 5);
                     corners[6 + k] = corners[k] + share * (corners[3 + k] - corners[k]);
                 }
-                side.setTriangle(corners, 0);
+                side.setTriangle(corners);
                 side.findBehind(new RelativeMotion(0), out);
                 _wrong.addIf(out.depth >= 0 || side.isOverTriangle(out), "behind", "triangle " + corners);
             }
@@ -51,7 +51,7 @@ package starlogo.ground
             var corners:Vector.<Number> = new <Number>[-10, -10, 0, 10, -10, 0, 0, 10, 0];
             kernel.setStructure(new Sphere(new Vector3D(0, 0, -0.5), 1), new Placement());
             kernel.setTriangle(corners, 0);
-            side.setTriangle(corners, 0);
+            side.setTriangle(corners);
             for (var up:int = -1; up <= 1; up++)
             {
                 var motion:RelativeMotion = new RelativeMotion(0);

@@ -149,7 +149,7 @@ package starlogo.intersection
             sweep.setStructure(structure, new Placement());
             sweep.setTriangle(corners, 0);
             var side:TriangleSide = new TriangleSide(sweep.shape);
-            side.setTriangle(corners, 0);
+            side.setTriangle(corners);
             motion.time = RelativeMotion.NEVER;
             if (!side.stayApart(motion))
             {

@@ -64,7 +64,7 @@ package starlogo.solid
                 {
                     var ends:Placement = new Placement();
                     ends.x = -0.6;
-                    _pair.setTo(walls, ends, BoxTree.LARGEST_DEPTH, b, structure, new Placement(), BoxTree.LARGEST_DEPTH, exact);
+                    _pair.setTo(walls, ends, BoxTree.EXACT, b, structure, new Placement(), BoxTree.EXACT, exact);
                     motion.latest = latest;
                     find(motion, null);
                     var what:String = "exact " + exact + ", latest " + latest;

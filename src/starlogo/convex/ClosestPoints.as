@@ -77,7 +77,7 @@ package starlogo.convex
          * Corrects what rounding has made of the distance, when another test knows whether the shapes touch. If they touch, the distance
          * becomes 0 and both points move to the middle of the gap. If not, the distance becomes more than 0.
          */
-        public function settle(areTouching:Boolean):void
+        public function correct(areTouching:Boolean):void
         {
             if (areTouching)
             {

@@ -64,8 +64,8 @@ package starlogo.convex
             }
             if (_first.end > ContactFeature.CORNER && _second.end > ContactFeature.CORNER)
             {
-                _first.order(contact);
-                _second.order(contact);
+                _first.makeOutline(contact);
+                _second.makeOutline(contact);
             }
         }
 

@@ -21,8 +21,8 @@ package starlogo.convex
         // How much nearer corners may be that count as well.
         private var _slack:Number = 0;
 
-        // The corners in the order of the core's points.
-        private var _unordered:Vector.<Number> = new Vector.<Number>();
+        // The corners that find() has found.
+        private var _found:Vector.<Number> = new Vector.<Number>();
 
         /** Leaves no corners. */
         public function clear():void
@@ -67,13 +67,16 @@ package starlogo.convex
             }
         }
 
-        /** Puts the corners in order around a contact's normal, counter-clockwise seen against it, and drops those between others (gift wrapping). */
-        public function order(contact:ContactPoint):void
+        /**
+         * Makes the corners an outline: counter-clockwise around a contact's normal, seen against it, and without those between others (gift
+         * wrapping).
+         */
+        public function makeOutline(contact:ContactPoint):void
         {
             var found:Vector.<Number> = points;
             var foundEnd:int = end;
-            points = _unordered;
-            _unordered = found;
+            points = _found;
+            _found = found;
             end = 0;
             // the first is farthest from another one
             var first:int = farthestFrom(0, foundEnd);
@@ -105,7 +108,7 @@ package starlogo.convex
         // Whether all corners are as near to the line through two of them as rounding.
         private function areOnLine(first:int, last:int, foundEnd:int):Boolean
         {
-            var found:Vector.<Number> = _unordered;
+            var found:Vector.<Number> = _found;
             var x:Number = found[last] - found[first];
             var y:Number = found[int(last + 1)] - found[int(first + 1)];
             var z:Number = found[int(last + 2)] - found[int(first + 2)];
@@ -128,7 +131,7 @@ package starlogo.convex
 
         private function farthestFrom(corner:int, foundEnd:int):int
         {
-            var found:Vector.<Number> = _unordered;
+            var found:Vector.<Number> = _found;
             var best:int = corner;
             var most:Number = 0;
             for (var i:int = 0; i < foundEnd; i += 3)
@@ -149,7 +152,7 @@ package starlogo.convex
         // Returns the corner after which all others are on the left.
         private function nextOf(at:int, foundEnd:int, contact:ContactPoint):int
         {
-            var found:Vector.<Number> = _unordered;
+            var found:Vector.<Number> = _found;
             var best:int = at;
             var x:Number = 0;
             var y:Number = 0;

@@ -119,12 +119,12 @@ package starlogo.convex
             return normalX * vector.x + normalY * vector.y + normalZ * vector.z;
         }
 
-        /** Moves a place along the normal. */
-        public function push(place:Vector3D, by:Number):void
+        /** Moves a point along the normal. */
+        public function push(point:Vector3D, by:Number):void
         {
-            place.x += by * normalX;
-            place.y += by * normalY;
-            place.z += by * normalZ;
+            point.x += by * normalX;
+            point.y += by * normalY;
+            point.z += by * normalZ;
         }
 
         /** Sets the normal to the opposite of the motion's direction. */

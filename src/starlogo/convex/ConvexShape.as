@@ -218,22 +218,22 @@ package starlogo.convex
             if (isBox)
             {
                 // its origin is its middle, and each corner is opposite to one of these four
-                var place:Number = Math.abs(alongX * p[3] + alongY * p[4] + alongZ * p[5]);
+                var projection:Number = Math.abs(alongX * p[3] + alongY * p[4] + alongZ * p[5]);
                 high = Math.abs(low);
-                high = place > high ? place : high;
-                place = Math.abs(alongX * p[6] + alongY * p[7] + alongZ * p[8]);
-                high = place > high ? place : high;
-                place = Math.abs(alongX * p[12] + alongY * p[13] + alongZ * p[14]);
-                high = place > high ? place : high;
+                high = projection > high ? projection : high;
+                projection = Math.abs(alongX * p[6] + alongY * p[7] + alongZ * p[8]);
+                high = projection > high ? projection : high;
+                projection = Math.abs(alongX * p[12] + alongY * p[13] + alongZ * p[14]);
+                high = projection > high ? projection : high;
                 low = -high;
             }
             else
             {
                 for (var i:int = 3; i < end; i += 3)
                 {
-                    place = alongX * p[i] + alongY * p[int(i + 1)] + alongZ * p[int(i + 2)];
-                    low = place < low ? place : low;
-                    high = place > high ? place : high;
+                    projection = alongX * p[i] + alongY * p[int(i + 1)] + alongZ * p[int(i + 2)];
+                    low = projection < low ? projection : low;
+                    high = projection > high ? projection : high;
                 }
             }
             out.least = low;

@@ -8,9 +8,8 @@ package starlogo.convex
      * distance is the set's distance from the origin. Each step adds the corner of the set that is farthest towards the origin to a simplex. Then it
      * drops the corners that the simplex does not need for its point nearest to the origin.
      *
-     * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is. The separation proves it: it is as
-     * large. Only if the steps ran out, the distance would be larger than the separation, and the true one between them. Sweeps go by the
-     * separation, so they would still not pass through.</p>
+     * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is. The separation proves it, because it is
+     * the same length. If the steps run out, the true distance is between the two. Sweeps go by the separation, so they do not pass through.</p>
      */
     internal final class CoreDistance
     {
@@ -85,13 +84,13 @@ package starlogo.convex
                 }
                 var rounding:Number = _simplex.nearest.rounding;
                 var origin:int = _simplex.reduce(_simplex.count - 1, out.separation > rounding);
-                if (origin == NearestPlace.LOST)
+                if (origin == NearestPoint.LOST)
                 {
                     // no step can come nearer
                     return;
                 }
                 keep(cores, out);
-                if (origin == NearestPlace.INSIDE || _least <= rounding * rounding)
+                if (origin == NearestPoint.INSIDE || _least <= rounding * rounding)
                 {
                     return;
                 }
@@ -152,7 +151,7 @@ package starlogo.convex
         // the points has that direction, which is the more precise one.
         private function keep(cores:CorePair, out:CoreWitness):void
         {
-            var nearest:NearestPlace = _simplex.nearest;
+            var nearest:NearestPoint = _simplex.nearest;
             _along.x = nearest.alongX;
             _along.y = nearest.alongY;
             _along.z = nearest.alongZ;

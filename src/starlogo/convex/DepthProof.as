@@ -1,14 +1,14 @@
 package starlogo.convex
 {
     /**
-     * What is known of a contact's depth besides the number, as a record: the triangle that the first shape is deepest in, and which ways out are too
-     * short. It is a part of the contact, because whoever looks for the shortest way out gets the contact alone. Only tests of the ground fill it.
+     * What is known of a contact's depth besides the number, as a record: the triangle that the first shape is deepest in, and how long the shortest
+     * exit is at least. It is a part of the contact, because the search for the shortest exit gets the contact alone. Only tests of the ground fill it.
      *
      * @private
      */
     public final class DepthProof
     {
-        /** The shortest way out is known to be about as long as this, or longer. It may be a fifth shorter; 0 if nothing is known. */
+        /** The shortest exit is at least about as long as this: it may be a fifth shorter. 0 if nothing is known. */
         public var provenDepth:Number = 0;
 
         /** Whether the first shape is known to touch wherever it goes less than the depth along the normal. */
@@ -36,7 +36,9 @@ package starlogo.convex
          * Sets the triangle.
          *
          * @param corners nine numbers, relative to the origin; they are copied
-         * @param x the origin's x in the world; y and z likewise
+         * @param x the origin's x in the world
+         * @param y the origin's y
+         * @param z the origin's z
          */
         public function setTriangle(corners:Vector.<Number>, x:Number, y:Number, z:Number):void
         {

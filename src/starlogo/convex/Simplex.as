@@ -9,8 +9,8 @@ package starlogo.convex
         public var count:int = 0;
         public var corners:Vector.<Number> = new Vector.<Number>(12, true);
 
-        /** The simplex's place nearest to the origin. */
-        public var nearest:NearestPlace;
+        /** The simplex's point nearest to the origin. */
+        public var nearest:NearestPoint;
 
         // For each corner, the points of both cores that it is the difference of.
         private var _ofFirst:Vector.<int> = new Vector.<int>(4, true);
@@ -18,7 +18,7 @@ package starlogo.convex
 
         public function Simplex()
         {
-            nearest = new NearestPlace(corners);
+            nearest = new NearestPoint(corners);
         }
 
         /** Begins without corners. */
@@ -28,7 +28,7 @@ package starlogo.convex
             count = 0;
         }
 
-        /** Computes all corners again, after the first core has moved, and the nearest place. */
+        /** Computes all corners again, after the first core has moved, and the nearest point. */
         public function move(cores:CorePair):void
         {
             // A simplex around the origin says nothing about where the cores are nearest once they are apart.
@@ -59,27 +59,27 @@ package starlogo.convex
         }
 
         /**
-         * Finds the place nearest to the origin, and drops the corners that have no share of it.
+         * Finds the point nearest to the origin, and drops the corners that have no share of it.
          *
-         * @param newest the corner that was added last: the place includes it. -1 if any part may be the nearest
+         * @param newest the corner that was added last: the point includes it. -1 if any part may be the nearest
          * @param isApart whether it is known that the cores are apart
-         * @return where the origin is: see NearestPlace. If it is LOST, the last corner is dropped
+         * @return where the origin is: see NearestPoint. If it is LOST, the last corner is dropped
          */
         public function reduce(newest:int, isApart:Boolean):int
         {
             var origin:int = nearest.find(count, newest, isApart);
-            if (origin == NearestPlace.LOST)
+            if (origin == NearestPoint.LOST)
             {
                 count--;
             }
-            else if (origin == NearestPlace.OUTSIDE)
+            else if (origin == NearestPoint.OUTSIDE)
             {
                 dropCorners();
             }
             return origin;
         }
 
-        /** Writes the first core's point at the nearest place, where the core is stored. */
+        /** Writes the point of the first core that the nearest point is made of, where the core is stored. */
         public function writePoint(cores:CorePair, out:CoreGap):void
         {
             var p:Vector.<Number> = cores.first.points;
@@ -112,7 +112,7 @@ package starlogo.convex
             corners[int(at + 2)] = p[int(i + 2)] - q[int(k + 2)] + cores.z;
         }
 
-        // Keeps the corners that have a share of the nearest place.
+        // Keeps the corners that have a share of the nearest point.
         private function dropCorners():void
         {
             var shares:Vector.<Number> = nearest.shares;

@@ -65,7 +65,7 @@ package starlogo.ground
                 }
                 while (_pairs.nextTriangle())
                 {
-                    if (!_pairs.kernel.stayApart(RelativeMotion.NONE) && _pairs.kernel.areTouching())
+                    if (!_pairs.side.stayApart(RelativeMotion.NONE) && _pairs.kernel.areTouching())
                     {
                         return true;
                     }
@@ -86,7 +86,7 @@ package starlogo.ground
             while (first > 0 && _pairs.next())
             {
                 _sweep.time = RelativeMotion.NEVER;
-                if (!_pairs.kernel.stayApart(_sweep))
+                if (!_pairs.side.stayApart(_sweep))
                 {
                     _pairs.kernel.findTime(_sweep);
                 }
@@ -97,7 +97,7 @@ package starlogo.ground
                     if (out != null)
                     {
                         _pairs.kernel.findContact(_sweep, out);
-                        _pairs.kernel.leadOutside(_sweep, out);
+                        _pairs.side.leadOutside(_sweep, out);
                     }
                 }
             }
@@ -157,7 +157,7 @@ package starlogo.ground
                 out.aY = out.bY = isUnder ? out.aY : out.bY;
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
             }
-            out.settle(areTouching);
+            out.correct(areTouching);
             out.place(origin);
         }
 

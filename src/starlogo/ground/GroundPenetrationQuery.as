@@ -127,7 +127,7 @@ package starlogo.ground
             _pairs.beginWhole(maxDistance);
             while (_pairs.next())
             {
-                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
+                _pairs.side.findBehind(RelativeMotion.NONE, _tried);
                 if (_tried.depth >= -_pairs.triangle.margin && (!proof.hasTriangle || isBehind(proof)))
                 {
                     count = addExit(exits, count);
@@ -148,8 +148,8 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
-                if (_pairs.kernel.isOverTriangle(_tried) && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
+                _pairs.side.findBehind(RelativeMotion.NONE, _tried);
+                if (_pairs.side.isOverTriangle(_tried) && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
                 {
                     deepest = _tried.depth;
                     _pairs.search.above = deepest;
@@ -166,11 +166,11 @@ package starlogo.ground
             while (_pairs.next())
             {
                 // no overlap is deeper than the piece is behind the plane
-                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
+                _pairs.side.findBehind(RelativeMotion.NONE, _tried);
                 if (!isNoDeeper(deepest) && findOverlap() && isDeepest(deepest, out))
                 {
                     deepest = _tried.depth;
-                    _pairs.kernel.leadOutside(RelativeMotion.NONE, _tried);
+                    _pairs.side.leadOutside(RelativeMotion.NONE, _tried);
                     keep(out);
                 }
             }
@@ -235,7 +235,7 @@ package starlogo.ground
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
             }
-            return _pairs.kernel.isBehindPlane(proof.corners, slack);
+            return _pairs.side.isBehindPlane(proof.corners, slack);
         }
 
         // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

@@ -32,6 +32,9 @@ package starlogo.ground
         /** Decides about the current piece and the current triangle. Both are relative to the origin. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
+        /** Says on which side of the current triangle the current piece is. */
+        public var side:TriangleSide;
+
         /**
          * The search for triangles near the current piece. Its box is around the piece or, for a triangle of a tree, around its node. Its limits may be
          * narrowed; all else is read only. Its origin is the place that the model was set to.
@@ -64,6 +67,11 @@ package starlogo.ground
 
         private var _node:Box = BoxTree.newBox();
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        public function PieceTrianglePairs()
+        {
+            side = new TriangleSide(kernel.shape);
+        }
 
         /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
@@ -201,6 +209,7 @@ package starlogo.ground
             }
             kernel.shape.margin = _pieceMargin + triangle.margin;
             kernel.setTriangle(triangle.corners, 0);
+            side.setTriangle(triangle.corners);
             return true;
         }
 

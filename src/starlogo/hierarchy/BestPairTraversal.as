@@ -72,7 +72,7 @@ package starlogo.hierarchy
                 var bEnds:Boolean = endsB[b] >= depthB;
                 if (aEnds && bEnds)
                 {
-                    settle(pose, treeA, a, treeB, b, visitor, out);
+                    decide(pose, treeA, a, treeB, b, visitor, out);
                     out.least = out.current < out.least ? out.current : out.least;
                     continue;
                 }
@@ -124,9 +124,9 @@ package starlogo.hierarchy
          * Sets <code>out.current</code> to the time or distance of a pair that decides. If it is less than <code>out.least</code>, also sets what
          * <code>out</code> has of the best pair. Otherwise it need not be exact.
          */
-        protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
+        protected function decide(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
         {
-            throw new IllegalOperationError(this + " does not implement settle");
+            throw new IllegalOperationError(this + " does not implement decide");
         }
     }
 }

@@ -171,46 +171,36 @@ package starlogo.hierarchy
                     var leaveLeft:Number = leave;
                     at += 6;
                     include "boxTimes.inc";
-                    if (enterLeft <= leaveLeft)
+                    var meetsLeft:Boolean = enterLeft <= leaveLeft;
+                    var meetsRight:Boolean = enter <= leave;
+                    if (meetsLeft && meetsRight)
                     {
-                        if (enter > leave)
-                        {
-                            node = left;
-                            continue;
-                        }
-                        if (_isStill ? isRightNearer(tree, node) : enter < enterLeft)
-                        {
-                            nodes[top] = left;
-                            enters[top] = enterLeft;
-                            node = left + 1;
-                        }
-                        else
-                        {
-                            nodes[top] = left + 1;
-                            enters[top] = enter;
-                            node = left;
-                        }
+                        // The nearer child is next, and the other one waits.
+                        var isRightNext:Boolean = _isStill ? isRightNearer(tree, node) : enter < enterLeft;
+                        nodes[top] = isRightNext ? left : left + 1;
+                        enters[top] = isRightNext ? enterLeft : enter;
+                        node = isRightNext ? left + 1 : left;
                         top++;
                         continue;
                     }
-                    if (enter <= leave)
+                    if (meetsLeft || meetsRight)
                     {
-                        node = left + 1;
+                        node = meetsLeft ? left : left + 1;
                         continue;
                     }
                 }
-                do
+                top--;
+                while (top >= 0 && enters[top] > latest)
                 {
-                    if (top == 0)
-                    {
-                        _counts.nodeVisits += visits;
-                        return;
-                    }
                     top--;
                 }
-                while (enters[top] > latest);
+                if (top < 0)
+                {
+                    break;
+                }
                 node = nodes[top];
             }
+            _counts.nodeVisits += visits;
         }
 
         // Whether the box's middle is nearer to the right child of a node than to the left one, along the axis of their split.

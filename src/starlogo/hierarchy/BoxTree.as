@@ -49,10 +49,10 @@ package starlogo.hierarchy
         public var triangles:Vector.<uint>;
 
         /**
-         * The items in the order of the tree, in which the items of a node stand side by side. An index into this list is a slot. An entry is an
-         * item's index in the model: that of a triangle or a vertex.
+         * The items, so that those of a node stand side by side. An index into this list is a slot. An entry is an item's index in the model: that of a
+         * triangle or a vertex.
          */
-        public var order:Vector.<int> = null;
+        public var items:Vector.<int> = null;
 
         /** Six numbers for each node: the middle of its box (x, y, z), and half of the box's extents. */
         public var boxes:Vector.<Number> = new Vector.<Number>();
@@ -191,7 +191,7 @@ package starlogo.hierarchy
             var count:int = 0;
             for (var i:int = first[node]; i < end[node] && count <= most; i++)
             {
-                for (var corner:int = 3 * order[i]; corner < 3 * order[i] + 3; corner++)
+                for (var corner:int = 3 * items[i]; corner < 3 * items[i] + 3; corner++)
                 {
                     if (isCounted[triangles[corner]] == undefined)
                     {
@@ -215,7 +215,7 @@ package starlogo.hierarchy
         {
             var points:Vector.<Number> = vertices;
             var corners:Vector.<uint> = triangles;
-            var items:Vector.<int> = order;
+            var slots:Vector.<int> = items;
             var perItem:int = corners == null ? 1 : 3;
             var minX:Number = Infinity;
             var minY:Number = Infinity;
@@ -225,7 +225,7 @@ package starlogo.hierarchy
             var maxZ:Number = -Infinity;
             for (var i:int = from; i < to; i++)
             {
-                var corner:int = perItem * items[i];
+                var corner:int = perItem * slots[i];
                 for (var last:int = corner + perItem; corner < last; corner++)
                 {
                     var vertex:int = corner;

@@ -1,5 +1,6 @@
 package starlogo.hierarchy
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
@@ -32,6 +33,9 @@ package starlogo.hierarchy
         // The radii of the spheres around both trees together. The rounding error is relative to it.
         private var _radii:Number;
 
+        // The vector from the middle of the first tree's node to the middle of the second's, of the pair that is estimated.
+        private var _between:Vector3D = new Vector3D();
+
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _boxA:Box = BoxTree.newBox();
         private var _boxB:Box = BoxTree.newBox();
@@ -57,15 +61,13 @@ package starlogo.hierarchy
         /**
          * @inheritDoc
          *
-         * <p>The steps are: the vector from the middle of a's box to the middle of b's box; the distances along a's axes; the distances along b's axes;
-         * the distance along the line between the closest points so far. They are one method because they share twelve Numbers, which V8 would make
-         * objects of if they were passed.</p>
+         * <p>The bound is the greatest of three: the distance along a's axes, along b's axes, and along the line between the closest points so far. A
+         * pair that is too far away along a's axes need not be estimated exactly.</p>
          */
         override protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
         {
             var axes:BoxAxes = _axes;
             var relative:Placement = pose.placement;
-            var scale:Number = relative.size;
             var boxes:Vector.<Number> = treeB.boxes;
             var at:int = 6 * b;
             var bX:Number = boxes[at];
@@ -82,87 +84,97 @@ package starlogo.hierarchy
             x -= boxes[at];
             y -= boxes[int(at + 1)];
             z -= boxes[int(at + 2)];
-            var halfX:Number = boxes[int(at + 3)];
-            var halfY:Number = boxes[int(at + 4)];
-            var halfZ:Number = boxes[int(at + 5)];
-            var squared:Number = 0;
             var distance:Number = x < 0 ? -x : x;
-            distance -= halfX + axes.abs00 * bX + axes.abs01 * bY + axes.abs02 * bZ;
-            if (distance > 0)
-            {
-                squared = distance * distance;
-            }
+            distance -= boxes[int(at + 3)] + axes.abs00 * bX + axes.abs01 * bY + axes.abs02 * bZ;
+            distance = distance > 0 ? distance : 0;
+            var squared:Number = distance * distance;
             distance = y < 0 ? -y : y;
-            distance -= halfY + axes.abs10 * bX + axes.abs11 * bY + axes.abs12 * bZ;
-            if (distance > 0)
-            {
-                squared += distance * distance;
-            }
+            distance -= boxes[int(at + 4)] + axes.abs10 * bX + axes.abs11 * bY + axes.abs12 * bZ;
+            distance = distance > 0 ? distance : 0;
+            squared += distance * distance;
             distance = z < 0 ? -z : z;
-            distance -= halfZ + axes.abs20 * bX + axes.abs21 * bY + axes.abs22 * bZ;
-            if (distance > 0)
-            {
-                squared += distance * distance;
-            }
-
-            // A pair that is too far away anyway need not be estimated exactly.
+            distance -= boxes[int(at + 5)] + axes.abs20 * bX + axes.abs21 * bY + axes.abs22 * bZ;
+            distance = distance > 0 ? distance : 0;
+            squared += distance * distance;
             var far:Number = out.least + pose.tolerance + 2 * SLACK * (out.least + _radii);
             if (squared > far * far)
             {
                 out.current = out.least;
                 return;
             }
-
-            // These products contain the scale.
-            var squaredInB:Number = 0;
-            distance = axes.m00 * x + axes.m10 * y + axes.m20 * z;
-            distance = distance < 0 ? -distance : distance;
-            distance = (distance - axes.abs00 * halfX - axes.abs10 * halfY - axes.abs20 * halfZ) / scale - scale * bX;
-            if (distance > 0)
+            var between:Vector3D = _between;
+            between.x = x;
+            between.y = y;
+            between.z = z;
+            raise(Math.sqrt(squared), pose, out);
+            estimateAlongSecond(pose, boxes, at, treeB.boxes, 6 * b, out);
+            if (out.points.distance < Infinity)
             {
-                squaredInB = distance * distance;
+                estimateAlongLine(pose, boxes, at, treeB.boxes, 6 * b, out);
             }
+        }
+
+        // Raises the bound to the distance of two boxes along the axes of the second one. The products contain its scale.
+        private function estimateAlongSecond(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, out:BestPair):void
+        {
+            var axes:BoxAxes = _axes;
+            var scale:Number = pose.placement.size;
+            var x:Number = _between.x;
+            var y:Number = _between.y;
+            var z:Number = _between.z;
+            var halfX:Number = boxesA[int(a + 3)];
+            var halfY:Number = boxesA[int(a + 4)];
+            var halfZ:Number = boxesA[int(a + 5)];
+            var distance:Number = axes.m00 * x + axes.m10 * y + axes.m20 * z;
+            distance = distance < 0 ? -distance : distance;
+            distance = (distance - axes.abs00 * halfX - axes.abs10 * halfY - axes.abs20 * halfZ) / scale - scale * boxesB[int(b + 3)];
+            distance = distance > 0 ? distance : 0;
+            var squared:Number = distance * distance;
             distance = axes.m01 * x + axes.m11 * y + axes.m21 * z;
             distance = distance < 0 ? -distance : distance;
-            distance = (distance - axes.abs01 * halfX - axes.abs11 * halfY - axes.abs21 * halfZ) / scale - scale * bY;
-            if (distance > 0)
-            {
-                squaredInB += distance * distance;
-            }
+            distance = (distance - axes.abs01 * halfX - axes.abs11 * halfY - axes.abs21 * halfZ) / scale - scale * boxesB[int(b + 4)];
+            distance = distance > 0 ? distance : 0;
+            squared += distance * distance;
             distance = axes.m02 * x + axes.m12 * y + axes.m22 * z;
             distance = distance < 0 ? -distance : distance;
-            distance = (distance - axes.abs02 * halfX - axes.abs12 * halfY - axes.abs22 * halfZ) / scale - scale * bZ;
-            if (distance > 0)
-            {
-                squaredInB += distance * distance;
-            }
-            var bound:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
+            distance = (distance - axes.abs02 * halfX - axes.abs12 * halfY - axes.abs22 * halfZ) / scale - scale * boxesB[int(b + 5)];
+            distance = distance > 0 ? distance : 0;
+            squared += distance * distance;
+            raise(Math.sqrt(squared), pose, out);
+        }
 
-            // The line between the closest points so far rules out most of the pairs that are not nearer.
+        // Raises the bound to the distance of two boxes along the line between the closest points so far. It rules out most of the pairs that are not
+        // nearer.
+        private function estimateAlongLine(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, out:BestPair):void
+        {
+            var axes:BoxAxes = _axes;
             var points:ClosestPoints = out.points;
             var toX:Number = points.bX - points.aX;
             var toY:Number = points.bY - points.aY;
             var toZ:Number = points.bZ - points.aZ;
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
-            if (length > 0 && points.distance < Infinity)
+            if (!(length > 0))
             {
-                var alongX:Number = toX * axes.m00 + toY * axes.m10 + toZ * axes.m20;
-                var alongY:Number = toX * axes.m01 + toY * axes.m11 + toZ * axes.m21;
-                var alongZ:Number = toX * axes.m02 + toY * axes.m12 + toZ * axes.m22;
-                alongX = alongX < 0 ? -alongX : alongX;
-                alongY = alongY < 0 ? -alongY : alongY;
-                alongZ = alongZ < 0 ? -alongZ : alongZ;
-                distance = x * toX + y * toY + z * toZ - alongX * bX - alongY * bY - alongZ * bZ;
-                toX = toX < 0 ? -toX : toX;
-                toY = toY < 0 ? -toY : toY;
-                toZ = toZ < 0 ? -toZ : toZ;
-                distance = (distance - halfX * toX - halfY * toY - halfZ * toZ) / length;
-                if (distance > bound)
-                {
-                    bound = distance;
-                }
+                return;
             }
-            bound -= SLACK * (bound + _radii) + pose.tolerance;
+            var alongX:Number = toX * axes.m00 + toY * axes.m10 + toZ * axes.m20;
+            var alongY:Number = toX * axes.m01 + toY * axes.m11 + toZ * axes.m21;
+            var alongZ:Number = toX * axes.m02 + toY * axes.m12 + toZ * axes.m22;
+            alongX = alongX < 0 ? -alongX : alongX;
+            alongY = alongY < 0 ? -alongY : alongY;
+            alongZ = alongZ < 0 ? -alongZ : alongZ;
+            var distance:Number = _between.x * toX + _between.y * toY + _between.z * toZ
+                - alongX * boxesB[int(b + 3)] - alongY * boxesB[int(b + 4)] - alongZ * boxesB[int(b + 5)];
+            toX = toX < 0 ? -toX : toX;
+            toY = toY < 0 ? -toY : toY;
+            toZ = toZ < 0 ? -toZ : toZ;
+            raise((distance - boxesA[int(a + 3)] * toX - boxesA[int(a + 4)] * toY - boxesA[int(a + 5)] * toZ) / length, pose, out);
+        }
+
+        // Raises the bound to a computed distance, less its rounding error.
+        private function raise(distance:Number, pose:RelativePose, out:BestPair):void
+        {
+            var bound:Number = distance - SLACK * (distance + _radii) - pose.tolerance;
             if (bound > out.current)
             {
                 out.current = bound;
@@ -170,7 +182,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
+        override protected function decide(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
         {
             if (visitor != null)
             {

@@ -125,7 +125,7 @@ package starlogo.hierarchy
             out.length = 0;
             for (var i:int = _tree.first[_node]; i < end; i++)
             {
-                out.push(_tree.order[i]);
+                out.push(_tree.items[i]);
             }
             out.sort(Array.NUMERIC);
             return out;

@@ -56,7 +56,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
+        override protected function decide(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
         {
             if (visitor != null)
             {

@@ -4,6 +4,7 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.sweep.BoxAxes;
 
     use namespace engine;
 
@@ -34,8 +35,12 @@ package starlogo.hierarchy
         // The pairs of nodes still to visit. The next one is last.
         private var _nodes:Vector.<int> = new Vector.<int>();
 
-        // The vector from the middle of the first tree's node to that of the second's.
+        // The vector from the middle of the first tree's node to the middle of the second's, of the last pair that was tested.
         private var _between:Vector3D = new Vector3D();
+
+        // The second tree's axes times its scale. Their absolute values are larger by a rounding error, because cross products of nearly parallel
+        // edges cancel.
+        private var _axes:BoxAxes = new BoxAxes();
 
         private var _counts:TreeCounts;
 
@@ -48,14 +53,9 @@ package starlogo.hierarchy
         /**
          * Finds whether two nodes that decide touch: see BoxTree.
          *
-         * <p>The steps for a pair are: the faces of a, each with the vector from the middle of a's box to the middle of b's box along it (z, x, y);
-         * the distance of b's middle from a, compared with the spheres around b and inside of it; the faces of b; and if the boxes decide, the
-         * nine pairs of edges. A face of a separates most pairs, mostly its top or bottom, so the other steps take little time.</p>
-         *
-         * <p>The entries of b's rotation (m00 ...) and their absolute values (abs00 ...) contain b's scale. b's half-extents (bX ...) do not, except
-         * for the edges. The absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel.</p>
-         *
-         * <p>The test of two boxes stands in the loop, because it takes less time than a few calls: all of its values are locals.</p>
+         * <p>The steps for a pair of boxes a and b are: the axes of a (z, x, y); the distance of b's middle from a, compared with the spheres around b
+         * and inside of it; the axes of b; and if the boxes decide, the axes across their edges. An axis of a separates most pairs, mostly z. So
+         * these tests stand in the loop, because a call for each pair takes about a tenth more time.</p>
          *
          * @param pose the pose of the second tree's nodes in the first model's space
          * @param treeA the first tree
@@ -67,40 +67,18 @@ package starlogo.hierarchy
          */
         public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, visitor:OverlapVisitor):int
         {
+            var axes:BoxAxes = _axes;
             var relative:Placement = pose.placement;
-            var scale:Number = relative.size;
-            var moveX:Number = relative.x;
-            var moveY:Number = relative.y;
-            var moveZ:Number = relative.z;
-            var widened:Number = Tolerances.ROUNDING * scale;
-            var m00:Number = relative.r00 * scale;
-            var m01:Number = relative.r01 * scale;
-            var m02:Number = relative.r02 * scale;
-            var m10:Number = relative.r10 * scale;
-            var m11:Number = relative.r11 * scale;
-            var m12:Number = relative.r12 * scale;
-            var m20:Number = relative.r20 * scale;
-            var m21:Number = relative.r21 * scale;
-            var m22:Number = relative.r22 * scale;
-            var abs00:Number = m00 < 0 ? widened - m00 : widened + m00;
-            var abs01:Number = m01 < 0 ? widened - m01 : widened + m01;
-            var abs02:Number = m02 < 0 ? widened - m02 : widened + m02;
-            var abs10:Number = m10 < 0 ? widened - m10 : widened + m10;
-            var abs11:Number = m11 < 0 ? widened - m11 : widened + m11;
-            var abs12:Number = m12 < 0 ? widened - m12 : widened + m12;
-            var abs20:Number = m20 < 0 ? widened - m20 : widened + m20;
-            var abs21:Number = m21 < 0 ? widened - m21 : widened + m21;
-            var abs22:Number = m22 < 0 ? widened - m22 : widened + m22;
-            var scaleSquared:Number = scale * scale;
+            var scaleSquared:Number = relative.size * relative.size;
             var tolerance:Number = pose.tolerance;
             var boxesA:Vector.<Number> = treeA.boxes;
             var boxesB:Vector.<Number> = treeB.boxes;
-            var endsA:Vector.<int> = treeA.endsUpToDepth;
-            var endsB:Vector.<int> = treeB.endsUpToDepth;
+            var between:Vector3D = _between;
             var stack:Vector.<int> = _nodes;
             var result:int = APART;
             var visits:int = 0;
             var top:int = 2;
+            axes.readAxes(relative, relative.size, Tolerances.ROUNDING * relative.size);
             stack[0] = 0;
             stack[1] = 0;
             while (top > 0 && result != OVERLAPPING)
@@ -118,29 +96,27 @@ package starlogo.hierarchy
                 var bX:Number = boxesB[int(atB + 3)];
                 var bY:Number = boxesB[int(atB + 4)];
                 var bZ:Number = boxesB[int(atB + 5)];
-
-                var z:Number = m20 * middleX + m21 * middleY + m22 * middleZ + moveZ - boxesA[int(atA + 2)];
+                var z:Number = axes.m20 * middleX + axes.m21 * middleY + axes.m22 * middleZ + relative.z - boxesA[int(atA + 2)];
                 var halfZ:Number = boxesA[int(atA + 5)] + tolerance;
-                var radius:Number = halfZ + abs20 * bX + abs21 * bY + abs22 * bZ;
+                var radius:Number = halfZ + axes.abs20 * bX + axes.abs21 * bY + axes.abs22 * bZ;
                 if (z > radius || z < -radius)
                 {
                     continue;
                 }
-                var x:Number = m00 * middleX + m01 * middleY + m02 * middleZ + moveX - boxesA[atA];
+                var x:Number = axes.m00 * middleX + axes.m01 * middleY + axes.m02 * middleZ + relative.x - boxesA[atA];
                 var halfX:Number = boxesA[int(atA + 3)] + tolerance;
-                radius = halfX + abs00 * bX + abs01 * bY + abs02 * bZ;
+                radius = halfX + axes.abs00 * bX + axes.abs01 * bY + axes.abs02 * bZ;
                 if (x > radius || x < -radius)
                 {
                     continue;
                 }
-                var y:Number = m10 * middleX + m11 * middleY + m12 * middleZ + moveY - boxesA[int(atA + 1)];
+                var y:Number = axes.m10 * middleX + axes.m11 * middleY + axes.m12 * middleZ + relative.y - boxesA[int(atA + 1)];
                 var halfY:Number = boxesA[int(atA + 4)] + tolerance;
-                radius = halfY + abs10 * bX + abs11 * bY + abs12 * bZ;
+                radius = halfY + axes.abs10 * bX + axes.abs11 * bY + axes.abs12 * bZ;
                 if (y > radius || y < -radius)
                 {
                     continue;
                 }
-
                 include "../intersection/squaredToBox.inc";
                 var squaredRadius:Number = scaleSquared * (bX * bX + bY * bY + bZ * bZ);
                 if (squaredDistance > squaredRadius)
@@ -149,65 +125,28 @@ package starlogo.hierarchy
                 }
                 radius = bX < bY ? bX : bY;
                 radius = bZ < radius ? bZ : radius;
+                between.x = x;
+                between.y = y;
+                between.z = z;
                 var isDeep:Boolean = squaredDistance <= scaleSquared * radius * radius;
-                var aEnds:Boolean = endsA[a] >= depthA;
-                var bEnds:Boolean = endsB[b] >= depthB;
-                if (!isDeep)
+                var aEnds:Boolean = treeA.endsUpToDepth[a] >= depthA;
+                var bEnds:Boolean = treeB.endsUpToDepth[b] >= depthB;
+                var areEnds:Boolean = aEnds && bEnds;
+                if (!isDeep && !overlapAlongSecond(pose, boxesA, atA, boxesB, atB))
                 {
-                    var along:Number = m00 * x + m10 * y + m20 * z;
-                    radius = scaleSquared * bX + abs00 * halfX + abs10 * halfY + abs20 * halfZ;
-                    var overlap:Boolean = along <= radius && along >= -radius;
-                    if (overlap)
-                    {
-                        along = m01 * x + m11 * y + m21 * z;
-                        radius = scaleSquared * bY + abs01 * halfX + abs11 * halfY + abs21 * halfZ;
-                        overlap = along <= radius && along >= -radius;
-                    }
-                    if (overlap)
-                    {
-                        along = m02 * x + m12 * y + m22 * z;
-                        radius = scaleSquared * bZ + abs02 * halfX + abs12 * halfY + abs22 * halfZ;
-                        overlap = along <= radius && along >= -radius;
-                    }
-                    if (overlap && visitor == null && aEnds && bEnds)
-                    {
-                        bX *= scale;
-                        bY *= scale;
-                        bZ *= scale;
-                        include "../intersection/boxEdges.inc";
-                    }
-                    if (!overlap)
-                    {
-                        continue;
-                    }
+                    continue;
                 }
-
+                if (!isDeep && areEnds && visitor == null && !overlapAcrossEdges(pose, boxesA, atA, boxesB, atB))
+                {
+                    continue;
+                }
                 result = ONLY_ROOTS;
-                if (!aEnds || !bEnds)
+                if (!areEnds)
                 {
                     var isLarger:Boolean = halfX * halfX + halfY * halfY + halfZ * halfZ >= squaredRadius;
                     var dividesA:Boolean = !aEnds && (bEnds || isDeep || isLarger);
-                    var nearer:int;
-                    _between.setTo(x, y, z);
-                    if (dividesA)
-                    {
-                        nearer = nearerChildOfA(treeA, a);
-                        stack[top] = 2 * treeA.left[a] + 1 - nearer;
-                        stack[top + 1] = b;
-                        top += 2;
-                        a = nearer;
-                    }
-                    if (isDeep ? !bEnds : !dividesA)
-                    {
-                        nearer = nearerChildOfB(relative, treeB, b);
-                        stack[top] = a;
-                        stack[top + 1] = 2 * treeB.left[b] + 1 - nearer;
-                        top += 2;
-                        b = nearer;
-                    }
-                    stack[top] = a;
-                    stack[top + 1] = b;
-                    top += 2;
+                    var dividesB:Boolean = isDeep ? !bEnds : !dividesA;
+                    top = pushChildren(relative, treeA, a, dividesA, treeB, b, dividesB, top);
                 }
                 else if (visitor == null || visitor.areTouching(treeA, a, treeB, b))
                 {
@@ -216,6 +155,98 @@ package starlogo.hierarchy
             }
             _counts.nodeVisits += visits;
             return result;
+        }
+
+        // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
+        private function pushChildren(relative:Placement, treeA:BoxTree, a:int, dividesA:Boolean, treeB:BoxTree, b:int, dividesB:Boolean, top:int):int
+        {
+            var stack:Vector.<int> = _nodes;
+            var nearer:int;
+            if (dividesA)
+            {
+                nearer = nearerChildOfA(treeA, a);
+                stack[top] = 2 * treeA.left[a] + 1 - nearer;
+                stack[top + 1] = b;
+                top += 2;
+                a = nearer;
+            }
+            if (dividesB)
+            {
+                nearer = nearerChildOfB(relative, treeB, b);
+                stack[top] = a;
+                stack[top + 1] = 2 * treeB.left[b] + 1 - nearer;
+                top += 2;
+                b = nearer;
+            }
+            stack[top] = a;
+            stack[top + 1] = b;
+            return top + 2;
+        }
+
+        // Whether two boxes also overlap along the axes of the second one. Reads _between.
+        private function overlapAlongSecond(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):Boolean
+        {
+            var axes:BoxAxes = _axes;
+            var scaleSquared:Number = pose.placement.size * pose.placement.size;
+            var x:Number = _between.x;
+            var y:Number = _between.y;
+            var z:Number = _between.z;
+            var halfX:Number = boxesA[int(a + 3)] + pose.tolerance;
+            var halfY:Number = boxesA[int(a + 4)] + pose.tolerance;
+            var halfZ:Number = boxesA[int(a + 5)] + pose.tolerance;
+            var along:Number = axes.m00 * x + axes.m10 * y + axes.m20 * z;
+            var radius:Number = scaleSquared * boxesB[int(b + 3)] + axes.abs00 * halfX + axes.abs10 * halfY + axes.abs20 * halfZ;
+            if (along > radius || along < -radius)
+            {
+                return false;
+            }
+            along = axes.m01 * x + axes.m11 * y + axes.m21 * z;
+            radius = scaleSquared * boxesB[int(b + 4)] + axes.abs01 * halfX + axes.abs11 * halfY + axes.abs21 * halfZ;
+            if (along > radius || along < -radius)
+            {
+                return false;
+            }
+            along = axes.m02 * x + axes.m12 * y + axes.m22 * z;
+            radius = scaleSquared * boxesB[int(b + 5)] + axes.abs02 * halfX + axes.abs12 * halfY + axes.abs22 * halfZ;
+            return along <= radius && along >= -radius;
+        }
+
+        // Whether two boxes also overlap along the axes across an edge of each. Reads _between.
+        private function overlapAcrossEdges(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):Boolean
+        {
+            var axes:BoxAxes = _axes;
+            var m00:Number = axes.m00;
+            var m01:Number = axes.m01;
+            var m02:Number = axes.m02;
+            var m10:Number = axes.m10;
+            var m11:Number = axes.m11;
+            var m12:Number = axes.m12;
+            var m20:Number = axes.m20;
+            var m21:Number = axes.m21;
+            var m22:Number = axes.m22;
+            var abs00:Number = axes.abs00;
+            var abs01:Number = axes.abs01;
+            var abs02:Number = axes.abs02;
+            var abs10:Number = axes.abs10;
+            var abs11:Number = axes.abs11;
+            var abs12:Number = axes.abs12;
+            var abs20:Number = axes.abs20;
+            var abs21:Number = axes.abs21;
+            var abs22:Number = axes.abs22;
+            var x:Number = _between.x;
+            var y:Number = _between.y;
+            var z:Number = _between.z;
+            var halfX:Number = boxesA[int(a + 3)] + pose.tolerance;
+            var halfY:Number = boxesA[int(a + 4)] + pose.tolerance;
+            var halfZ:Number = boxesA[int(a + 5)] + pose.tolerance;
+            var bX:Number = boxesB[int(b + 3)] * pose.placement.size;
+            var bY:Number = boxesB[int(b + 4)] * pose.placement.size;
+            var bZ:Number = boxesB[int(b + 5)] * pose.placement.size;
+            var along:Number;
+            var radius:Number;
+            var overlap:Boolean;
+            include "../intersection/boxEdges.inc";
+            return overlap;
         }
 
         // Returns the child of a node of the first tree that is nearer to the second one's node. _between then begins at this child.

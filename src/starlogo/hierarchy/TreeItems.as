@@ -44,17 +44,17 @@ package starlogo.hierarchy
         public function TreeItems(tree:BoxTree)
         {
             _tree = tree;
-            tree.order = new Vector.<int>(tree.itemCount, true);
-            for (var i:int = 0; i < tree.order.length; i++)
+            tree.items = new Vector.<int>(tree.itemCount, true);
+            for (var i:int = 0; i < tree.items.length; i++)
             {
-                tree.order[i] = i;
+                tree.items[i] = i;
             }
         }
 
         /** Measures a range of items. Must be called for all items before other methods. */
         public function measure(first:int, end:int):void
         {
-            _extents ||= new Vector.<Number>(6 * _tree.order.length, true);
+            _extents ||= new Vector.<Number>(6 * _tree.items.length, true);
             for (var i:int = first; i < end; i++)
             {
                 // the order is still that of the indices
@@ -144,7 +144,7 @@ package starlogo.hierarchy
          */
         public function divideSome(most:int):Boolean
         {
-            var items:Vector.<int> = _tree.order;
+            var items:Vector.<int> = _tree.items;
             var all:Vector.<Number> = _extents;
             var along:int = axis;
             var split:Number = _split;
@@ -216,7 +216,7 @@ package starlogo.hierarchy
         // Twice the centre of the extents of the item in a slot, along an axis.
         private function sumAlong(axis:int, slot:int):Number
         {
-            var at:int = 6 * _tree.order[slot] + 2 * axis;
+            var at:int = 6 * _tree.items[slot] + 2 * axis;
             return _extents[at] + _extents[int(at + 1)];
         }
 

@@ -5,7 +5,6 @@ package starlogo.models
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
-    import starlogo.geometry.cubeRoot;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

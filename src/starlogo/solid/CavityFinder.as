@@ -27,7 +27,7 @@ package starlogo.solid
 
         private var _windingCounter:WindingCounter;
         private var _surface:SurfaceTopology;
-        private var _order:Vector.<int>;
+        private var _items:Vector.<int>;
         private var _balances:Vector.<int>;
 
         // For each shell: its outermost points; one more than the index of the corner from which its volume is measured, or 0 if it has none; six times
@@ -57,8 +57,8 @@ package starlogo.solid
             var shells:int = balances.length;
             _windingCounter = windingCounter;
             _surface = windingCounter.surface;
-            _order = windingCounter.mesh.tree.order;
-            _mostWindings = WINDINGS_PER_TRIANGLE * _order.length;
+            _items = windingCounter.mesh.tree.items;
+            _mostWindings = WINDINGS_PER_TRIANGLE * _items.length;
             states = _surface.shellStates.concat();
             _balances = balances;
             if (shells > 1)
@@ -69,7 +69,7 @@ package starlogo.solid
                 _orientations = new Vector.<int>(shells, true);
                 _enclosing = new Vector.<Vector.<int>>(shells, true);
                 _enclosesPoint = new Vector.<Boolean>(shells, true);
-                slices(_order.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orient);
+                slices(_items.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orient);
             }
         }
 
@@ -83,7 +83,7 @@ package starlogo.solid
             var corners:Vector.<Number> = _windingCounter.mesh.corners;
             for (var slot:int = first; slot < end; slot++)
             {
-                var shell:int = _surface.shellOf(_order[slot]);
+                var shell:int = _surface.shellOf(_items[slot]);
                 if (!isSolid(shell))
                 {
                     continue;
@@ -94,7 +94,7 @@ package starlogo.solid
                 var from:int = _origins[shell] - 1;
                 var volume:Number = _plane.doubleArea * (_plane.normal.x * (corners[9 * slot] - corners[from])
                         + _plane.normal.y * (corners[9 * slot + 1] - corners[from + 1]) + _plane.normal.z * (corners[9 * slot + 2] - corners[from + 2]));
-                _volumes[shell] += _surface.isReversed(_order[slot]) ? -volume : volume;
+                _volumes[shell] += _surface.isReversed(_items[slot]) ? -volume : volume;
             }
         }
 
@@ -110,7 +110,7 @@ package starlogo.solid
             }
             if (isFound[0] && isFound[2])
             {
-                slices(_order.length, TRIANGLES_PER_STEP, testSome).call(decide);
+                slices(_items.length, TRIANGLES_PER_STEP, testSome).call(decide);
             }
         }
 
@@ -124,7 +124,7 @@ package starlogo.solid
                 {
                     continue;
                 }
-                var shell:int = _surface.shellOf(_order[slot]);
+                var shell:int = _surface.shellOf(_items[slot]);
                 for (var corner:int = 3; corner >= 0 && isSolid(shell) && isUndecided(shell); corner--)
                 {
                     findEnclosing(shell, slot, corner);
@@ -145,7 +145,7 @@ package starlogo.solid
             var corners:Vector.<Number> = _windingCounter.mesh.corners;
             var at:int = 9 * slot;
             var inwards:Number = INWARDS * _extremes.extentAt(_extremes.pointsAt[shell]);
-            inwards = _surface.isReversed(_order[slot]) == _volumes[shell] > 0 ? inwards : -inwards;
+            inwards = _surface.isReversed(_items[slot]) == _volumes[shell] > 0 ? inwards : -inwards;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)

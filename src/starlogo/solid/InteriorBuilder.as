@@ -159,8 +159,8 @@ package starlogo.solid
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var part:int = surface.parts[_tree.order[slot]];
-                var shell:int = surface.shellOf(_tree.order[slot]);
+                var part:int = surface.parts[_tree.items[slot]];
+                var shell:int = surface.shellOf(_tree.items[slot]);
                 if (shell >= 0)
                 {
                     _partOf[shell] = part;

@@ -107,7 +107,7 @@ package starlogo.solid
             if (mesh == null)
             {
                 mesh = new TriangleMesh(boxTree);
-                mesh.fillCorners(0, boxTree.order.length);
+                mesh.fillCorners(0, boxTree.items.length);
             }
             return mesh;
         }

@@ -52,7 +52,7 @@ package starlogo.solid
             var isPointNeeded:Boolean = areTouching && out.distance > 0;
             if (!isPointNeeded || !_containment.findInside(pair, out))
             {
-                out.settle(areTouching);
+                out.correct(areTouching);
                 out.place(pair.placementA);
             }
         }
@@ -62,7 +62,7 @@ package starlogo.solid
         {
             pair.relate();
             var slot:int = _triangles.find(pair.a, pair.structureB, pair.pose, _measured);
-            return slot < 0 ? -1 : pair.a.boxTree.order[slot];
+            return slot < 0 ? -1 : pair.a.boxTree.items[slot];
         }
 
         // Finds the distance and the closest points in the first model's space.

@@ -139,7 +139,7 @@ package starlogo.solid
                 if (slot >= 0 && out != null)
                 {
                     _triangles.findContact(slot, _motion, out);
-                    out.triangle = a.boxTree.order[slot];
+                    out.triangle = a.boxTree.items[slot];
                 }
             }
             else

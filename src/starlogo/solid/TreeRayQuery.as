@@ -85,7 +85,7 @@ package starlogo.solid
                 _entry.begin(ray);
                 setNormal(model.mesh, slot, ray, _entry);
                 out.setNormal(i, _entry);
-                out.triangles[i] = model.boxTree.order[slot];
+                out.triangles[i] = model.boxTree.items[slot];
             }
             return true;
         }
@@ -104,7 +104,7 @@ package starlogo.solid
             {
                 return false;
             }
-            out.triangle = model.boxTree.order[slot];
+            out.triangle = model.boxTree.items[slot];
             out.distance = _triangles.distance;
             setNormal(model.mesh, slot, ray, out);
             return true;

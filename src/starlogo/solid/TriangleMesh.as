@@ -33,7 +33,7 @@ package starlogo.solid
         public function TriangleMesh(tree:BoxTree)
         {
             this.tree = tree;
-            corners = new Vector.<Number>(9 * tree.order.length, true);
+            corners = new Vector.<Number>(9 * tree.items.length, true);
         }
 
         /** How much the places of a triangle's corners along its normal may differ. */
@@ -63,7 +63,7 @@ package starlogo.solid
             var triangles:Vector.<uint> = tree.triangles;
             for (var i:int = first; i < end; i++)
             {
-                var corner:int = 3 * tree.order[i];
+                var corner:int = 3 * tree.items[i];
                 for (var last:int = corner + 3; corner < last; corner++)
                 {
                     var at:int = triangles[corner];

@@ -225,7 +225,7 @@ package starlogo.solid
             {
                 return;
             }
-            var triangle:int = mesh.tree.order[slot];
+            var triangle:int = mesh.tree.items[slot];
             var shell:int = surface.shellOf(triangle);
             if (shell >= 0)
             {

@@ -3,7 +3,6 @@ package starlogo.intersection
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
-    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -14,6 +13,7 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.ground.TriangleSide;
     import support.Complaints;
     import support.Effort;
     import support.PlainDistance;
@@ -144,52 +144,14 @@ package starlogo.intersection
             assertTrue(apart + " apart", apart > 100);
         }
 
-        [Test]
-        public function nothingIsBehindATriangleWithoutArea():void
-        {
-            var triangle:TriangleKernel = new TriangleKernel();
-            var out:ContactPoint = new ContactPoint();
-            for (var i:int = 0; i < 300; i++)
-            {
-                triangle.setStructure(_structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2), new Placement());
-                var corners:Vector.<Number> = anyTriangle(0);
-                var share:Number = i % 5 / 4;
-                for (var k:int = 0; k < 3; k++)
-                {
-                    corners[6 + k] = corners[k] + share * (corners[3 + k] - corners[k]);
-                }
-                triangle.setTriangle(corners, 0);
-                triangle.findBehind(new RelativeMotion(0), out);
-                _wrong.addIf(out.depth >= 0 || triangle.isOverTriangle(out), "behind", "triangle " + corners);
-            }
-            _wrong.assertNone();
-        }
-
-        /** Only what touches first on its motion may have a normal that points behind the triangle. */
-        [Test]
-        public function whatIsInTheGroundAtFirstIsLedOutside():void
-        {
-            var triangle:TriangleKernel = new TriangleKernel();
-            triangle.setStructure(new Sphere(new Vector3D(0, 0, -0.5), 1), new Placement());
-            triangle.setTriangle(new <Number>[-10, -10, 0, 10, -10, 0, 0, 10, 0], 0);
-            for (var up:int = -1; up <= 1; up++)
-            {
-                var motion:RelativeMotion = new RelativeMotion(0);
-                motion.z = up;
-                var out:ContactPoint = new ContactPoint();
-                triangle.findContact(motion, out);
-                assertEquals(-1, out.normalZ);
-                triangle.leadOutside(motion, out);
-                assertEquals("moves by " + up, "1,1.5", [out.normalZ, out.depth].join());
-            }
-        }
-
         private static function timeOf(sweep:TriangleKernel, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
         {
             sweep.setStructure(structure, new Placement());
             sweep.setTriangle(corners, 0);
+            var side:TriangleSide = new TriangleSide(sweep.shape);
+            side.setTriangle(corners);
             motion.time = RelativeMotion.NEVER;
-            if (!sweep.stayApart(motion))
+            if (!side.stayApart(motion))
             {
                 sweep.findTime(motion);
             }

@@ -46,8 +46,8 @@ package starlogo.solid
             {
                 var hierarchy:ModelTree = hierarchyOf(model, 4);
                 hierarchy.prepareExact();
-                var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.boxTree.order.length, true);
-                for each (var triangle:int in hierarchy.boxTree.order)
+                var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.boxTree.items.length, true);
+                for each (var triangle:int in hierarchy.boxTree.items)
                 {
                     assertTrue(!isListed[triangle]);
                     isListed[triangle] = true;

@@ -33,8 +33,12 @@ package starlogo.intersection.sweep
         public var abs21:Number = 0;
         public var abs22:Number = 1;
 
-        /** Reads the axes of b from its rotation in the space of a, whose axes are those of the space, and multiplies them by a length. */
-        public function readAxes(rotation:Placement, length:Number):void
+        /**
+         * Reads the axes of b from its rotation in the space of a, whose axes are those of the space, and multiplies them by a length.
+         *
+         * @param slack how much larger the absolute values are
+         */
+        public function readAxes(rotation:Placement, length:Number, slack:Number = 0):void
         {
             m00 = rotation.r00 * length;
             m01 = rotation.r01 * length;
@@ -45,21 +49,21 @@ package starlogo.intersection.sweep
             m20 = rotation.r20 * length;
             m21 = rotation.r21 * length;
             m22 = rotation.r22 * length;
-            measureAxes();
+            measureAxes(slack);
         }
 
-        /** Computes the absolute values. The axes must be set. */
-        public function measureAxes():void
+        /** Computes the absolute values, and adds a slack to them. The axes must be set. */
+        public function measureAxes(slack:Number = 0):void
         {
-            abs00 = m00 < 0 ? -m00 : m00;
-            abs01 = m01 < 0 ? -m01 : m01;
-            abs02 = m02 < 0 ? -m02 : m02;
-            abs10 = m10 < 0 ? -m10 : m10;
-            abs11 = m11 < 0 ? -m11 : m11;
-            abs12 = m12 < 0 ? -m12 : m12;
-            abs20 = m20 < 0 ? -m20 : m20;
-            abs21 = m21 < 0 ? -m21 : m21;
-            abs22 = m22 < 0 ? -m22 : m22;
+            abs00 = m00 < 0 ? slack - m00 : slack + m00;
+            abs01 = m01 < 0 ? slack - m01 : slack + m01;
+            abs02 = m02 < 0 ? slack - m02 : slack + m02;
+            abs10 = m10 < 0 ? slack - m10 : slack + m10;
+            abs11 = m11 < 0 ? slack - m11 : slack + m11;
+            abs12 = m12 < 0 ? slack - m12 : slack + m12;
+            abs20 = m20 < 0 ? slack - m20 : slack + m20;
+            abs21 = m21 < 0 ? slack - m21 : slack + m21;
+            abs22 = m22 < 0 ? slack - m22 : slack + m22;
         }
     }
 }

@@ -32,7 +32,7 @@ package starlogo.libraries.cooked
         private var _bytes:ByteArray;
         private var _tree:BoxTree;
         private var _maxDepth:int;
-        private var _order:Vector.<int>;
+        private var _items:Vector.<int>;
 
         // The nodes that still have to be read, the next one last.
         private var _waiting:Vector.<int> = new Vector.<int>();
@@ -60,8 +60,8 @@ package starlogo.libraries.cooked
         public static function write(tree:BoxTree):ByteArray
         {
             var out:ByteArray = CookedFile.newBytes();
-            var width:int = widthFor(tree.order.length);
-            for each (var item:int in tree.order)
+            var width:int = widthFor(tree.items.length);
+            for each (var item:int in tree.items)
             {
                 for (var bits:int = 0; bits < 8 * width; bits += 8)
                 {
@@ -93,11 +93,11 @@ package starlogo.libraries.cooked
         private function addParts():void
         {
             var count:int = _tree.itemCount;
-            _order = new Vector.<int>(count, true);
+            _items = new Vector.<int>(count, true);
             var isListed:Vector.<Boolean> = new Vector.<Boolean>(count, true);
             slices(count, ITEMS_PER_STEP, function(first:int, end:int):void
                 {
-                    readOrder(first, end, isListed);
+                    readItems(first, end, isListed);
                 }).call(beginTree).repeat(readNodes).begin(measuring);
         }
 
@@ -117,11 +117,11 @@ package starlogo.libraries.cooked
         }
 
         // Every item must come exactly once.
-        private function readOrder(first:int, end:int, isListed:Vector.<Boolean>):void
+        private function readItems(first:int, end:int, isListed:Vector.<Boolean>):void
         {
             var bytes:ByteArray = _bytes;
-            var order:Vector.<int> = _order;
-            var count:int = order.length;
+            var items:Vector.<int> = _items;
+            var count:int = items.length;
             var width:int = widthFor(count);
             for (var i:int = first; i < end; i++)
             {
@@ -132,13 +132,13 @@ package starlogo.libraries.cooked
                     return;
                 }
                 isListed[item] = true;
-                order[i] = item;
+                items[i] = item;
             }
         }
 
         private function beginTree():void
         {
-            _tree.order = _order;
+            _tree.items = _items;
             _tree.addRoot();
             _waiting.push(0);
         }

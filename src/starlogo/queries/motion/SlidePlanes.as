@@ -2,9 +2,9 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.geometry.HalfSpaceSolver;
-    import starlogo.geometry.ShortestExit;
     import starlogo.geometry.Tolerances;
+    import starlogo.search.penetration.HalfSpaceSolver;
+    import starlogo.search.penetration.ShortestExit;
 
     /**
      * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the motion on these planes (Fauerby, "Improved

@@ -5,13 +5,13 @@ package starlogo.search.pairs
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.geometry.HalfSpaceSolver;
-    import starlogo.geometry.ShortestExit;
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.TreeLimits;
+    import starlogo.search.penetration.HalfSpaceSolver;
+    import starlogo.search.penetration.ShortestExit;
 
     use namespace engine;
 
@@ -119,7 +119,7 @@ package starlogo.search.pairs
             out.bY = _contact.y - gap / 2 * _contact.normalY;
             out.bZ = _contact.z - gap / 2 * _contact.normalZ;
             out.distance = gap;
-            out.settle(areTouching);
+            out.correct(areTouching);
         }
 
         // Finds how far the body is beyond each edge at the time of a motion. Returns the edge that it is furthest beyond.

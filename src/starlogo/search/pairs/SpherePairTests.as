@@ -122,7 +122,7 @@ package starlogo.search.pairs
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             _kernel.findClosest(a.worldStructure(), b.worldStructure(), out);
-            out.settle(areTouching);
+            out.correct(areTouching);
         }
 
         /** Writes the number of tests, and sets it to 0. */

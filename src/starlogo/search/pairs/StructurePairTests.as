@@ -90,7 +90,7 @@ package starlogo.search.pairs
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             PairTable.findClosest(a.worldStructure(), b.worldStructure(), out);
-            out.settle(areTouching);
+            out.correct(areTouching);
         }
     }
 }

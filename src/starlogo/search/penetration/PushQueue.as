@@ -2,8 +2,6 @@ package starlogo.search.penetration
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.geometry.HalfSpaceSolver;
-    import starlogo.geometry.ShortestExit;
 
     /**
      * Finds the shortest push that leads out of several contacts. A contact requires a push of at least its depth along its normal.

@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.search.penetration
 {
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;

@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.search.penetration
 {
     import flash.geom.Vector3D;
 

@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.models
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;

@@ -1,43 +1,43 @@
 package starlogo.convex
 {
     /**
-     * The place of a simplex that is nearest to the origin.
+     * The point of a simplex that is nearest to the origin.
      *
      * <p>In a triangle it is located along the longest edge first and then across it. The direction to it is the triangle's own normal where
-     * that is more precise than the vector to the place. So needles and tiny distances lose no digits.</p>
+     * that is more precise than the vector to the point. So needles and tiny distances lose no digits.</p>
      *
      * <p>Its fields are read only, but Simplex moves the shares of the corners that it keeps.</p>
      */
-    internal final class NearestPlace
+    internal final class NearestPoint
     {
         /** The origin is inside of the simplex. */
         public static const INSIDE:int = 0;
 
-        /** The origin is outside, and the place is found. */
+        /** The origin is outside, and the point is found. */
         public static const OUTSIDE:int = 1;
 
-        /** Rounding hides which part of the simplex is nearest, so there is no place. */
+        /** Rounding hides which part of the simplex is nearest, so there is no point. */
         public static const LOST:int = 2;
 
         // The rounding error of a corner, as a fraction of the extents and places: about four units in the last place.
         private static const CORNER_ROUNDING:Number = 4e-16;
 
-        // The squared ratio of height to base below which a triangle counts as its edges. It is smaller than Tolerances.FLAT_TRIANGLE, because a place
+        // The squared ratio of height to base below which a triangle counts as its edges. It is smaller than Tolerances.FLAT_TRIANGLE, because a point
         // in a needle has more digits than the needle's normal.
         private static const NARROWEST:Number = 1e-28;
 
-        /** The place, and its squared distance. */
+        /** The point, and its squared distance. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;
         public var squaredDistance:Number = 0;
 
-        /** The direction from the origin to the place, of any length. It may be more precise than the place itself. */
+        /** The direction from the origin to the point, of any length. It may be more precise than the point itself. */
         public var alongX:Number = 0;
         public var alongY:Number = 0;
         public var alongZ:Number = 0;
 
-        /** For each corner, its share of the place. */
+        /** For each corner, its share of the point. */
         public var shares:Vector.<Number> = new Vector.<Number>(4, true);
 
         /** The rounding error of a corner. */
@@ -46,11 +46,11 @@ package starlogo.convex
         // The simplex's corners.
         private var _corners:Vector.<Number>;
 
-        // The corner that was added last: the place includes it. -1 if any part may be the nearest.
+        // The corner that was added last: the point includes it. -1 if any part may be the nearest.
         private var _newest:int = -1;
 
         /** @param corners of the simplex, x, y, z of each; kept */
-        public function NearestPlace(corners:Vector.<Number>)
+        public function NearestPoint(corners:Vector.<Number>)
         {
             _corners = corners;
         }
@@ -62,9 +62,9 @@ package starlogo.convex
         }
 
         /**
-         * Finds the place.
+         * Finds the point.
          *
-         * @param count how many corners there are. If there are four, the place before is that of the first three
+         * @param count how many corners there are. If there are four, the point before is that of the first three
          * @param newest the corner that was added last; -1 if any part may be the nearest
          * @param isApart whether it is known that the cores are apart
          * @return INSIDE, OUTSIDE or LOST
@@ -93,7 +93,7 @@ package starlogo.convex
         }
 
         // Returns whether the origin is inside of the tetrahedron. If not, tries the faces that the origin is beyond; the face of the first three
-        // corners is none of them, because the fourth corner was nearer. The shares are those of the nearest place in that face until now.
+        // corners is none of them, because the fourth corner was nearer. The shares are those of the nearest point in that face until now.
         private function tryTetrahedron(isApart:Boolean):Boolean
         {
             shares[3] = 0;
@@ -122,7 +122,7 @@ package starlogo.convex
             return false;
         }
 
-        // Changes the shares of a tetrahedron's corners from those of the place to those of the origin. The vector from the place to the origin is
+        // Changes the shares of a tetrahedron's corners from those of the point to those of the origin. The vector from the point to the origin is
         // taken apart along an edge, then along what another edge from the same corner has across it, then along what the third has across both
         // (Gram and Schmidt). So the shares make the origin up to rounding, however narrow the tetrahedron is. Returns false if it is flat.
         private function moveToOrigin():Boolean

@@ -1,0 +1,181 @@
+package starlogo.ground
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.ConvexShape;
+    import starlogo.convex.Interval;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * On which side of a triangle's plane a convex shape is, and how far behind it. The triangle is of the outside of a solid, so what is behind it
+     * has to go out in front of it. The shape is that of a TriangleKernel, which answers what does not depend on the triangle's sides.
+     *
+     * @private
+     */
+    public final class TriangleSide
+    {
+        // Points of the core are equally deep if their depths differ by less than this fraction of its extent along the normal.
+        private static const SAME_DEPTH:Number = 1e-12;
+
+        private var _shape:ConvexShape;
+
+        // The triangle: nine numbers. Its plane is set at the first question.
+        private var _corners:Vector.<Number> = null;
+        private var _isPlaneSet:Boolean = false;
+        private var _plane:TrianglePlane = new TrianglePlane();
+
+        private var _deepest:Vector3D = new Vector3D();
+        private var _ofShape:Interval = new Interval();
+
+        /** @param shape in the triangles' space; kept */
+        public function TriangleSide(shape:ConvexShape)
+        {
+            _shape = shape;
+        }
+
+        /** Sets the triangle: nine numbers, counter-clockwise seen from outside. The list is kept. */
+        public function setTriangle(corners:Vector.<Number>):void
+        {
+            _corners = corners;
+            _isPlaneSet = false;
+        }
+
+        /**
+         * Whether the shape is known to be apart from the triangle until the motion's latest time. A quick test, by the triangle's plane.
+         *
+         * @param motion of the shape; its start must be 0
+         */
+        public function stayApart(motion:RelativeMotion):Boolean
+        {
+            preparePlane();
+            var size:Number = _shape.extent + Math.abs(_shape.x) + Math.abs(_shape.y) + Math.abs(_shape.z) + Math.abs(_plane.offset)
+                + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
+            var margin:Number = (_shape.radius + _shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
+            return _plane.findEntry(_shape, margin, motion) > motion.latest;
+        }
+
+        /**
+         * Replaces a contact with the triangle if its normal points into the solid. The new contact leads out of the triangle's plane.
+         *
+         * @param motion the motion of <code>TriangleKernel.findContact()</code>
+         * @param contact the contact that it found
+         */
+        public function leadOutside(motion:RelativeMotion, contact:ContactPoint):void
+        {
+            // Where a moving shape first touches a sharp edge, the normal may point behind one of the edge's faces.
+            var isFirstTouch:Boolean = motion.time > 0
+                && contact.normalX * motion.x + contact.normalY * motion.y + contact.normalZ * motion.z < 0;
+            if (!isFirstTouch)
+            {
+                preparePlane();
+                if (contact.along(_plane.normal) < -Tolerances.DIRECTION)
+                {
+                    findBehind(motion, contact);
+                }
+            }
+        }
+
+        /**
+         * Finds how far the shape is behind the triangle's plane.
+         *
+         * @param motion of the shape; the shape is where it is at the motion's time
+         * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point. If the triangle is flat,
+         *     the normal is 0, and all else is NaN
+         */
+        public function findBehind(motion:RelativeMotion, out:ContactPoint):void
+        {
+            preparePlane();
+            out.setNormal(_plane.normal.x, _plane.normal.y, _plane.normal.z);
+            var deepest:Vector3D = _deepest;
+            findDeepestPoint(deepest);
+            deepest.x += motion.startX + motion.time * motion.x;
+            deepest.y += motion.startY + motion.time * motion.y;
+            deepest.z += motion.startZ + motion.time * motion.z;
+            out.depth = _plane.offset - out.along(deepest);
+            out.x = deepest.x + out.depth / 2 * out.normalX;
+            out.y = deepest.y + out.depth / 2 * out.normalY;
+            out.z = deepest.z + out.depth / 2 * out.normalZ;
+        }
+
+        /** Whether the point of a contact of <code>findBehind()</code> is over the triangle or behind it. False if the triangle is flat. */
+        public function isOverTriangle(contact:ContactPoint):Boolean
+        {
+            var p:Vector.<Number> = _corners;
+            var from:int = 6;
+            for (var to:int = 0; to < 9; to += 3)
+            {
+                var ux:Number = p[to] - p[from];
+                var uy:Number = p[int(to + 1)] - p[int(from + 1)];
+                var uz:Number = p[int(to + 2)] - p[int(from + 2)];
+                var vx:Number = contact.x - p[from];
+                var vy:Number = contact.y - p[int(from + 1)];
+                var vz:Number = contact.z - p[int(from + 2)];
+                if (!(contact.normalX * (uy * vz - uz * vy) + contact.normalY * (uz * vx - ux * vz) + contact.normalZ * (ux * vy - uy * vx) >= 0))
+                {
+                    return false;
+                }
+                from = to;
+            }
+            return true;
+        }
+
+        /**
+         * Whether another triangle is behind the triangle's plane.
+         *
+         * @param corners has nine numbers of the other triangle
+         * @param slack how far it may be in front of the plane
+         */
+        public function isBehindPlane(corners:Vector.<Number>, slack:Number):Boolean
+        {
+            preparePlane();
+            var normal:Vector3D = _plane.normal;
+            var most:Number = _plane.offset + slack;
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                if (!(normal.x * corners[i] + normal.y * corners[int(i + 1)] + normal.z * corners[int(i + 2)] <= most))
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        // Finds the point of the shape that is farthest against the triangle's normal. If there are several, it is their middle.
+        private function findDeepestPoint(out:Vector3D):void
+        {
+            var normal:Vector3D = _plane.normal;
+            var p:Vector.<Number> = _shape.points;
+            var end:int = _shape.end;
+            _shape.project(normal, _ofShape);
+            var most:Number = _ofShape.least + SAME_DEPTH * (_ofShape.greatest - _ofShape.least);
+            var count:int = 0;
+            var x:Number = 0;
+            var y:Number = 0;
+            var z:Number = 0;
+            for (var i:int = 0; i < end; i += 3)
+            {
+                if (normal.x * p[i] + normal.y * p[int(i + 1)] + normal.z * p[int(i + 2)] <= most)
+                {
+                    x += p[i];
+                    y += p[int(i + 1)];
+                    z += p[int(i + 2)];
+                    count++;
+                }
+            }
+            out.x = _shape.x + x / count - _shape.radius * normal.x;
+            out.y = _shape.y + y / count - _shape.radius * normal.y;
+            out.z = _shape.z + z / count - _shape.radius * normal.z;
+        }
+
+        private function preparePlane():void
+        {
+            if (!_isPlaneSet)
+            {
+                _isPlaneSet = true;
+                _plane.setTriangle(_corners, 0);
+            }
+        }
+    }
+}

@@ -88,6 +88,24 @@ package starlogo.queries.motion
                 });
         }
 
+        // Its sweep meets no surface, or the surface from inside.
+        [Test]
+        public function whatBeginsInsideOfAClosedModelIsDeep():void
+        {
+            var agent:Agent = agentAt(_model.name, 0, 0, 0);
+            agent.size = 4;
+            agent.hierarchical = true;
+            _seen.update(new <Agent>[agent]);
+            var from:Vector3D = new Vector3D(0.1, 0.2, 2);
+            for each (var motion:Vector3D in [new Vector3D(0, 0.1, 0), new Vector3D(9, 0, 0)])
+            {
+                _body.readStructure(new Sphere(from, 0.1));
+                _search.findAlong(_body, motion, null, null);
+                _mover.findTouch(_body, _body.rows, from, motion, new StartLift(), _result);
+                assertTrue(motion + ": deep", _result.isDeep);
+            }
+        }
+
         private function compare(make:Function):void
         {
             var motion:Vector3D = new Vector3D();

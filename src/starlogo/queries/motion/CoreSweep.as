@@ -133,13 +133,14 @@ package starlogo.queries.motion
             }
         }
 
-        // Finds when and how a body stops the core. If the first contact does not point against the motion, the core leaves what it touches there. So
-        // it may do at the edge of a tile whose top it enters at the same time. Then the sweep begins again, a clearance farther on. Not for a flat core,
-        // which may be past the body there.
+        // Finds when and how a body stops the core. If the first contact on the way does not point against the motion, the core leaves what it touches
+        // there, and may enter another face at the same time: at the edge of a tile, its top. Then the sweep begins again, a clearance farther on.
+        // A flat core may be past the body there.
         private function findStop(body:MovingBody, other:Body, from:Vector3D, motion:Vector3D):void
         {
             sweepCore(body, other, from);
-            if (_motion.time == RelativeMotion.NEVER || isAgainst(_contact, motion) || body.core.isFlat)
+            var isOnWay:Boolean = _motion.time > 0 && _motion.time != RelativeMotion.NEVER;
+            if (!isOnWay || isAgainst(_contact, motion) || body.core.isFlat)
             {
                 return;
             }

@@ -92,12 +92,23 @@ package starlogo.queries.motion
         [Test]
         public function whatBeginsInsideOfAClosedModelIsDeep():void
         {
+            assertDeep(new Vector3D(0.1, 0.2, 2), new <Vector3D>[new Vector3D(0, 0.1, 0), new Vector3D(9, 0, 0)]);
+        }
+
+        // Its sweep begins with a contact, also if it leaves the surface or runs along it.
+        [Test]
+        public function whatBeginsAcrossASurfaceIsDeep():void
+        {
+            assertDeep(new Vector3D(2, 0, 2), new <Vector3D>[new Vector3D(-0.5, 0, 0), new Vector3D(9, 0, 0), new Vector3D(0, 0.1, 0), new Vector3D(0, 0, 9)]);
+        }
+
+        private function assertDeep(from:Vector3D, motions:Vector.<Vector3D>):void
+        {
             var agent:Agent = agentAt(_model.name, 0, 0, 0);
             agent.size = 4;
             agent.hierarchical = true;
             _seen.update(new <Agent>[agent]);
-            var from:Vector3D = new Vector3D(0.1, 0.2, 2);
-            for each (var motion:Vector3D in [new Vector3D(0, 0.1, 0), new Vector3D(9, 0, 0)])
+            for each (var motion:Vector3D in motions)
             {
                 _body.readStructure(new Sphere(from, 0.1));
                 _search.findAlong(_body, motion, null, null);

@@ -12,9 +12,6 @@ package starlogo.solid
      */
     internal final class SweptAxes
     {
-        // How many numbers the points of a segment are.
-        private static const SEGMENT:int = 6;
-
         // The shape, the radius around its core, and its motion.
         private var _shape:ConvexShape;
         private var _radius:Number = 0;
@@ -48,11 +45,11 @@ package starlogo.solid
             _motion = motion;
             _end = 0;
             var p:Vector.<Number> = shape.points;
-            if (shape.end <= SEGMENT)
+            if (shape.end <= ConvexShape.SEGMENT)
             {
-                var x:Number = shape.end < SEGMENT ? 0 : p[3] - p[0];
-                var y:Number = shape.end < SEGMENT ? 0 : p[4] - p[1];
-                var z:Number = shape.end < SEGMENT ? 0 : p[5] - p[2];
+                var x:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[3] - p[0];
+                var y:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[4] - p[1];
+                var z:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[5] - p[2];
                 var squared:Number = x * x + y * y + z * z;
                 var share:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
                 addAxis(motion.x - share * x, motion.y - share * y, motion.z - share * z);
@@ -63,7 +60,7 @@ package starlogo.solid
                 var to:int = edges[i];
                 addEdge(p[to] - p[0], p[int(to + 1)] - p[1], p[int(to + 2)] - p[2]);
             }
-            if (!shape.areEdgesPerpendicular && shape.end > SEGMENT)
+            if (!shape.areEdgesPerpendicular && shape.end > ConvexShape.SEGMENT)
             {
                 addEdge(1, 0, 0);
                 addEdge(0, 1, 0);
@@ -123,7 +120,7 @@ package starlogo.solid
                     return true;
                 }
             }
-            return _shape.end <= SEGMENT && passesBeside(corners, at);
+            return _shape.end <= ConvexShape.SEGMENT && passesBeside(corners, at);
         }
 
         // Whether an axis across the motion and an edge separates a triangle from a point or a segment. The shape does not move along such an axis.

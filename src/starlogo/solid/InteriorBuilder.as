@@ -117,7 +117,10 @@ package starlogo.solid
 
         private function beginWindings():void
         {
-            surface.widestSeam = _shells == null ? surface.widestSeam : _welding.widestSeam;
+            if (_shells != null)
+            {
+                surface.widestSeam = _welding.widestSeam;
+            }
             _windingCounter = new WindingCounter(mesh, surface);
             _partOf = new Vector.<int>(surface.shellStates.length, true);
             if (surface.widestSeam > 0)

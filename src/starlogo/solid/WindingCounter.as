@@ -10,7 +10,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a test, it counts the triangles that a
+     * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a visitor, it counts the triangles that a
      * ray along an axis crosses. An InteriorBuilder makes it.
      */
     internal final class WindingCounter extends NodeVisitor

@@ -24,8 +24,9 @@ package starlogo.search
         private var _firsts:Vector.<int> = new Vector.<int>();
         private var _seconds:Vector.<int> = new Vector.<int>();
 
-        // The memory that the pairs had before.
+        // The memory that the pairs and their times had before.
         private var _spare:Vector.<int> = new Vector.<int>();
+        private var _spareTimes:Vector.<Number> = new Vector.<Number>();
 
         /**
          * Puts pairs into order.
@@ -38,15 +39,19 @@ package starlogo.search
             {
                 return;
             }
-            if (haveTimes || MANY_AGENTS * pairs.count < pairs.list.rows.count)
+            if (MANY_AGENTS * pairs.count < pairs.list.rows.count)
             {
                 sortByKeys(pairs, haveTimes);
             }
             else
             {
                 countRanks(pairs);
-                scatter(pairs, 1, _seconds);
-                scatter(pairs, 0, _firsts);
+                scatter(pairs, 1, _seconds, haveTimes);
+                scatter(pairs, 0, _firsts, haveTimes);
+            }
+            if (haveTimes)
+            {
+                sortByTimes(pairs);
             }
         }
 
@@ -80,7 +85,7 @@ package starlogo.search
             return true;
         }
 
-        // Sorts by a key of both ranks, and then by the times.
+        // Sorts by a key of both ranks.
         private function sortByKeys(pairs:FoundPairs, haveTimes:Boolean):void
         {
             var rows:Vector.<int> = pairs.rows;
@@ -91,21 +96,24 @@ package starlogo.search
                 _indices.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
             }
             _indices.sortFirst(pairs.count);
-            if (haveTimes)
-            {
-                // pairs of equal times keep their order
-                for (i = 0; i < pairs.count; i++)
-                {
-                    _indices.keys[i] = pairs.times[_indices.numbers[i]];
-                }
-                _indices.sortFirst(pairs.count);
-            }
             arrange(pairs, haveTimes);
+        }
+
+        // Sorts by the times. Pairs of equal times keep their order.
+        private function sortByTimes(pairs:FoundPairs):void
+        {
+            _indices.count = 0;
+            for (var i:int = 0; i < pairs.count; i++)
+            {
+                _indices.add(i, pairs.times[i]);
+            }
+            _indices.sortFirst(pairs.count);
+            arrange(pairs, true);
         }
 
         // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). Equals keep their
         // order, so sorting by the second rows and then by the first ones sorts by both.
-        private function scatter(pairs:FoundPairs, side:int, next:Vector.<int>):void
+        private function scatter(pairs:FoundPairs, side:int, next:Vector.<int>, haveTimes:Boolean):void
         {
             makeRoom(pairs);
             var ranks:Vector.<int> = pairs.list.ranks;
@@ -119,8 +127,12 @@ package starlogo.search
                 next[rank] = at + 2;
                 to[at] = from[i];
                 to[int(at + 1)] = from[int(i + 1)];
+                if (haveTimes)
+                {
+                    _spareTimes[at >> 1] = pairs.times[i >> 1];
+                }
             }
-            exchangeRows(pairs);
+            exchange(pairs);
         }
 
         // Finds where the pairs of each rank begin.
@@ -169,15 +181,12 @@ package starlogo.search
                 var pair:int = _indices.numbers[i];
                 _spare[int(2 * i)] = from[int(2 * pair)];
                 _spare[int(2 * i + 1)] = from[int(2 * pair + 1)];
-            }
-            exchangeRows(pairs);
-            if (haveTimes)
-            {
-                for (i = 0; i < pairs.count; i++)
+                if (haveTimes)
                 {
-                    pairs.times[i] = _indices.keys[i];
+                    _spareTimes[i] = pairs.times[pair];
                 }
             }
+            exchange(pairs);
         }
 
         private function makeRoom(pairs:FoundPairs):void
@@ -186,13 +195,20 @@ package starlogo.search
             {
                 _spare.length = pairs.rows.length;
             }
+            if (_spareTimes.length < pairs.times.length)
+            {
+                _spareTimes.length = pairs.times.length;
+            }
         }
 
-        private function exchangeRows(pairs:FoundPairs):void
+        private function exchange(pairs:FoundPairs):void
         {
             var rows:Vector.<int> = pairs.rows;
             pairs.rows = _spare;
             _spare = rows;
+            var times:Vector.<Number> = pairs.times;
+            pairs.times = _spareTimes;
+            _spareTimes = times;
         }
     }
 }

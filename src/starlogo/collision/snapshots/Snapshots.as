@@ -6,7 +6,6 @@ package starlogo.collision.snapshots
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.engine;
-    import starlogo.geometry.isInWorld;
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;

@@ -59,30 +59,23 @@ package starlogo.search.table
          */
         internal function read(list:ListedAgents):void
         {
+            var older:RowPlaces = previous;
+            previous = last;
+            last = older;
             var spare:NumberList = previouslyChanged;
             previouslyChanged = changed;
             changed = proposed;
             proposed = spare;
-            if (changed.count < list.rows.count)
+            // rows that have changed before, and not now, have one place in both searches. There are none if all have changed now
+            for (var i:int = 0; i < previouslyChanged.count && changed.count < list.rows.count; i++)
             {
-                // for the rows that have changed before, and not now
-                keepLast(previouslyChanged);
+                last.copyRow(previous, previouslyChanged.numbers[i]);
             }
-            keepLast(changed);
-            for (var i:int = 0; i < changed.count; i++)
+            for (i = 0; i < changed.count; i++)
             {
                 last.read(changed.numbers[i], list.agents[changed.numbers[i]]);
             }
             moveExtents();
-        }
-
-        // Makes the last places of rows the previous ones too.
-        private function keepLast(rows:NumberList):void
-        {
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                previous.copyRow(last, rows.numbers[i]);
-            }
         }
 
         /** Reads the extents of a row's body, which has another shape, turn or size than before. */

@@ -36,8 +36,8 @@ for (const [name, bytes] of Object.entries(measured.sweeps)) {
 // Bytes a question: V8 makes objects of some Numbers.
 const MOST_OF_A_QUESTION = 1024;
 const MOST_AMONG_PARTS = 4 * 1024;
-// several motions, among the triangles of the ground; and questions with many answers, each of a motion
-const MOST_OF = { walk: 4 * MOST_OF_A_QUESTION, castAgentAll: 2 * MOST_OF_A_QUESTION, castShapeAll: 2 * MOST_OF_A_QUESTION };
+// several motions, among the triangles of the ground; and a question with many answers
+const MOST_OF = { walk: 4 * MOST_OF_A_QUESTION, castAgentAll: 2 * MOST_OF_A_QUESTION };
 
 const systems = { bins: MOST_OF_A_QUESTION, "tightest fit": MOST_OF_A_QUESTION };
 if (process.env.FULL_TESTS === "true") Object.assign(systems, { hierarchical: MOST_AMONG_PARTS, combination: MOST_AMONG_PARTS, triangles: MOST_AMONG_PARTS });

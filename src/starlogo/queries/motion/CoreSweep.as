@@ -58,7 +58,7 @@ package starlogo.queries.motion
                 return false;
             }
             out.along = out.contact.along(motion);
-            out.isNormalFallback = !isAgainst(out.contact, motion);
+            out.isNormalFallback = !isAgainst(out.along);
             if (out.isNormalFallback)
             {
                 out.contact.setNormal(-motion.x, -motion.y, -motion.z);
@@ -140,7 +140,7 @@ package starlogo.queries.motion
         {
             sweepCore(body, other, from);
             var isOnWay:Boolean = _motion.time > 0 && _motion.time != RelativeMotion.NEVER;
-            if (!isOnWay || isAgainst(_contact, motion) || body.core.isFlat)
+            if (!isOnWay || isAgainst(_contact.along(motion)) || body.core.isFlat)
             {
                 return;
             }
@@ -156,10 +156,10 @@ package starlogo.queries.motion
             }
         }
 
-        // Whether a contact points against the motion.
-        private function isAgainst(contact:ContactPoint, motion:Vector3D):Boolean
+        // Whether a contact points against the motion, whose component along its normal is given.
+        private function isAgainst(along:Number):Boolean
         {
-            return contact.along(motion) < -SlidePlanes.PARALLEL_SINE * _length;
+            return along < -SlidePlanes.PARALLEL_SINE * _length;
         }
 
         // Finds when and how the core first meets a body. The motion receives the time, because V8 would make an object for a Number that is
@@ -168,7 +168,7 @@ package starlogo.queries.motion
         {
             var core:Body = body.core.at(_end);
             _motion.time = RelativeMotion.NEVER;
-            if (MovingBody.isNear(core, other, _motion, body.core.slop))
+            if (body.isNear(core, other, _motion))
             {
                 _seen.narrowPhase.testsOf(core, other).findImpact(core, other, _motion, _contact);
             }

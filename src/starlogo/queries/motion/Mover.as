@@ -1,9 +1,7 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ContactPoint;
     import starlogo.data.NumberList;
-    import starlogo.geometry.Tolerances;
     import starlogo.queries.SeenAgents;
 
     /**

@@ -159,7 +159,7 @@ package starlogo.queries.motion
         {
             var inner:Body = core.at(place);
             var other:Body = _seen.table.bodyOf(row);
-            return isNear(inner, other, RelativeMotion.NONE, core.slop) && _seen.narrowPhase.testsOf(inner, other).isOneInside(inner, other);
+            return isNear(inner, other, RelativeMotion.NONE) && _seen.narrowPhase.testsOf(inner, other).isOneInside(inner, other);
         }
 
         /**
@@ -278,24 +278,25 @@ package starlogo.queries.motion
             return Tolerances.SURFACES / 4 * extentWith(_seen.table.bodyOf(row)) + Tolerances.PLACES / 2 * (Math.abs(place.x) + Math.abs(place.y) + Math.abs(place.z));
         }
 
-        /** Whether the extents of a body come this close to another's, anywhere on a motion that ends where the body is. */
-        public static function isNear(body:Body, other:Body, motion:RelativeMotion, distance:Number):Boolean
+        /** Whether the extents of this body or its core come within a slop of another's, anywhere on a motion that ends where it is. */
+        public function isNear(moved:Body, other:Body, motion:RelativeMotion):Boolean
         {
             if (other.form == ModelShape.GROUND)
             {
                 return true;
             }
+            var slop:Number = core.slop;
             var x:Number = motion.x / 2;
             var y:Number = motion.y / 2;
             var z:Number = motion.z / 2;
-            return Math.abs(body.x - x - other.x) <= body.halfX + other.halfX + Math.abs(x) + distance
-                && Math.abs(body.y - y - other.y) <= body.halfY + other.halfY + Math.abs(y) + distance
-                && Math.abs(body.z - z - other.z) <= body.halfZ + other.halfZ + Math.abs(z) + distance;
+            return Math.abs(moved.x - x - other.x) <= moved.halfX + other.halfX + Math.abs(x) + slop
+                && Math.abs(moved.y - y - other.y) <= moved.halfY + other.halfY + Math.abs(y) + slop
+                && Math.abs(moved.z - z - other.z) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
         }
 
         private function areTouching(whole:Body, other:Body):Boolean
         {
-            return isNear(whole, other, RelativeMotion.NONE, core.slop) && _seen.narrowPhase.areTouching(whole, other);
+            return isNear(whole, other, RelativeMotion.NONE) && _seen.narrowPhase.areTouching(whole, other);
         }
 
         // The larger extent of the body and another. The ground's extents are those of a cell, and do not count.

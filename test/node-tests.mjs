@@ -11,21 +11,15 @@
  * the other.
  */
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { failuresIn } from './failures.mjs';
 import { missing } from './headless/browsers.mjs';
+import { filesBelow, root } from './structure/sources.mjs';
 
 const folder = path.dirname(fileURLToPath(import.meta.url));
-
-function testsBelow(parent) {
-	return readdirSync(parent, { withFileTypes: true }).flatMap((entry) => {
-		const child = path.join(parent, entry.name);
-		return entry.isDirectory() ? testsBelow(child) : entry.name.endsWith('.test.mjs') ? [child] : [];
-	});
-}
 
 /** A count of the runner's closing lines: "# pass 12" or, in later versions of Node, "ℹ pass 12". */
 function count(output, name) {
@@ -52,7 +46,7 @@ function sharesOf(tests) {
 }
 
 const [summary, which] = process.argv.slice(2);
-const tests = testsBelow(folder).sort((a, b) => statSync(b).size - statSync(a).size);
+const tests = filesBelow('test', '.test.mjs').map((file) => path.join(root, file)).sort((a, b) => statSync(b).size - statSync(a).size);
 const pages = tests.filter(opensPages);
 // what opens pages takes longest, and begins first
 const files = [...sharesOf(pages), ...which === 'pages' ? [] : tests.filter((file) => !pages.includes(file))];

@@ -14,12 +14,10 @@ import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { pathToFileURL } from 'node:url';
 import { failuresIn } from './failures.mjs';
 import { missing } from './headless/browsers.mjs';
 import { filesBelow, root } from './structure/sources.mjs';
-
-const folder = path.dirname(fileURLToPath(import.meta.url));
 
 /** A count of the runner's closing lines: "# pass 12" or, in later versions of Node, "ℹ pass 12". */
 function count(output, name) {
@@ -33,7 +31,7 @@ const AT_ONCE = availableParallelism() + 1;
 
 /** Files that import a share of the tests each, so that all shares are of the same size. */
 function sharesOf(tests) {
-	const out = path.join(folder, '../bin/generated/pages');
+	const out = path.join(root, 'bin/generated/pages');
 	mkdirSync(out, { recursive: true });
 	const shares = Array.from({ length: AT_ONCE }, (_, i) => ({ file: path.join(out, `share-${i + 1}.test.mjs`), size: 0, lines: [] }));
 	for (const test of tests) {

@@ -11,21 +11,13 @@
  * the other.
  */
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { pathToFileURL } from 'node:url';
 import { failuresIn } from './failures.mjs';
 import { missing } from './headless/browsers.mjs';
-
-const folder = path.dirname(fileURLToPath(import.meta.url));
-
-function testsBelow(parent) {
-	return readdirSync(parent, { withFileTypes: true }).flatMap((entry) => {
-		const child = path.join(parent, entry.name);
-		return entry.isDirectory() ? testsBelow(child) : entry.name.endsWith('.test.mjs') ? [child] : [];
-	});
-}
+import { filesBelow, root } from './structure/sources.mjs';
 
 /** A count of the runner's closing lines: "# pass 12" or, in later versions of Node, "ℹ pass 12". */
 function count(output, name) {
@@ -39,7 +31,7 @@ const AT_ONCE = availableParallelism() + 1;
 
 /** Files that import a share of the tests each, so that all shares are of the same size. */
 function sharesOf(tests) {
-	const out = path.join(folder, '../bin/generated/pages');
+	const out = path.join(root, 'bin/generated/pages');
 	mkdirSync(out, { recursive: true });
 	const shares = Array.from({ length: AT_ONCE }, (_, i) => ({ file: path.join(out, `share-${i + 1}.test.mjs`), size: 0, lines: [] }));
 	for (const test of tests) {
@@ -52,7 +44,7 @@ function sharesOf(tests) {
 }
 
 const [summary, which] = process.argv.slice(2);
-const tests = testsBelow(folder).sort((a, b) => statSync(b).size - statSync(a).size);
+const tests = filesBelow('test', '.test.mjs').map((file) => path.join(root, file)).sort((a, b) => statSync(b).size - statSync(a).size);
 const pages = tests.filter(opensPages);
 // what opens pages takes longest, and begins first
 const files = [...sharesOf(pages), ...which === 'pages' ? [] : tests.filter((file) => !pages.includes(file))];

@@ -1,10 +1,13 @@
 package starlogo.models
 {
     import starlogo.data.textOf;
+    import starlogo.engine;
     import starlogo.geometry.AffineTransform;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
+
+    use namespace engine;
 
     /**
      * Reads a model's file into a ModelData. Each format has a subclass, which adds the parts of the work. The last part is
@@ -43,7 +46,7 @@ package starlogo.models
             _upAxis = data.transform == null ? String(upAxis) : "z";
             refuseIf(_upAxis != "x" && _upAxis != "y" && _upAxis != "z", name,
                     "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " + textOf(upAxis)
-                    + (upAxis == Model.FOOTPRINT || upAxis == Model.VOLUME || upAxis == Model.AS_GIVEN ? ": a scaling is the argument after it" : ""));
+                    + (Model.SCALINGS.indexOf(_upAxis) < 0 ? "" : ": a scaling is the argument after it"));
         }
 
         /** Does all steps that are left. Returns the data. */

@@ -27,7 +27,7 @@ package starlogo.models.polygons
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // the corners of all polygons so far
+        // Counts the work so far: the corners of polygons, single triangles, and CORNERS_PER_POLYGON for each call of a function of addingEach().
         private var _cornerCount:Number = 0;
 
         /**
@@ -58,13 +58,15 @@ package starlogo.models.polygons
                     if (rest != null)
                     {
                         rest = rest.step() ? rest : null;
-                        return rest != null || next < count;
                     }
-                    var end:Number = _cornerCount + CORNERS_PER_STEP;
-                    while (rest == null && next < count && _cornerCount < end)
+                    else
                     {
-                        rest = add(next++);
-                        _cornerCount += CORNERS_PER_POLYGON;
+                        var end:Number = _cornerCount + CORNERS_PER_STEP;
+                        while (rest == null && next < count && _cornerCount < end)
+                        {
+                            rest = add(next++);
+                            _cornerCount += CORNERS_PER_POLYGON;
+                        }
                     }
                     return rest != null || next < count;
                 });

@@ -12,6 +12,12 @@ package starlogo.handlers
         // How many of the first handlers are removed. The others are not.
         private var _removedCount:int = 0;
 
+        /** How many handlers its list has, with removed ones: at most twice as many as are not removed. */
+        public function get listedCount():int
+        {
+            return _handlers.length;
+        }
+
         /** Adds a handler. */
         public function add(handler:CollisionHandler):void
         {
@@ -63,16 +69,18 @@ package starlogo.handlers
             }
         }
 
-        // If the first handler is removed, the others stay in their places until half of the places are free. So it takes no longer to remove many
+        // If the first handler is removed, the others stay in their places until more than half of the places are free. So it takes no longer to remove many
         // handlers than to add them.
         private function removeAt(index:int):void
         {
             if (index > _removedCount)
             {
                 _handlers.splice(index, 1);
-                return;
             }
-            _removedCount++;
+            else
+            {
+                _removedCount++;
+            }
             if (2 * _removedCount > _handlers.length)
             {
                 _handlers.splice(0, _removedCount);

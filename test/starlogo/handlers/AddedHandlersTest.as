@@ -78,6 +78,18 @@ package starlogo.handlers
             assertTrue(removeOne(areRemovedFromBothEnds, CollisionHandler.START));
         }
 
+        /** If handlers come and go between two frames, the list does not grow. */
+        [Test]
+        public function doNotPileUp():void
+        {
+            for (var i:int = 0; i < 100; i++)
+            {
+                add(CollisionHandler.START, doNotPileUp);
+                assertTrue(removeOne(doNotPileUp, CollisionHandler.START));
+                assertTrue(_handlers.listedCount <= 1);
+            }
+        }
+
         private function add(kind:int, handler:Function):void
         {
             var added:CollisionHandler = new CollisionHandler(kind, "bears", "trees", handler, _order++);
@@ -105,6 +117,7 @@ package starlogo.handlers
         {
             var found:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
             _handlers.appendTo(found, end);
+            assertTrue(_handlers.listedCount <= 2 * _expected.length);
             var wanted:Array = _expected.filter(function(one:CollisionHandler, index:int, all:Array):Boolean
                 {
                     return one.serial < end;

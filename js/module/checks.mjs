@@ -25,7 +25,7 @@ const ANSWERED = new Set(["ByteArray", "String"]);
 
 /** What methods call first while a game is developed: addModel looks at its object's properties, because settings are often made just before. */
 const WARNING = new Map([
-	["starlogo.GreatLand.addModel", "$warnOfNames(this, true);"],
+	["starlogo.GreatLand.addModel", "$warnOfUnknownProperties(this, true);"],
 	["starlogo.collision.Collision.update", "$warnOfSilence(this, agents);"],
 	["starlogo.queries.AgentQueries.update", "$warnOfStale(this, agents, null);"],
 	...["refresh", "moveUntilTouch", "slide"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, agent);"]),
@@ -124,7 +124,7 @@ export class Checks {
 				const options = this.#reference(`starlogo.queries.${parameter.type}`);
 				return [
 					...parameter.type === "WalkOptions" ? [`$warnOfUnits(${name});`] : [],
-					`if (${name} instanceof ${options}) $warnOfNames(${name});`,
+					`if (${name} instanceof ${options}) $warnOfUnknownProperties(${name});`,
 					`else if (${name} != null) ${name} = $options(${isNamed ? where : `null, ${where}`}, ${name}, new ${options}(), ${JSON.stringify(article(parameter.type))});`,
 				];
 			}

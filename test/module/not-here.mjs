@@ -15,6 +15,6 @@ export const NOT_HERE = new Map([
 	["starlogo.queries.QueriesAllocationTest", COLLECTED],
 	["starlogo.collision.CollisionStatisticsTest.copiesAndResetsEveryNumber", E4X],
 	["starlogo.collision.CollisionHandlersTest.handlersThatFlashCouldNotCallAreRefused", ANY_NUMBER],
-	["starlogo.data.MeantOfTest", HINTS],
+	["starlogo.data.HintOfNameTest", HINTS],
 	["support.TestFilterTest", FLEXUNIT],
 ]);

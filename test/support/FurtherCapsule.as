@@ -56,11 +56,6 @@ package support
             return new FurtherCapsule(capsule);
         }
 
-        override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
-        {
-            capsule.extentsInto(out, offset);
-        }
-
         override engine function widen(by:Number):void
         {
             capsule.widen(by);

@@ -32,7 +32,7 @@ export function $warn(message, key) {
  * Warns of properties that do nothing of an agent, a collision system, a filter, options or a GreatLand: `agent.sweep = true` sets a property of
  * the game's own, because the engine's is called `sweeps`. Only the first thousand objects are looked at, once each, or whenever they are changing.
  */
-export function $warnOfNames(object, isChanging) {
+export function $warnOfUnknownProperties(object, isChanging) {
 	if ($lookedAt >= $MOST_LOOKED_AT) return;
 	if (!isChanging && $checkedObjects.has(object)) return;
 	$checkedObjects.add(object);

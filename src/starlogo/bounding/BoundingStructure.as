@@ -54,6 +54,11 @@ package starlogo.bounding
          */
         engine static const NAMES:Vector.<String> = new <String>["sphere", "capsule", "box", "hull"];
 
+        /** @private The placement of a structure that stays where it is. */
+        engine static const UNPLACED:Placement = new Placement();
+
+        private static var sBox:Vector.<Number> = new Vector.<Number>(6, true);
+
         // The limits of coordinates and lengths. The tests of pairs multiply four of them.
         private static const LARGEST:Number = 1e70;
         private static const SMALLEST:Number = 1e-70;
@@ -222,7 +227,12 @@ package starlogo.bounding
          */
         public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            throw new IllegalOperationError(this + " does not implement extentsInto");
+            rotatedBoxInto(UNPLACED, sBox);
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                out[int(offset + 2 * axis)] = sBox[axis] - sBox[int(axis + 3)];
+                out[int(offset + 2 * axis + 1)] = sBox[axis] + sBox[int(axis + 3)];
+            }
         }
 
         /**

@@ -138,15 +138,6 @@ package starlogo.bounding
             return placed;
         }
 
-        /** @inheritDoc */
-        override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
-        {
-            var margin:Number = rounding(halfX + halfY + halfZ, center);
-            writeExtentOf(center.x, axisX.x, axisY.x, axisZ.x, margin, out, offset);
-            writeExtentOf(center.y, axisX.y, axisY.y, axisZ.y, margin, out, offset + 2);
-            writeExtentOf(center.z, axisX.z, axisY.z, axisZ.z, margin, out, offset + 4);
-        }
-
         /**
          * @inheritDoc
          *
@@ -251,14 +242,6 @@ package starlogo.bounding
             halfX = numbers[12];
             halfY = numbers[13];
             halfZ = numbers[14];
-        }
-
-        // Writes the extent along an axis of the space. The box's own axes have the given components along it.
-        private function writeExtentOf(middle:Number, alongX:Number, alongY:Number, alongZ:Number, margin:Number, out:Vector.<Number>,
-                offset:int):void
-        {
-            var halfExtent:Number = margin + halfX * Math.abs(alongX) + halfY * Math.abs(alongY) + halfZ * Math.abs(alongZ);
-            writeExtent(middle, middle, halfExtent, out, offset);
         }
 
         private static function isWithin(axis:Vector3D, x:Number, y:Number, z:Number, half:Number):Boolean

@@ -63,16 +63,6 @@ package starlogo.bounding
             return new Capsule(start, end, radius);
         }
 
-        /** @inheritDoc */
-        override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
-        {
-            var outerRadius:Number = radius + Tolerances.ROUNDING * (radius + Math.max(Math.abs(start.x), Math.abs(end.x))
-                    + Math.max(Math.abs(start.y), Math.abs(end.y)) + Math.max(Math.abs(start.z), Math.abs(end.z)));
-            writeExtent(start.x, end.x, outerRadius, out, offset);
-            writeExtent(start.y, end.y, outerRadius, out, offset + 2);
-            writeExtent(start.z, end.z, outerRadius, out, offset + 4);
-        }
-
         /**
          * @inheritDoc
          *

@@ -29,7 +29,6 @@ package starlogo.bounding
         engine static const FIRST_CORNER:int = 4;
 
         private static const POINT:Vector.<Number> = new <Number>[0, 0, 0];
-        private static const AT_ORIGIN:Placement = new Placement();
 
         private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
         private static var sMiddle:Vector3D = new Vector3D();
@@ -190,7 +189,7 @@ package starlogo.bounding
             checkVector(center, "the centre of a hull");
             checkLength(radius, "the radius around a hull's corners");
             checkSize(checkLength(measureRadius(), "the radius of a hull"), "a hull");
-            return place(AT_ORIGIN, new Hull(POINT));
+            return place(UNPLACED, new Hull(POINT));
         }
 
         /** @inheritDoc */
@@ -215,15 +214,6 @@ package starlogo.bounding
                 placed._halfSpaces.length = 0;
             }
             return placed;
-        }
-
-        /** @inheritDoc */
-        override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
-        {
-            rotatedBoxInto(AT_ORIGIN, sExtents);
-            writeExtent(sExtents[0], sExtents[0], sExtents[3], out, offset);
-            writeExtent(sExtents[1], sExtents[1], sExtents[4], out, offset + 2);
-            writeExtent(sExtents[2], sExtents[2], sExtents[5], out, offset + 4);
         }
 
         /**
@@ -408,7 +398,7 @@ package starlogo.bounding
 
         private function setBox():void
         {
-            rotatedBoxInto(AT_ORIGIN, sExtents);
+            rotatedBoxInto(UNPLACED, sExtents);
             var by:Number = (Tolerances.OUTER - 1) * measureRadius();
             _box.center.setTo(sExtents[0], sExtents[1], sExtents[2]);
             _box.halfX = sExtents[3] + by;

@@ -4,7 +4,7 @@ package starlogo.collision
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.data.textOf;
-    import starlogo.data.warnOfNames;
+    import starlogo.data.warnOfUnknownProperties;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.ForeignPairs;
@@ -38,7 +38,7 @@ package starlogo.collision
         /** @private Returns the system itself if it is a BaseCollider, otherwise a BaseCollider around it. */
         engine static function wrap(system:CollisionSystem):BaseCollider
         {
-            warnOfNames(system);
+            warnOfUnknownProperties(system);
             return system as BaseCollider || new BaseCollider(system);
         }
 

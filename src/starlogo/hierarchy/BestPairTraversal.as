@@ -72,11 +72,18 @@ package starlogo.hierarchy
                 var bEnds:Boolean = endsB[b] >= depthB;
                 if (aEnds && bEnds)
                 {
-                    decide(pose, treeA, a, treeB, b, visitor, out);
+                    if (visitor != null)
+                    {
+                        visitor.findBest(treeA, a, treeB, b, out);
+                    }
+                    else
+                    {
+                        measure(pose, treeA, a, treeB, b, out);
+                    }
                     out.least = out.current < out.least ? out.current : out.least;
                     continue;
                 }
-                var dividesA:Boolean = bEnds || !aEnds && isLarger(treeA.boxes, 6 * a, treeB.boxes, 6 * b, pose.placement.size);
+                var dividesA:Boolean = bEnds || !aEnds && pose.isFirstLarger(treeA, a, treeB, b);
                 var leftA:int = dividesA ? treeA.left[a] : a;
                 var leftB:int = dividesA ? b : treeB.left[b];
                 var rightA:int = dividesA ? leftA + 1 : a;
@@ -102,18 +109,6 @@ package starlogo.hierarchy
             return out;
         }
 
-        // Whether the sphere around a box is at least as large as the sphere around another one, whose numbers are scaled.
-        private static function isLarger(boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, scale:Number):Boolean
-        {
-            var aX:Number = boxesA[int(a + 3)];
-            var aY:Number = boxesA[int(a + 4)];
-            var aZ:Number = boxesA[int(a + 5)];
-            var bX:Number = boxesB[int(b + 3)];
-            var bY:Number = boxesB[int(b + 4)];
-            var bZ:Number = boxesB[int(b + 5)];
-            return aX * aX + aY * aY + aZ * aZ >= scale * scale * (bX * bX + bY * bY + bZ * bZ);
-        }
-
         /** Sets <code>out.current</code> for a pair of nodes. A bound that is not less than <code>out.least</code> need not be exact. */
         protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
         {
@@ -121,12 +116,12 @@ package starlogo.hierarchy
         }
 
         /**
-         * Sets <code>out.current</code> to the time or distance of a pair that decides. If it is less than <code>out.least</code>, also sets what
+         * Sets <code>out.current</code> to the time or distance of two boxes that decide. If it is less than <code>out.least</code>, also sets what
          * <code>out</code> has of the best pair. Otherwise it need not be exact.
          */
-        protected function decide(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
+        protected function measure(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
         {
-            throw new IllegalOperationError(this + " does not implement decide");
+            throw new IllegalOperationError(this + " does not implement measure");
         }
     }
 }

@@ -36,9 +36,6 @@ package starlogo.hierarchy
 
         private static const NODES_PER_STEP:int = 300;
 
-        // The most triangles of a node without children.
-        private static const MOST_TRIANGLES:int = 8;
-
         // The extents of all nodes while a tree is refitted.
         private static var sExtents:Vector.<Number> = new Vector.<Number>();
 
@@ -72,9 +69,6 @@ package starlogo.hierarchy
          */
         public var endsUpToDepth:Vector.<int> = new Vector.<int>();
 
-        /** Whether the nodes are made. From then on only their boxes change. */
-        public var isMade:Boolean = false;
-
         /** The radius of the sphere around the root's box. */
         public var radius:Number = 0;
 
@@ -94,6 +88,12 @@ package starlogo.hierarchy
         {
             this.vertices = vertices;
             this.triangles = triangles;
+        }
+
+        /** Whether the nodes are made. From then on only their boxes change. */
+        public function get isMade():Boolean
+        {
+            return left.length > 0;
         }
 
         /** Whether the items are triangles; otherwise they are vertices. */
@@ -120,19 +120,6 @@ package starlogo.hierarchy
             return _splits[node] >> 2;
         }
 
-        /** The axis along which the box of a node is longest: 0, 1 or 2. */
-        public function longestAxisOf(node:int):int
-        {
-            var halfX:Number = boxes[int(6 * node + 3)];
-            var halfY:Number = boxes[int(6 * node + 4)];
-            var halfZ:Number = boxes[int(6 * node + 5)];
-            if (halfX >= halfY && halfX >= halfZ)
-            {
-                return 0;
-            }
-            return halfY >= halfZ ? 1 : 2;
-        }
-
         /** A box for <code>writeBox()</code>. */
         public static function newBox():Box
         {
@@ -153,35 +140,12 @@ package starlogo.hierarchy
             return box;
         }
 
-        /** Whether a node without children has so many triangles that it must be divided. */
-        public function isLarge(node:int):Boolean
-        {
-            return hasTriangles && end[node] - first[node] > MOST_TRIANGLES;
-        }
-
         /**
-         * Whether a node below the leaves is divided in the middle of its items, wherever they are. So these levels are few, even if a
-         * division by place takes one item at a time.
+         * The number of vertices of a node's items. Each vertex is counted once.
+         *
+         * @param enough the count may end when it is more than this
          */
-        public function isHalved(node:int):Boolean
-        {
-            return levelOf(node) >= Tolerances.NESTED_LEVELS;
-        }
-
-        /** The number of vertices of a node's items. Each vertex is counted once. */
-        public function countVertices(node:int):int
-        {
-            return countUpTo(node, int.MAX_VALUE);
-        }
-
-        /** Whether a node's items have more vertices than a number. It looks only at as many items as that takes. */
-        public function hasMoreVertices(node:int, number:int):Boolean
-        {
-            return countUpTo(node, number) > number;
-        }
-
-        // Counts the vertices of items, until there are more than a number.
-        private function countUpTo(node:int, most:int):int
+        public function countVertices(node:int, enough:int = int.MAX_VALUE):int
         {
             if (!hasTriangles)
             {
@@ -189,7 +153,7 @@ package starlogo.hierarchy
             }
             var isCounted:Object = {};
             var count:int = 0;
-            for (var i:int = first[node]; i < end[node] && count <= most; i++)
+            for (var i:int = first[node]; i < end[node] && count <= enough; i++)
             {
                 for (var corner:int = 3 * items[i]; corner < 3 * items[i] + 3; corner++)
                 {
@@ -253,6 +217,39 @@ package starlogo.hierarchy
             out[int(at + 5)] = maxZ;
         }
 
+        /**
+         * Gives all nodes boxes around the places where the vertices are now. The division of the items stays. The boxes are those that a
+         * BoxTreeBuilder gives to this division, to the last bit. Cost: linear in the number of items.
+         */
+        engine function refit():void
+        {
+            sExtents.length = Math.max(sExtents.length, 6 * left.length);
+            finish(refitting(sExtents));
+        }
+
+        /** The work of <code>refit()</code>, for makers of trees too. @param extents room for six numbers for each node */
+        engine function refitting(extents:Vector.<Number>):StepSequence
+        {
+            var count:int = left.length;
+            return new StepSequence().slices(count, NODES_PER_STEP, function(from:int, to:int):void
+                {
+                    // Children come after their parents.
+                    for (var node:int = count - from - 1; node >= count - to; node--)
+                    {
+                        measure(node, extents);
+                    }
+                }).call(function():void
+                {
+                    measureRadiusAboutOrigin(extents);
+                }).slices(count, NODES_PER_STEP, function(from:int, to:int):void
+                {
+                    for (var node:int = from; node < to; node++)
+                    {
+                        enclose(node, extents, 6 * node);
+                    }
+                }).call(measureRadius);
+        }
+
         // Writes the extents of a node's part: minX, maxX, minY, maxY, minZ, maxZ, after those of the nodes before. The extents of its children
         // must be there already.
         private function measure(node:int, extents:Vector.<Number>):void
@@ -272,49 +269,6 @@ package starlogo.hierarchy
                 a = extents[int(child + 1 + i)];
                 b = extents[int(child + 7 + i)];
                 extents[int(at + 1 + i)] = b > a ? b : a;
-            }
-        }
-
-        /**
-         * Gives all nodes boxes around the places where the vertices are now. The division of the items stays. The boxes are those that a
-         * BoxTreeBuilder gives to this division, to the last bit. Cost: linear in the number of items.
-         */
-        engine function refit():void
-        {
-            sExtents.length = Math.max(sExtents.length, 6 * left.length);
-            finish(refitting(sExtents));
-        }
-
-        /** The work of <code>refit()</code>, for makers of trees too. @param extents room for six numbers for each node */
-        engine function refitting(extents:Vector.<Number>):StepSequence
-        {
-            var count:int = left.length;
-            return new StepSequence().slices(count, NODES_PER_STEP, function(from:int, to:int):void
-                {
-                    measureNodes(count - to, count - from, extents);
-                }).call(function():void
-                {
-                    measureRadiusAboutOrigin(extents);
-                }).slices(count, NODES_PER_STEP, function(from:int, to:int):void
-                {
-                    encloseNodes(from, to, extents);
-                }).call(measureRadius);
-        }
-
-        // Children come after their parents.
-        private function measureNodes(from:int, to:int, extents:Vector.<Number>):void
-        {
-            for (var node:int = to - 1; node >= from; node--)
-            {
-                measure(node, extents);
-            }
-        }
-
-        private function encloseNodes(from:int, to:int, extents:Vector.<Number>):void
-        {
-            for (var node:int = from; node < to; node++)
-            {
-                enclose(node, extents, 6 * node);
             }
         }
 
@@ -402,7 +356,6 @@ package starlogo.hierarchy
             end = end.slice();
             endsUpToDepth = endsUpToDepth.slice();
             _splits = _splits.slice();
-            isMade = true;
             measureRadius();
         }
 

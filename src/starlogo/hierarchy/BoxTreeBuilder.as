@@ -1,6 +1,7 @@
 package starlogo.hierarchy
 {
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
@@ -33,6 +34,9 @@ package starlogo.hierarchy
         /** @copy #MIN_VERTICES_TO_SPLIT */
         public static const MAX_DEPTH:int = 10;
 
+        // The most triangles of a node without children.
+        private static const MOST_TRIANGLES:int = 8;
+
         // The approximate work of a step, in items. Making a node counts as ITEMS_PER_NODE items.
         private static const ITEMS_PER_STEP:int = 1000;
         private static const ITEMS_PER_NODE:int = 10;
@@ -64,6 +68,21 @@ package starlogo.hierarchy
             _maxDepth = maxDepth;
             _splitByMean = splitByMean;
             call(takeItems);
+        }
+
+        /** Whether a node of a tree has so many triangles that it must be divided, below the leaves too. */
+        public static function isLarge(tree:BoxTree, node:int):Boolean
+        {
+            return tree.hasTriangles && tree.end[node] - tree.first[node] > MOST_TRIANGLES;
+        }
+
+        /**
+         * Whether a node below the leaves is divided in the middle of its items, wherever they are. So these levels are few, even if a
+         * division by place takes one item at a time.
+         */
+        public static function isHalved(tree:BoxTree, node:int):Boolean
+        {
+            return tree.levelOf(node) >= Tolerances.NESTED_LEVELS;
         }
 
         private function takeItems():void
@@ -131,11 +150,11 @@ package starlogo.hierarchy
             {
                 _areBelow[top] = true;
             }
-            if (_areBelow[top] && !_tree.isLarge(node))
+            if (_areBelow[top] && !isLarge(_tree, node))
             {
                 return false;
             }
-            var axis:int = _tree.longestAxisOf(node);
+            var axis:int = longestAxisOf(node);
             var split:Number = 2 * _tree.boxes[6 * node + axis];
             if (_splitByMean && !_areBelow[top])
             {
@@ -149,14 +168,28 @@ package starlogo.hierarchy
         // Whether the thesis splits a node.
         private function isSplit(node:int):Boolean
         {
-            return _tree.levelOf(node) < _maxDepth && _tree.end[node] - _tree.first[node] > 1 && _tree.hasMoreVertices(node, _minVerticesToSplit);
+            return _tree.levelOf(node) < _maxDepth && _tree.end[node] - _tree.first[node] > 1 
+                && _tree.countVertices(node, _minVerticesToSplit) > _minVerticesToSplit;
+        }
+
+        // The axis along which the box of a node is longest: 0, 1 or 2.
+        private function longestAxisOf(node:int):int
+        {
+            var halfX:Number = _tree.boxes[6 * node + 3];
+            var halfY:Number = _tree.boxes[6 * node + 4];
+            var halfZ:Number = _tree.boxes[6 * node + 5];
+            if (halfX >= halfY && halfX >= halfZ)
+            {
+                return 0;
+            }
+            return halfY >= halfZ ? 1 : 2;
         }
 
         // Continues with a node. Returns whether more remains to do.
         private function advance(node:int):Boolean
         {
             var top:int = _waiting.length - 1;
-            if (_areBelow[top] && _tree.isHalved(node))
+            if (_areBelow[top] && isHalved(_tree, node))
             {
                 halve(node);
                 return false;
@@ -181,7 +214,7 @@ package starlogo.hierarchy
             }
             // All centres are in one place.
             _areBelow[top] = true;
-            if (_tree.isLarge(node))
+            if (isLarge(_tree, node))
             {
                 halve(node);
             }
@@ -194,7 +227,7 @@ package starlogo.hierarchy
             var middle:int = (_tree.first[node] + _tree.end[node]) >> 1;
             _tree.writeExtents(_tree.first[node], middle, _items.leftExtents);
             _tree.writeExtents(middle, _tree.end[node], _items.rightExtents);
-            divideAt(middle, node, _tree.longestAxisOf(node));
+            divideAt(middle, node, longestAxisOf(node));
         }
 
         // Divides a node. The extents of its two parts are those of the items.

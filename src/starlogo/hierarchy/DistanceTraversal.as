@@ -107,21 +107,21 @@ package starlogo.hierarchy
             between.y = y;
             between.z = z;
             raise(Math.sqrt(squared), pose, out);
-            estimateAlongSecond(pose, boxes, at, treeB.boxes, 6 * b, out);
+            estimateAlongSecond(pose, between, boxes, at, treeB.boxes, 6 * b, out);
             if (out.points.distance < Infinity)
             {
-                estimateAlongLine(pose, boxes, at, treeB.boxes, 6 * b, out);
+                estimateAlongLine(pose, between, boxes, at, treeB.boxes, 6 * b, out);
             }
         }
 
         // Raises the bound to the distance of two boxes along the axes of the second one. The products contain its scale.
-        private function estimateAlongSecond(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, out:BestPair):void
+        private function estimateAlongSecond(pose:RelativePose, between:Vector3D, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, out:BestPair):void
         {
             var axes:BoxAxes = _axes;
             var scale:Number = pose.placement.size;
-            var x:Number = _between.x;
-            var y:Number = _between.y;
-            var z:Number = _between.z;
+            var x:Number = between.x;
+            var y:Number = between.y;
+            var z:Number = between.z;
             var halfX:Number = boxesA[int(a + 3)];
             var halfY:Number = boxesA[int(a + 4)];
             var halfZ:Number = boxesA[int(a + 5)];
@@ -145,7 +145,7 @@ package starlogo.hierarchy
 
         // Raises the bound to the distance of two boxes along the line between the closest points so far. It rules out most of the pairs that are not
         // nearer.
-        private function estimateAlongLine(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, out:BestPair):void
+        private function estimateAlongLine(pose:RelativePose, between:Vector3D, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, out:BestPair):void
         {
             var axes:BoxAxes = _axes;
             var points:ClosestPoints = out.points;
@@ -163,7 +163,7 @@ package starlogo.hierarchy
             alongX = alongX < 0 ? -alongX : alongX;
             alongY = alongY < 0 ? -alongY : alongY;
             alongZ = alongZ < 0 ? -alongZ : alongZ;
-            var distance:Number = _between.x * toX + _between.y * toY + _between.z * toZ
+            var distance:Number = between.x * toX + between.y * toY + between.z * toZ
                 - alongX * boxesB[int(b + 3)] - alongY * boxesB[int(b + 4)] - alongZ * boxesB[int(b + 5)];
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
@@ -182,13 +182,8 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function decide(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
+        override protected function measure(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
         {
-            if (visitor != null)
-            {
-                visitor.findBest(treeA, a, treeB, b, out);
-                return;
-            }
             PairTable.findClosest(treeA.writeBox(a, _boxA), pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
             reduce(_measured, treeA.levelOf(a), treeB.levelOf(b), _radii);
             out.current = _measured.distance;

@@ -24,8 +24,6 @@ package starlogo.hierarchy
         private var _right:HierarchyNode = null;
         private var _bounds:Box = null;
 
-        private var _vertexCount:int = 0;
-
         /** Not for clients: the HierarchiesLibrary makes the nodes. */
         public function HierarchyNode()
         {
@@ -68,15 +66,11 @@ package starlogo.hierarchy
 
         /**
          * The number of vertices under the node. If the model has triangles, these are the vertices of the node's triangles, each counted
-         * once. Then the counts of two children add up to more than their parent's if they share vertices.
+         * once. Then the counts of two children add up to more than their parent's if they share vertices. They are counted at each call.
          */
         public function get vertexCount():int
         {
-            if (_vertexCount == 0)
-            {
-                _vertexCount = _tree.countVertices(_node);
-            }
-            return _vertexCount;
+            return _tree.countVertices(_node);
         }
 
         /**

@@ -49,21 +49,24 @@ package starlogo.hierarchy
             return find(pose, treeA, depthA, treeB, depthB, visitor);
         }
 
-        /** @inheritDoc */
+        /**
+         * @inheritDoc
+         *
+         * <p>The bound is the first time at which no face separates the boxes.</p>
+         */
         override protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
         {
-            sweep(pose.placement, treeA.boxes, a, treeB.boxes, b, false, out);
+            readPair(pose.placement, treeA.boxes, 6 * a, treeB.boxes, 6 * b, out);
+            _sweep.findTimeOfFaces(_pair);
+            out.current = _pair.time;
         }
 
         /** @inheritDoc */
-        override protected function decide(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
+        override protected function measure(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
         {
-            if (visitor != null)
-            {
-                visitor.findBest(treeA, a, treeB, b, out);
-                return;
-            }
-            sweep(pose.placement, treeA.boxes, a, treeB.boxes, b, true, out);
+            readPair(pose.placement, treeA.boxes, 6 * a, treeB.boxes, 6 * b, out);
+            _sweep.findTime(_pair);
+            out.current = _pair.time;
             if (out.current < out.least)
             {
                 out.a = a;
@@ -71,36 +74,24 @@ package starlogo.hierarchy
             }
         }
 
-        // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.
-        // If that time is after the least time, sets the bound to RelativeMotion.NEVER.
-        private function sweep(relative:Placement, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, withEdges:Boolean, out:BestPair):void
+        // Reads two boxes. Times after the best one so far do not count.
+        private function readPair(relative:Placement, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, best:BestPair):void
         {
             var pair:BoxPairMotion = _pair;
             var scale:Number = relative.size;
-            var at:int = 6 * b;
-            var bX:Number = boxesB[at] * scale;
-            var bY:Number = boxesB[int(at + 1)] * scale;
-            var bZ:Number = boxesB[int(at + 2)] * scale;
-            pair.bX = boxesB[int(at + 3)] * scale;
-            pair.bY = boxesB[int(at + 4)] * scale;
-            pair.bZ = boxesB[int(at + 5)] * scale;
-            at = 6 * a;
-            pair.x = relative.r00 * bX + relative.r01 * bY + relative.r02 * bZ + relative.x - boxesA[at];
-            pair.y = relative.r10 * bX + relative.r11 * bY + relative.r12 * bZ + relative.y - boxesA[int(at + 1)];
-            pair.z = relative.r20 * bX + relative.r21 * bY + relative.r22 * bZ + relative.z - boxesA[int(at + 2)];
-            pair.aX = boxesA[int(at + 3)];
-            pair.aY = boxesA[int(at + 4)];
-            pair.aZ = boxesA[int(at + 5)];
-            pair.latest = out.least < _latest ? out.least : _latest;
-            if (withEdges)
-            {
-                _sweep.findTime(pair);
-            }
-            else
-            {
-                _sweep.findTimeOfFaces(pair);
-            }
-            out.current = pair.time;
+            var x:Number = boxesB[b] * scale;
+            var y:Number = boxesB[int(b + 1)] * scale;
+            var z:Number = boxesB[int(b + 2)] * scale;
+            pair.bX = boxesB[int(b + 3)] * scale;
+            pair.bY = boxesB[int(b + 4)] * scale;
+            pair.bZ = boxesB[int(b + 5)] * scale;
+            pair.x = relative.r00 * x + relative.r01 * y + relative.r02 * z + relative.x - boxesA[a];
+            pair.y = relative.r10 * x + relative.r11 * y + relative.r12 * z + relative.y - boxesA[int(a + 1)];
+            pair.z = relative.r20 * x + relative.r21 * y + relative.r22 * z + relative.z - boxesA[int(a + 2)];
+            pair.aX = boxesA[int(a + 3)];
+            pair.aY = boxesA[int(a + 4)];
+            pair.aZ = boxesA[int(a + 5)];
+            pair.latest = best.least < _latest ? best.least : _latest;
         }
     }
 }

@@ -32,10 +32,14 @@ package starlogo.hierarchy
         /** Result of <code>find()</code>: two nodes that decide touch. */
         public static const OVERLAPPING:int = 2;
 
+        // How two boxes overlap, if they are not apart. In a deep overlap, the middle of b is so near to a that all of b's own axes overlap.
+        private static const SHALLOW:int = 1;
+        private static const DEEP:int = 2;
+
         // The pairs of nodes still to visit. The next one is last.
         private var _nodes:Vector.<int> = new Vector.<int>();
 
-        // The vector from the middle of the first tree's node to the middle of the second's, of the last pair that was tested.
+        // The vector from the middle of the first tree's node to the middle of the second's, of the pair that is visited.
         private var _between:Vector3D = new Vector3D();
 
         // The second tree's axes times its scale. Their absolute values are larger by a rounding error, because cross products of nearly parallel
@@ -53,9 +57,8 @@ package starlogo.hierarchy
         /**
          * Finds whether two nodes that decide touch: see BoxTree.
          *
-         * <p>The steps for a pair of boxes a and b are: the axes of a (z, x, y); the distance of b's middle from a, compared with the spheres around b
-         * and inside of it; the axes of b; and if the boxes decide, the axes across their edges. An axis of a separates most pairs, mostly z. So
-         * these tests stand in the loop, because a call for each pair takes about a tenth more time.</p>
+         * <p>An axis of a's box separates most pairs of boxes a and b, mostly z. So these axes are tested in the loop, because a call for each pair
+         * takes about a tenth more time.</p>
          *
          * @param pose the pose of the second tree's nodes in the first model's space
          * @param treeA the first tree
@@ -69,11 +72,9 @@ package starlogo.hierarchy
         {
             var axes:BoxAxes = _axes;
             var relative:Placement = pose.placement;
-            var scaleSquared:Number = relative.size * relative.size;
             var tolerance:Number = pose.tolerance;
             var boxesA:Vector.<Number> = treeA.boxes;
             var boxesB:Vector.<Number> = treeB.boxes;
-            var between:Vector3D = _between;
             var stack:Vector.<int> = _nodes;
             var result:int = APART;
             var visits:int = 0;
@@ -87,66 +88,46 @@ package starlogo.hierarchy
                 var a:int = stack[top];
                 var b:int = stack[top + 1];
                 visits++;
-
                 var atA:int = 6 * a;
                 var atB:int = 6 * b;
                 var middleX:Number = boxesB[atB];
                 var middleY:Number = boxesB[int(atB + 1)];
                 var middleZ:Number = boxesB[int(atB + 2)];
-                var bX:Number = boxesB[int(atB + 3)];
-                var bY:Number = boxesB[int(atB + 4)];
-                var bZ:Number = boxesB[int(atB + 5)];
+                var halfX:Number = boxesB[int(atB + 3)];
+                var halfY:Number = boxesB[int(atB + 4)];
+                var halfZ:Number = boxesB[int(atB + 5)];
                 var z:Number = axes.m20 * middleX + axes.m21 * middleY + axes.m22 * middleZ + relative.z - boxesA[int(atA + 2)];
-                var halfZ:Number = boxesA[int(atA + 5)] + tolerance;
-                var radius:Number = halfZ + axes.abs20 * bX + axes.abs21 * bY + axes.abs22 * bZ;
+                var radius:Number = boxesA[int(atA + 5)] + tolerance + axes.abs20 * halfX + axes.abs21 * halfY + axes.abs22 * halfZ;
                 if (z > radius || z < -radius)
                 {
                     continue;
                 }
                 var x:Number = axes.m00 * middleX + axes.m01 * middleY + axes.m02 * middleZ + relative.x - boxesA[atA];
-                var halfX:Number = boxesA[int(atA + 3)] + tolerance;
-                radius = halfX + axes.abs00 * bX + axes.abs01 * bY + axes.abs02 * bZ;
+                radius = boxesA[int(atA + 3)] + tolerance + axes.abs00 * halfX + axes.abs01 * halfY + axes.abs02 * halfZ;
                 if (x > radius || x < -radius)
                 {
                     continue;
                 }
                 var y:Number = axes.m10 * middleX + axes.m11 * middleY + axes.m12 * middleZ + relative.y - boxesA[int(atA + 1)];
-                var halfY:Number = boxesA[int(atA + 4)] + tolerance;
-                radius = halfY + axes.abs10 * bX + axes.abs11 * bY + axes.abs12 * bZ;
+                radius = boxesA[int(atA + 4)] + tolerance + axes.abs10 * halfX + axes.abs11 * halfY + axes.abs12 * halfZ;
                 if (y > radius || y < -radius)
                 {
                     continue;
                 }
-                include "../intersection/squaredToBox.inc";
-                var squaredRadius:Number = scaleSquared * (bX * bX + bY * bY + bZ * bZ);
-                if (squaredDistance > squaredRadius)
-                {
-                    continue;
-                }
-                radius = bX < bY ? bX : bY;
-                radius = bZ < radius ? bZ : radius;
-                between.x = x;
-                between.y = y;
-                between.z = z;
-                var isDeep:Boolean = squaredDistance <= scaleSquared * radius * radius;
+                _between.x = x;
+                _between.y = y;
+                _between.z = z;
+                var overlap:int = overlapBesideFirst(pose, boxesA, atA, boxesB, atB);
                 var aEnds:Boolean = treeA.endsUpToDepth[a] >= depthA;
                 var bEnds:Boolean = treeB.endsUpToDepth[b] >= depthB;
-                var areEnds:Boolean = aEnds && bEnds;
-                if (!isDeep && !overlapAlongSecond(pose, boxesA, atA, boxesB, atB))
-                {
-                    continue;
-                }
-                if (!isDeep && areEnds && visitor == null && !overlapAcrossEdges(pose, boxesA, atA, boxesB, atB))
+                if (overlap == APART || overlap == SHALLOW && aEnds && bEnds && visitor == null && !overlapAcrossEdges(pose, boxesA, atA, boxesB, atB))
                 {
                     continue;
                 }
                 result = ONLY_ROOTS;
-                if (!areEnds)
+                if (!aEnds || !bEnds)
                 {
-                    var isLarger:Boolean = halfX * halfX + halfY * halfY + halfZ * halfZ >= squaredRadius;
-                    var dividesA:Boolean = !aEnds && (bEnds || isDeep || isLarger);
-                    var dividesB:Boolean = isDeep ? !bEnds : !dividesA;
-                    top = pushChildren(relative, treeA, a, dividesA, treeB, b, dividesB, top);
+                    top = pushChildren(pose, treeA, a, aEnds, treeB, b, bEnds, overlap == DEEP, top);
                 }
                 else if (visitor == null || visitor.areTouching(treeA, a, treeB, b))
                 {
@@ -158,9 +139,12 @@ package starlogo.hierarchy
         }
 
         // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
-        private function pushChildren(relative:Placement, treeA:BoxTree, a:int, dividesA:Boolean, treeB:BoxTree, b:int, dividesB:Boolean, top:int):int
+        private function pushChildren(pose:RelativePose, treeA:BoxTree, a:int, aEnds:Boolean, treeB:BoxTree, b:int, bEnds:Boolean, isDeep:Boolean,
+                top:int):int
         {
             var stack:Vector.<int> = _nodes;
+            var dividesA:Boolean = !aEnds && (bEnds || isDeep || pose.isFirstLarger(treeA, a, treeB, b));
+            var dividesB:Boolean = isDeep ? !bEnds : !dividesA;
             var nearer:int;
             if (dividesA)
             {
@@ -172,7 +156,7 @@ package starlogo.hierarchy
             }
             if (dividesB)
             {
-                nearer = nearerChildOfB(relative, treeB, b);
+                nearer = nearerChildOfB(pose.placement, treeB, b);
                 stack[top] = a;
                 stack[top + 1] = 2 * treeB.left[b] + 1 - nearer;
                 top += 2;
@@ -183,8 +167,9 @@ package starlogo.hierarchy
             return top + 2;
         }
 
-        // Whether two boxes also overlap along the axes of the second one. Reads _between.
-        private function overlapAlongSecond(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):Boolean
+        // How two boxes overlap that no axis of the first one separates: APART, SHALLOW or DEEP. The distance of b's middle from a is compared with
+        // the spheres around b and inside of it; then the axes of b decide.
+        private function overlapBesideFirst(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):int
         {
             var axes:BoxAxes = _axes;
             var scaleSquared:Number = pose.placement.size * pose.placement.size;
@@ -194,21 +179,35 @@ package starlogo.hierarchy
             var halfX:Number = boxesA[int(a + 3)] + pose.tolerance;
             var halfY:Number = boxesA[int(a + 4)] + pose.tolerance;
             var halfZ:Number = boxesA[int(a + 5)] + pose.tolerance;
+            var bX:Number = boxesB[int(b + 3)];
+            var bY:Number = boxesB[int(b + 4)];
+            var bZ:Number = boxesB[int(b + 5)];
+            include "../intersection/squaredToBox.inc";
+            if (squaredDistance > scaleSquared * (bX * bX + bY * bY + bZ * bZ))
+            {
+                return APART;
+            }
+            var least:Number = bX < bY ? bX : bY;
+            least = bZ < least ? bZ : least;
+            if (squaredDistance <= scaleSquared * least * least)
+            {
+                return DEEP;
+            }
             var along:Number = axes.m00 * x + axes.m10 * y + axes.m20 * z;
-            var radius:Number = scaleSquared * boxesB[int(b + 3)] + axes.abs00 * halfX + axes.abs10 * halfY + axes.abs20 * halfZ;
+            var radius:Number = scaleSquared * bX + axes.abs00 * halfX + axes.abs10 * halfY + axes.abs20 * halfZ;
             if (along > radius || along < -radius)
             {
-                return false;
+                return APART;
             }
             along = axes.m01 * x + axes.m11 * y + axes.m21 * z;
-            radius = scaleSquared * boxesB[int(b + 4)] + axes.abs01 * halfX + axes.abs11 * halfY + axes.abs21 * halfZ;
+            radius = scaleSquared * bY + axes.abs01 * halfX + axes.abs11 * halfY + axes.abs21 * halfZ;
             if (along > radius || along < -radius)
             {
-                return false;
+                return APART;
             }
             along = axes.m02 * x + axes.m12 * y + axes.m22 * z;
-            radius = scaleSquared * boxesB[int(b + 5)] + axes.abs02 * halfX + axes.abs12 * halfY + axes.abs22 * halfZ;
-            return along <= radius && along >= -radius;
+            radius = scaleSquared * bZ + axes.abs02 * halfX + axes.abs12 * halfY + axes.abs22 * halfZ;
+            return along <= radius && along >= -radius ? SHALLOW : APART;
         }
 
         // Whether two boxes also overlap along the axes across an edge of each. Reads _between.

@@ -2,7 +2,7 @@ package starlogo.queries
 {
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.data.meantOf;
+    import starlogo.data.hintOfName;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
@@ -78,7 +78,7 @@ package starlogo.queries
             if (entry.model == null && entry.structures == null)
             {
                 throw new ArgumentError(agent + ": there is no model and no structure \"" + agent.shape + "\"; add it to the LevelShapes first"
-                        + meantOf(agent.shape, _models.names));
+                        + hintOfName(agent.shape, _models.names));
             }
             return false;
         }

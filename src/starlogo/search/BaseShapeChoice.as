@@ -1,7 +1,7 @@
 package starlogo.search
 {
     import flash.errors.IllegalOperationError;
-    import starlogo.data.meantOf;
+    import starlogo.data.hintOfName;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
@@ -104,7 +104,7 @@ package starlogo.search
             if (!greatLand.isLoading(agent.shape))
             {
                 throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first"
-                        + meantOf(agent.shape, greatLand.modelNames));
+                        + hintOfName(agent.shape, greatLand.modelNames));
             }
             return true;
         }

@@ -4,6 +4,7 @@ package starlogo.libraries.cooked
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.VarInt;
     import starlogo.steps.StepSequence;
@@ -164,13 +165,14 @@ package starlogo.libraries.cooked
         {
             if (code <= 0)
             {
-                return code == 0 && !_tree.isLarge(node);
+                return code == 0 && !BoxTreeBuilder.isLarge(_tree, node);
             }
             var first:int = _tree.first[node];
             var end:int = _tree.end[node];
             var middle:int = first + (code - 1) / 6;
             var division:int = (code - 1) % 6;
-            if (middle <= first || middle >= end || (division < BELOW ? _tree.levelOf(node) >= _maxDepth : _tree.isHalved(node) && middle != (first + end) >> 1))
+            var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth : BoxTreeBuilder.isHalved(_tree, node) && middle != (first + end) >> 1;
+            if (isWrong || middle <= first || middle >= end)
             {
                 return false;
             }

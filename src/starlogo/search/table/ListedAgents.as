@@ -4,7 +4,7 @@ package starlogo.search.table
     import starlogo.data.HashTable;
     import starlogo.data.NumberList;
     import starlogo.data.textOf;
-    import starlogo.data.warnOfNames;
+    import starlogo.data.warnOfUnknownProperties;
     import starlogo.engine;
     import starlogo.search.Body;
 
@@ -142,7 +142,7 @@ package starlogo.search.table
                 }
                 if (row < 0)
                 {
-                    warnOfNames(agent);
+                    warnOfUnknownProperties(agent);
                     row = add(agent);
                 }
                 else if (_marks[row] == _mark)

@@ -8,19 +8,19 @@ package starlogo.data
     import support.assertThrows;
     import support.landOf;
 
-    public class MeantOfTest
+    public class HintOfNameTest
     {
         [Test]
         public function theNamesAreTold():void
         {
-            assertEquals(", which is empty", meantOf("beer", new Vector.<String>()));
-            assertEquals("; it has \"bear\", \"Tree\"", meantOf("beer", new <String>["Tree", "bear"]));
+            assertEquals(", which is empty", hintOfName("beer", new Vector.<String>()));
+            assertEquals("; it has \"bear\", \"Tree\"", hintOfName("beer", new <String>["Tree", "bear"]));
             var names:Vector.<String> = new Vector.<String>();
             for (var i:int = 12; i > 0; i--)
             {
                 names.push("m" + (100 + i));
             }
-            assertEquals("; it has \"m101\", \"m102\", \"m103\", \"m104\", \"m105\", \"m106\", \"m107\", \"m108\", \"m109\", \"m110\" and 2 more", meantOf("beer", names));
+            assertEquals("; it has \"m101\", \"m102\", \"m103\", \"m104\", \"m105\", \"m106\", \"m107\", \"m108\", \"m109\", \"m110\" and 2 more", hintOfName("beer", names));
         }
 
         [Test]

@@ -1,14 +1,14 @@
 package starlogo.data
 {
     /**
-     * What an error message adds about a name that is not known: the names that are. The ES module has its own version, which tells the name
+     * A hint for an error message about a name that is not known: the names that are. The ES module has its own version, which tells the name
      * that is probably meant.
      *
      * @param name the name that is not known
      * @param names all names that are
      * @private
      */
-    public function meantOf(name:String, names:Vector.<String>):String
+    public function hintOfName(name:String, names:Vector.<String>):String
     {
         const MOST:int = 10;
         if (names.length == 0)

@@ -7,7 +7,7 @@ package starlogo.data
      * @param object an agent or a collision system
      * @private
      */
-    public function warnOfNames(object:Object):void
+    public function warnOfUnknownProperties(object:Object):void
     {
     }
 }

@@ -155,7 +155,7 @@ package starlogo
             return preparation.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
-                    _models.entryToWrite(model.name).replace(model, preparation.structures, preparation.modelTree, preparation.buildingTree);
+                    _models.entryToWrite(model.name).replace(model, preparation.structures, preparation.modelTree);
                 });
         }
 

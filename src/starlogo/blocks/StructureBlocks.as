@@ -68,7 +68,7 @@ package starlogo.blocks
         /** Whether an agent's structures are shown, because of the agent itself or its breed. */
         public function isShown(agent:Agent):Boolean
         {
-            return _agents.valueOf(agent.id, 0) == 1 || _breeds.indexOf(agent.breed) >= 0;
+            return _agents.find(agent.id, 0) == 1 || _breeds.indexOf(agent.breed) >= 0;
         }
 
         /**

@@ -428,8 +428,8 @@ package starlogo.bounding
             return Tolerances.ROUNDING * (extent + Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
         }
 
-        /** The coordinate of a point along a direction. */
-        protected static function along(point:Vector3D, direction:Vector3D):Number
+        /** The dot product: the coordinate of a point along a direction, if that is a unit vector. */
+        protected static function dot(point:Vector3D, direction:Vector3D):Number
         {
             return point.x * direction.x + point.y * direction.y + point.z * direction.z;
         }

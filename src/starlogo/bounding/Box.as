@@ -203,8 +203,8 @@ package starlogo.bounding
         /** @private */
         override engine function supportAlong(direction:Vector3D):Number
         {
-            return along(center, direction) + halfX * Math.abs(along(axisX, direction)) + halfY * Math.abs(along(axisY, direction))
-                + halfZ * Math.abs(along(axisZ, direction));
+            return dot(center, direction) + halfX * Math.abs(dot(axisX, direction)) + halfY * Math.abs(dot(axisY, direction))
+                + halfZ * Math.abs(dot(axisZ, direction));
         }
 
         /** @private */
@@ -221,7 +221,7 @@ package starlogo.bounding
         // Whether an axis points along a direction (1), against it (-1) or across it (0).
         private static function sideOf(axis:Vector3D, direction:Vector3D):int
         {
-            var cosine:Number = along(axis, direction);
+            var cosine:Number = dot(axis, direction);
             return Math.abs(cosine) <= Tolerances.SEPARATION ? 0 : cosine > 0 ? 1 : -1;
         }
 
@@ -263,7 +263,7 @@ package starlogo.bounding
 
         private static function removeComponent(vector:Vector3D, along:Vector3D):void
         {
-            var amount:Number = vector.x * along.x + vector.y * along.y + vector.z * along.z;
+            var amount:Number = dot(vector, along);
             vector.x -= amount * along.x;
             vector.y -= amount * along.y;
             vector.z -= amount * along.z;

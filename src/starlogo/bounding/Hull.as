@@ -318,7 +318,7 @@ package starlogo.bounding
                 }
             }
             sMiddle.setTo(center.x + points[best], center.y + points[int(best + 1)], center.z + points[int(best + 2)]);
-            return along(sMiddle, direction) + radius;
+            return dot(sMiddle, direction) + radius;
         }
 
         /** @private */
@@ -329,7 +329,7 @@ package starlogo.bounding
             for (var i:int = 0; i < points.length; i += 3)
             {
                 sMiddle.setTo(center.x + points[i], center.y + points[int(i + 1)], center.z + points[int(i + 2)]);
-                if (along(sMiddle, direction) + radius >= least)
+                if (dot(sMiddle, direction) + radius >= least)
                 {
                     sLow.setTo(Math.min(sLow.x, sMiddle.x), Math.min(sLow.y, sMiddle.y), Math.min(sLow.z, sMiddle.z));
                     sHigh.setTo(Math.max(sHigh.x, sMiddle.x), Math.max(sHigh.y, sMiddle.y), Math.max(sHigh.z, sMiddle.z));

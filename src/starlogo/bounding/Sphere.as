@@ -122,7 +122,7 @@ package starlogo.bounding
         /** @private */
         override engine function supportAlong(direction:Vector3D):Number
         {
-            return along(center, direction) + radius;
+            return dot(center, direction) + radius;
         }
 
         /** @private */

@@ -33,7 +33,7 @@ package starlogo.data
         }
 
         /** The value of two keys, or -1 if they have none. Their order matters. Pass 0 as the second key if one is enough. */
-        public function valueOf(first:int, second:int):int
+        public function find(first:int, second:int):int
         {
             // slotOf() as a loop here, because one more call for each pair takes a tenth of a frame in Adobe's VM
             var firsts:Vector.<int> = _firsts;

@@ -175,7 +175,7 @@ package starlogo.diagnostics
         {
             var lesser:int = Math.min(a.breedNumber, b.breedNumber);
             var greater:int = Math.max(a.breedNumber, b.breedNumber);
-            var index:int = _indices.valueOf(lesser, greater);
+            var index:int = _indices.find(lesser, greater);
             if (index < 0)
             {
                 index = _pairs.push(new Tally(a.breed, b.breed)) - 1;

@@ -130,7 +130,7 @@ package starlogo.handlers
          */
         public function handlersOf(breed:int, otherBreed:int):PairHandlers
         {
-            var index:int = _calledIndices.valueOf(breed, otherBreed);
+            var index:int = _calledIndices.find(breed, otherBreed);
             if (index < 0)
             {
                 index = _called.push(new PairHandlers(between(breed, otherBreed), between(otherBreed, breed))) - 1;
@@ -196,7 +196,7 @@ package starlogo.handlers
         // The handlers that were added for two breeds, by their numbers; null if there are none.
         private function addedFor(breed:int, otherBreed:int):AddedHandlers
         {
-            var index:int = _addedIndices.valueOf(breed, otherBreed);
+            var index:int = _addedIndices.find(breed, otherBreed);
             return index < 0 ? null : _added[index];
         }
 

@@ -240,7 +240,7 @@ package starlogo.handlers
         // The index of the touch of two agents, in either order; -1 if there is none.
         private function indexOf(a:Agent, b:Agent):int
         {
-            return a.idNumber < b.idNumber ? _indices.valueOf(a.idNumber, b.idNumber) : _indices.valueOf(b.idNumber, a.idNumber);
+            return a.idNumber < b.idNumber ? _indices.find(a.idNumber, b.idNumber) : _indices.find(b.idNumber, a.idNumber);
         }
     }
 }

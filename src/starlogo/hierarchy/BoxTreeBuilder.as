@@ -168,7 +168,7 @@ package starlogo.hierarchy
         // Whether the thesis splits a node.
         private function isSplit(node:int):Boolean
         {
-            return _tree.levelOf(node) < _maxDepth && _tree.end[node] - _tree.first[node] > 1 
+            return _tree.levelOf(node) < _maxDepth && _tree.end[node] - _tree.first[node] > 1
                 && _tree.countVertices(node, _minVerticesToSplit) > _minVerticesToSplit;
         }
 

@@ -7,7 +7,6 @@ package starlogo.libraries
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.solid.ModelTree;
     import starlogo.steps.Steps;
-    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -104,7 +103,8 @@ package starlogo.libraries
                 throw ModelTable.errorOf(name, problem);
             }
             var tree:ModelTree = new ModelTree(new BoxTree(vertices.concat(), hasTriangles ? triangles.concat() : null));
-            finish(building(tree));
+            beginBuilding(tree);
+            tree.finishBuilding();
             models.entryToWrite(name).setTree(tree);
         }
 
@@ -141,14 +141,14 @@ package starlogo.libraries
         }
 
         /**
-         * The work that makes the tree of a shape, by the settings as they are now.
+         * Begins the work that makes the tree of a shape, by the settings as they are now, and returns it.
          *
-         * @param tree its nodes are made, if it has none when the work begins
+         * @param restoring as for <code>ModelTree.beginBuilding()</code>
          * @private
          */
-        engine function building(tree:ModelTree):Steps
+        engine function beginBuilding(tree:ModelTree, restoring:Function = null):Steps
         {
-            return tree.building(minVerticesToSplit, maxDepth, splitByMean, prepareExact);
+            return tree.beginBuilding(minVerticesToSplit, maxDepth, splitByMean, prepareExact, restoring);
         }
 
         private static function requirePositive(setting:String, value:int):void

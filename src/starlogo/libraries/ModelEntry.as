@@ -6,8 +6,6 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.models.Model;
     import starlogo.solid.ModelTree;
-    import starlogo.steps.Steps;
-    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -22,10 +20,7 @@ package starlogo.libraries
         private var _model:Model = null;
         private var _structures:ModelStructures = null;
 
-        // The tree, or null; and the work that makes it when it is first needed, null if it is made.
         private var _tree:ModelTree = null;
-        private var _building:Steps = null;
-
         private var _revision:int = 0;
         private var _loadingCount:int = 0;
 
@@ -68,10 +63,9 @@ package starlogo.libraries
         /** The tree whose nodes are the hierarchy; null if there is none. If it is not built yet, builds it. */
         public function builtTree():ModelTree
         {
-            if (_building != null)
+            if (_tree != null)
             {
-                finish(_building);
-                _building = null;
+                _tree.finishBuilding();
             }
             return _tree;
         }
@@ -82,13 +76,12 @@ package starlogo.libraries
          * @param model null for none
          * @param structures null for none
          * @param tree null for none
-         * @param building as for <code>setTree()</code>
          */
-        public function replace(model:Model, structures:ModelStructures, tree:ModelTree, building:Steps = null):void
+        public function replace(model:Model, structures:ModelStructures, tree:ModelTree):void
         {
             countChange(_structures);
             _structures = structures;
-            setTree(tree, building);
+            setTree(tree);
             countChange(_model);
             if (_model != null)
             {
@@ -101,12 +94,11 @@ package starlogo.libraries
             }
         }
 
-        /** Sets the tree; null for none. @param building makes it when it is first needed; null if it is made */
-        public function setTree(tree:ModelTree, building:Steps = null):void
+        /** Sets the tree, which may not be built yet; null for none. */
+        public function setTree(tree:ModelTree):void
         {
             countChange(_tree);
             _tree = tree;
-            _building = building;
         }
 
         /** Counts one more model of this name that is loading. */

@@ -12,7 +12,6 @@ package starlogo.libraries
     import starlogo.solid.ModelTree;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
-    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -30,9 +29,6 @@ package starlogo.libraries
 
         /** The tree of the hierarchy; null if none is wanted. It may have no nodes yet when this work has no step left. */
         public var modelTree:ModelTree = null;
-
-        /** The work that makes the tree, which may have steps left then. */
-        public var buildingTree:Steps = null;
 
         private var _model:Model;
         private var _settings:FitSettings;
@@ -58,7 +54,7 @@ package starlogo.libraries
             if (hierarchiesLibrary != null)
             {
                 modelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-                buildingTree = new StepSequence().begin(restoringTree).add(hierarchiesLibrary.building(modelTree));
+                hierarchiesLibrary.beginBuilding(modelTree, restoringTree);
             }
             if (model.data.cooked != null)
             {
@@ -82,7 +78,7 @@ package starlogo.libraries
         {
             if (modelTree != null)
             {
-                finish(buildingTree);
+                modelTree.finishBuilding();
                 modelTree.prepareExact();
             }
             return CookedResults.write(structures, modelTree, _settings, modelKey, CookedWriter.of(_model));
@@ -127,9 +123,9 @@ package starlogo.libraries
                         structures = _structuresBuilder.structures;
                     });
             }
-            if (buildingTree != null && (willBeStored || _settings.wantsSurface || !isTreeStored))
+            if (modelTree != null && (willBeStored || _settings.wantsSurface || !isTreeStored))
             {
-                work.add(buildingTree);
+                work.add(modelTree.building);
             }
             return work;
         }

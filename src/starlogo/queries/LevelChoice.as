@@ -14,7 +14,6 @@ package starlogo.queries
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.solid.ModelTree;
-    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -37,7 +36,8 @@ package starlogo.queries
         public function addModel(model:Model):void
         {
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-            finish(tree.building(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, true));
+            tree.beginBuilding(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, true);
+            tree.finishBuilding();
             _models.entryToWrite(model.name).replace(model, null, tree);
         }
 

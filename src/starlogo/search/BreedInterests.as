@@ -123,7 +123,7 @@ package starlogo.search
             {
                 var other:int = others[i];
                 var breed:int = breeds[other];
-                if (_pairs.valueOf(own, breed) >= 0 || mayBeAny && has(Breeds.ANY, breed))
+                if (_pairs.find(own, breed) >= 0 || mayBeAny && has(Breeds.ANY, breed))
                 {
                     others[kept] = other;
                     kept++;
@@ -140,7 +140,7 @@ package starlogo.search
 
         private function has(breed:int, other:int):Boolean
         {
-            return _pairs.valueOf(breed, other) >= 0;
+            return _pairs.find(breed, other) >= 0;
         }
 
         private function markNamed(breed:int):void

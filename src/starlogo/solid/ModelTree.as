@@ -41,7 +41,10 @@ package starlogo.solid
 
         private var _surface:SurfaceTopology = null;
 
-        /** @param tree the tree of the model's triangles or vertices. <code>building()</code> makes its nodes if it has none */
+        // The work that makes the nodes; null if there is none to do.
+        private var _building:Steps = null;
+
+        /** @param tree the tree of the model's triangles or vertices. <code>beginBuilding()</code> makes its nodes if it has none */
         public function ModelTree(tree:BoxTree)
         {
             boxTree = tree;
@@ -49,20 +52,44 @@ package starlogo.solid
         }
 
         /**
-         * @private The work that makes the nodes, if there are none when it begins. Its steps throw an ArgumentError if a coordinate is larger than 1e60.
+         * @private Begins the work that makes the nodes, and returns it. <code>finishBuilding()</code> does what is left of it. Its steps throw an
+         *     ArgumentError if a coordinate is larger than 1e60.
          *
          * @param minVerticesToSplit a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean, down to the leaves
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
+         * @param restoring returns work that makes the nodes from what is stored, if it can; null for none
          */
-        engine function building(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean):Steps
+        engine function beginBuilding(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean, restoring:Function = null):Steps
         {
-            var work:StepSequence = new StepSequence().begin(function():Steps
+            var work:StepSequence = new StepSequence();
+            if (restoring != null)
+            {
+                work.begin(restoring);
+            }
+            work.begin(function():Steps
                 {
                     return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, minVerticesToSplit, maxDepth, splitByMean);
                 });
-            return preparesExact && hasTriangles ? work.begin(newInterior) : work;
+            _building = preparesExact && hasTriangles ? work.begin(newInterior) : work;
+            return _building;
+        }
+
+        /** @private The work that was begun. It may have no steps left. */
+        engine function get building():Steps
+        {
+            return _building;
+        }
+
+        /** @private Does what is left of the work that was begun. */
+        engine function finishBuilding():void
+        {
+            if (_building != null)
+            {
+                finish(_building);
+                _building = null;
+            }
         }
 
         private function newInterior():Steps

@@ -26,7 +26,7 @@ package starlogo.data
                 var second:int = random.pick([0, random.integer(-3, 20), 65536 * random.integer(0, 5)]);
                 var key:String = first + " " + second;
                 found += key in known ? 1 : 0;
-                assertEquals(key, key in known ? known[key] : -1, table.valueOf(first, second));
+                assertEquals(key, key in known ? known[key] : -1, table.find(first, second));
                 if (random.chance(0.6))
                 {
                     assertEquals(key, key in known ? known[key] : -1, table.set (first, second, i));
@@ -40,7 +40,7 @@ package starlogo.data
             }
             for (key in known)
             {
-                assertEquals(key, known[key], table.valueOf(int(key.split(" ")[0]), int(key.split(" ")[1])));
+                assertEquals(key, known[key], table.find(int(key.split(" ")[0]), int(key.split(" ")[1])));
             }
             assertTrue(found + " found", found > 1500);
         }

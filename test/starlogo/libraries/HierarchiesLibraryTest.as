@@ -90,7 +90,7 @@ package starlogo.libraries
         private function stepsOf(tree:ModelTree):int
         {
             var count:int = 1;
-            var work:Steps = _library.building(tree);
+            var work:Steps = _library.beginBuilding(tree);
             while (work.step())
             {
                 count++;

@@ -453,7 +453,7 @@ package starlogo.libraries
             {
                 return preparation.structures != null;
             }
-            finish(preparation.buildingTree);
+            preparation.modelTree.finishBuilding();
             return preparation.isTreeStored;
         }
 

@@ -181,7 +181,7 @@ package starlogo.solid
         private static function hierarchyOf(model:Model, maxDepth:int):ModelTree
         {
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-            finish(tree.building(5, maxDepth, false, false));
+            finish(tree.beginBuilding(5, maxDepth, false, false));
             return tree;
         }
     }

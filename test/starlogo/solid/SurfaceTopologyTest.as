@@ -205,7 +205,7 @@ package starlogo.solid
         private static function surfaceOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SurfaceTopology
         {
             var tree:ModelTree = new ModelTree(new BoxTree(vertices, triangles));
-            finish(tree.building(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, true));
+            finish(tree.beginBuilding(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, true));
             return tree.surface;
         }
     }

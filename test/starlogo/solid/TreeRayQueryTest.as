@@ -248,7 +248,7 @@ package starlogo.solid
         private static function hierarchyOf(model:Model):ModelTree
         {
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-            finish(tree.building(5, 10, false, false));
+            finish(tree.beginBuilding(5, 10, false, false));
             return tree;
         }
 

@@ -74,7 +74,7 @@ package starlogo.search.table
             {
                 return agents[GROUND_ROW] === agent ? GROUND_ROW : agents[EDGES_ROW] === agent ? EDGES_ROW : -1;
             }
-            var row:int = _rowsById.valueOf(agent.idNumber, 0);
+            var row:int = _rowsById.find(agent.idNumber, 0);
             return row >= 0 && ranks[row] == UNLISTED ? -1 : row;
         }
 
@@ -138,7 +138,7 @@ package starlogo.search.table
                 if (row < 0 || agents[row] !== agent)
                 {
                     requireAgent(i, agent);
-                    row = _rowsById.valueOf(agent.idNumber, 0);
+                    row = _rowsById.find(agent.idNumber, 0);
                 }
                 if (row < 0)
                 {

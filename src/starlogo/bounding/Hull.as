@@ -30,7 +30,6 @@ package starlogo.bounding
 
         private static const POINT:Vector.<Number> = new <Number>[0, 0, 0];
 
-        private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
         private static var sMiddle:Vector3D = new Vector3D();
         private static var sLow:Vector3D = new Vector3D();
         private static var sHigh:Vector3D = new Vector3D();
@@ -398,12 +397,13 @@ package starlogo.bounding
 
         private function setBox():void
         {
-            rotatedBoxInto(UNPLACED, sExtents);
+            var extents:Vector.<Number> = new Vector.<Number>(6, true);
+            rotatedBoxInto(UNPLACED, extents);
             var by:Number = (Tolerances.OUTER - 1) * measureRadius();
-            _box.center.setTo(sExtents[0], sExtents[1], sExtents[2]);
-            _box.halfX = sExtents[3] + by;
-            _box.halfY = sExtents[4] + by;
-            _box.halfZ = sExtents[5] + by;
+            _box.center.setTo(extents[0], extents[1], extents[2]);
+            _box.halfX = extents[3] + by;
+            _box.halfY = extents[4] + by;
+            _box.halfZ = extents[5] + by;
             _box.axisX.setTo(1, 0, 0);
             _box.axisY.setTo(0, 1, 0);
             _box.axisZ.setTo(0, 0, 1);

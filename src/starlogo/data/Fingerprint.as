@@ -60,20 +60,20 @@ package starlogo.data
         }
 
         /**
-         * The steps that add a model's geometry: every bit of every vertex and triangle.
+         * The steps that add two lists: every bit of every number and index.
          *
-         * @param vertices x, y, z of each
-         * @param triangles three vertex indices each; null if there are none
+         * @param numbers for example the coordinates of a model's vertices
+         * @param indices for example those of its triangles; null if there are none
          */
-        public function addingGeometry(vertices:Vector.<Number>, triangles:Vector.<uint>):Steps
+        public function addingLists(numbers:Vector.<Number>, indices:Vector.<uint>):Steps
         {
-            addWord(vertices.length);
-            return new StepSequence().slices(vertices.length, NUMBERS_PER_STEP, function(first:int, end:int):void
+            addWord(numbers.length);
+            return new StepSequence().slices(numbers.length, NUMBERS_PER_STEP, function(first:int, end:int):void
                 {
-                    addNumbers(vertices, first, end);
-                }).slices(triangles == null ? 0 : triangles.length, NUMBERS_PER_STEP, function(first:int, end:int):void
+                    addNumbers(numbers, first, end);
+                }).slices(indices == null ? 0 : indices.length, NUMBERS_PER_STEP, function(first:int, end:int):void
                 {
-                    addIndices(triangles, first, end);
+                    addIndices(indices, first, end);
                 });
         }
 

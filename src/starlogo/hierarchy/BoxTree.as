@@ -233,42 +233,46 @@ package starlogo.hierarchy
             var count:int = left.length;
             return new StepSequence().slices(count, NODES_PER_STEP, function(from:int, to:int):void
                 {
-                    // Children come after their parents.
-                    for (var node:int = count - from - 1; node >= count - to; node--)
-                    {
-                        measure(node, extents);
-                    }
+                    measureNodes(count - to, count - from, extents);
                 }).call(function():void
                 {
                     measureRadiusAboutOrigin(extents);
                 }).slices(count, NODES_PER_STEP, function(from:int, to:int):void
                 {
-                    for (var node:int = from; node < to; node++)
-                    {
-                        enclose(node, extents, 6 * node);
-                    }
+                    encloseNodes(from, to, extents);
                 }).call(measureRadius);
         }
 
-        // Writes the extents of a node's part: minX, maxX, minY, maxY, minZ, maxZ, after those of the nodes before. The extents of its children
-        // must be there already.
-        private function measure(node:int, extents:Vector.<Number>):void
+        // Writes the extents of the parts of some nodes: minX, maxX, minY, maxY, minZ, maxZ of each. Children come after their parents, so the last
+        // node is the first.
+        private function measureNodes(from:int, to:int, extents:Vector.<Number>):void
         {
-            var at:int = 6 * node;
-            var child:int = 6 * left[node];
-            if (child == 0)
+            for (var node:int = to - 1; node >= from; node--)
             {
-                writeExtents(first[node], end[node], extents, at);
-                return;
+                var at:int = 6 * node;
+                var child:int = 6 * left[node];
+                if (child == 0)
+                {
+                    writeExtents(first[node], end[node], extents, at);
+                    continue;
+                }
+                for (var i:int = 0; i < 6; i += 2)
+                {
+                    var a:Number = extents[int(child + i)];
+                    var b:Number = extents[int(child + 6 + i)];
+                    extents[int(at + i)] = b < a ? b : a;
+                    a = extents[int(child + 1 + i)];
+                    b = extents[int(child + 7 + i)];
+                    extents[int(at + 1 + i)] = b > a ? b : a;
+                }
             }
-            for (var i:int = 0; i < 6; i += 2)
+        }
+
+        private function encloseNodes(from:int, to:int, extents:Vector.<Number>):void
+        {
+            for (var node:int = from; node < to; node++)
             {
-                var a:Number = extents[int(child + i)];
-                var b:Number = extents[int(child + 6 + i)];
-                extents[int(at + i)] = b < a ? b : a;
-                a = extents[int(child + 1 + i)];
-                b = extents[int(child + 7 + i)];
-                extents[int(at + 1 + i)] = b > a ? b : a;
+                enclose(node, extents, 6 * node);
             }
         }
 

@@ -224,7 +224,7 @@ package starlogo.libraries
         {
             requireGiven("the model", model);
             var geometry:Fingerprint = new Fingerprint();
-            finish(geometry.addingGeometry(model.vertices, model.triangles));
+            finish(geometry.addingLists(model.vertices, model.triangles));
             return geometry;
         }
 

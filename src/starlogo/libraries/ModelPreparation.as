@@ -96,7 +96,7 @@ package starlogo.libraries
         {
             var geometry:Fingerprint = new Fingerprint();
             var entry:CookedFile;
-            return new StepSequence().add(geometry.addingGeometry(_model.vertices, _model.triangles)).begin(function():Steps
+            return new StepSequence().add(geometry.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
                 {
                     return entry = store.fileOf(geometry, _settings);
                 }).begin(function():Steps

@@ -65,7 +65,7 @@ package starlogo.data
                 var at:int = random.integer(0, vertices.length - 1);
                 vertices[at] += random.logBetween(1e-14, 1e-3);
                 var fingerprint:Fingerprint = new Fingerprint();
-                finish(fingerprint.addingGeometry(vertices, model.triangles));
+                finish(fingerprint.addingLists(vertices, model.triangles));
                 seen[fingerprint.toString()] = true;
             }
             for (i = 0; i < 300; i++)
@@ -74,7 +74,7 @@ package starlogo.data
                 at = random.integer(0, triangles.length - 1);
                 triangles[at] = (triangles[at] + random.integer(1, vertices.length / 3 - 1)) % (vertices.length / 3);
                 fingerprint = new Fingerprint();
-                finish(fingerprint.addingGeometry(model.vertices, triangles));
+                finish(fingerprint.addingLists(model.vertices, triangles));
                 seen[fingerprint.toString()] = true;
             }
             var count:int = 0;

@@ -4,7 +4,6 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.fitting.EnclosingStructures;
-    import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.HullFitter;
@@ -27,10 +26,9 @@ package starlogo.libraries
         public var structures:ModelStructures = null;
 
         private var _name:String;
-        private var _vertices:Vector.<Number>;
         private var _fitters:Vector.<Fitter>;
-        private var _fits:Vector.<Fit> = new Vector.<Fit>();
-        private var _hullFit:Fit = null;
+        private var _hullFitter:HullFitter;
+        private var _session:FitSession;
         private var _keepsAll:Boolean;
 
         /**
@@ -44,7 +42,6 @@ package starlogo.libraries
         public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsAll:Boolean)
         {
             _name = name;
-            _vertices = vertices;
             _keepsAll = keepsAll;
             if (fitters == null || fitters.length == 0)
             {
@@ -55,17 +52,15 @@ package starlogo.libraries
                 throw ModelTable.errorOf(name, "a fitter must not be null");
             }
             _fitters = fitters.concat();
-            var session:FitSession = new FitSession(vertices);
+            _hullFitter = hullFitter;
+            _session = new FitSession(vertices);
             for each (var fitter:Fitter in _fitters)
             {
-                var fit:Fit = session.fitOf(fitter);
-                _fits.push(fit);
-                add(fit);
+                add(_session.fitOf(fitter));
             }
             if (hullFitter != null)
             {
-                _hullFit = session.fitOf(hullFitter);
-                add(_hullFit);
+                add(_session.fitOf(hullFitter));
             }
             call(addChecks);
         }
@@ -94,10 +89,11 @@ package starlogo.libraries
         private function addChecks():void
         {
             // how far outside of a structure vertices may be
-            var tolerance:Number = Tolerances.CONTAINMENT * EnclosingStructures.sphere(_vertices, _vertices[0], _vertices[1], _vertices[2]).radius;
-            for (var i:int = 0; i < _fits.length; i++)
+            var vertices:Vector.<Number> = _session.vertices;
+            var tolerance:Number = Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
+            for each (var fitter:Fitter in _fitters)
             {
-                addCheck(_fitters[i], _fits[i].structure, tolerance);
+                addCheck(fitter, _session.structureOf(fitter), tolerance);
             }
             call(choose);
         }
@@ -109,15 +105,16 @@ package starlogo.libraries
             {
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
             }
+            var vertices:Vector.<Number> = _session.vertices;
             var wider:BoundingStructure = structure.clone();
             wider.widen(tolerance);
-            slices(_vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+            slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     var outside:int = firstOutside(wider, first, end);
                     if (outside >= 0)
                     {
                         throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside + " at ("
-                                + _vertices.slice(3 * outside, 3 * outside + 3).join(", ") + "): " + structure);
+                                + vertices.slice(3 * outside, 3 * outside + 3).join(", ") + "): " + structure);
                     }
                 });
         }
@@ -125,10 +122,11 @@ package starlogo.libraries
         // The first of some vertices that is outside of a structure; -1 if there is none.
         private function firstOutside(structure:BoundingStructure, first:int, end:int):int
         {
+            var vertices:Vector.<Number> = _session.vertices;
             var vertex:Vector3D = new Vector3D();
             for (var i:int = first; i < end; i++)
             {
-                vertex.setTo(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
+                vertex.setTo(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
                 if (!structure.contains(vertex))
                 {
                     return i;
@@ -140,12 +138,12 @@ package starlogo.libraries
         private function choose():void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-            for each (var fit:Fit in _fits)
+            for each (var fitter:Fitter in _fitters)
             {
-                found.push(widened(fit.structure));
+                found.push(widened(_session.structureOf(fitter)));
             }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(found, _hullFit == null ? null : widened(_hullFit.structure), _keepsAll);
+            structures = new ModelStructures(found, _hullFitter == null ? null : widened(_session.structureOf(_hullFitter)), _keepsAll);
         }
 
         /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */

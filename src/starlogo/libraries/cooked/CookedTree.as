@@ -33,7 +33,6 @@ package starlogo.libraries.cooked
         private var _bytes:ByteArray;
         private var _tree:BoxTree;
         private var _maxDepth:int;
-        private var _items:Vector.<int>;
 
         // The nodes that still have to be read, the next one last.
         private var _waiting:Vector.<int> = new Vector.<int>();
@@ -94,7 +93,7 @@ package starlogo.libraries.cooked
         private function addParts():void
         {
             var count:int = _tree.itemCount;
-            _items = new Vector.<int>(count, true);
+            _tree.items = new Vector.<int>(count, true);
             var isListed:Vector.<Boolean> = new Vector.<Boolean>(count, true);
             slices(count, ITEMS_PER_STEP, function(first:int, end:int):void
                 {
@@ -121,7 +120,7 @@ package starlogo.libraries.cooked
         private function readItems(first:int, end:int, isListed:Vector.<Boolean>):void
         {
             var bytes:ByteArray = _bytes;
-            var items:Vector.<int> = _items;
+            var items:Vector.<int> = _tree.items;
             var count:int = items.length;
             var width:int = widthFor(count);
             for (var i:int = first; i < end; i++)
@@ -139,7 +138,6 @@ package starlogo.libraries.cooked
 
         private function beginTree():void
         {
-            _tree.items = _items;
             _tree.addRoot();
             _waiting.push(0);
         }

@@ -106,7 +106,7 @@ package starlogo.ground
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, search.maxDistance * search.maxDistance - passage.besideSquared));
             var bottom:Number = Math.min(start, end) - _halfZ;
-            passage.low = Math.max(bottom - up, bottom + search.above + 2 * _slack);
+            passage.low = Math.max(bottom - up, bottom + search.minHeight + 2 * _slack);
             passage.high = Math.max(start, end) + _halfZ + up;
         }
 

@@ -65,8 +65,7 @@ package starlogo.search.pairs
             _extents.halfX = a.halfX;
             _extents.halfY = a.halfY;
             _extents.halfZ = a.halfZ;
-            _earlyOut.begin(gridOf(b));
-            var found:int = _earlyOut.decide(_extents, a.form);
+            var found:int = _earlyOut.decide(gridOf(b), _extents, a.form);
             return found == GroundEarlyOut.UNKNOWN ? overlap(a, b) : found == GroundEarlyOut.TOUCHING;
         }
 

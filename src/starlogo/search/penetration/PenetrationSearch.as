@@ -6,7 +6,7 @@ package starlogo.search.penetration
 
     /**
      * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, the two
-     * just touch, and a little farther they do not. How to get out depends on what the bodies are: an ExitSearch finds the way.
+     * just touch, and a little farther they do not. An ExitSearch finds the way out: TreeExitSearch or GroundExitSearch.
      *
      * @private
      */

@@ -17,8 +17,8 @@ package starlogo.ground
         // How much farther than rounding errors a structure is from squares that are left out.
         private static const FARTHER:Number = 4;
 
-        /** Where the first cell begins, and the height 0, relative to the search's origin. Read only. */
-        public var corner:Vector3D = new Vector3D();
+        /** Where the height 0 is, relative to the search's origin. Read only. */
+        public var zeroHeight:Number = 0;
 
         /** How long the box passes along x or along y, with its own length. Read only. */
         public var length:Number = 0;
@@ -51,20 +51,20 @@ package starlogo.ground
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
             latest = search.latest;
-            corner.setTo(grid.x - search.origin.x - border, grid.y - search.origin.y - border, -search.origin.z);
+            alongX.corner = grid.x - search.origin.x - border;
+            alongY.corner = grid.y - search.origin.y - border;
+            zeroHeight = -search.origin.z;
             var pathX:Number = latest * Math.abs(motion.x);
             var pathY:Number = latest * Math.abs(motion.y);
-            var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(corner.x) + Math.abs(box.y) + Math.abs(corner.y) + Math.abs(box.z)
-                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + latest * Math.abs(motion.z));
+            var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.corner) + Math.abs(box.y) + Math.abs(alongY.corner) + Math.abs(box.z)
+                    + Math.abs(zeroHeight) + grid.cellWidth + pathX + pathY + latest * Math.abs(motion.z));
             _slack = FARTHER * rounding;
             alongX.at = box.x;
             alongX.half = box.halfX + rounding;
             alongX.speed = motion.x;
-            alongX.corner = corner.x;
             alongY.at = box.y;
             alongY.half = box.halfY + rounding;
             alongY.speed = motion.y;
-            alongY.corner = corner.y;
             _halfZ = box.halfZ + rounding;
             length = Math.max(2 * alongX.half + pathX, 2 * alongY.half + pathY) + 2 * search.maxDistance;
         }
@@ -151,8 +151,8 @@ package starlogo.ground
                 return false;
             }
             var width:Number = widthAt(level);
-            var x:Number = corner.x + column * width;
-            var y:Number = corner.y + row * width;
+            var x:Number = alongX.corner + column * width;
+            var y:Number = alongY.corner + row * width;
             _least.setTo(x - _slack, y - _slack, heights.least - _slack);
             _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
             return _separation.stayApart(search, _least, _greatest);

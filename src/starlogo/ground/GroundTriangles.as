@@ -128,8 +128,8 @@ package starlogo.ground
         private function readHeights(level:int, column:int, row:int, isAtBorder:Boolean):void
         {
             _path.grid.findRange(level, column, row, column, row, _heights);
-            _heights.least += _path.corner.z;
-            _heights.greatest += _path.corner.z;
+            _heights.least += _path.zeroHeight;
+            _heights.greatest += _path.zeroHeight;
             if (isAtBorder || _heights.hasHole)
             {
                 _heights.least = Math.min(_heights.least, _passage.low);

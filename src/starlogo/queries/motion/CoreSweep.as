@@ -40,6 +40,7 @@ package starlogo.queries.motion
             aim(from, motion);
             out.row = -1;
             out.time = RelativeMotion.NEVER;
+            out.touchTime = NaN;
             for (var i:int = 0; i < body.obstacles.count; i++)
             {
                 keepEarlier(body, body.obstacles.numbers[i], from, motion, out);

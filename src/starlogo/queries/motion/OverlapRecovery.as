@@ -164,7 +164,12 @@ package starlogo.queries.motion
             var form:int = body.bodyOf(row).form;
             var isTree:Boolean = form == ModelShape.TREE;
             var source:Body = body.source;
-            if (form != ModelShape.GROUND && contact.depth > halfAlong(source, contact) * (isTree ? 1 : WITH_ROOM))
+            var least:Number = halfAlong(source, contact);
+            if (!isTree)
+            {
+                least *= WITH_ROOM;
+            }
+            if (form != ModelShape.GROUND && contact.depth > least)
             {
                 var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
                 warnOfInside(body.agents, row, source.shape.modelName, source.placement, below, contact.depth, isTree);

@@ -17,8 +17,8 @@ package starlogo.ground
         // How much farther than rounding errors a structure is from squares that are left out.
         private static const FARTHER:Number = 4;
 
-        /** Where the first cell begins, and the height 0, relative to the search's origin. Read only. */
-        public var corner:Vector3D = new Vector3D();
+        /** Where the height 0 is, relative to the search's origin. Read only. */
+        public var zeroHeight:Number = 0;
 
         /** How long the box passes along x or along y, with its own length. Read only. */
         public var length:Number = 0;
@@ -30,8 +30,12 @@ package starlogo.ground
         /** The latest time at the beginning of the search. The search's own may have become earlier since. Read only. */
         public var latest:Number = 0;
 
-        // Half the box's lengths, with a margin for rounding; and the distance that rounding errors may hide.
-        private var _half:Vector3D = new Vector3D();
+        /** Its parts along x and along y. Read only. */
+        public var alongX:AxisPath = new AxisPath();
+        public var alongY:AxisPath = new AxisPath();
+
+        // Half the box's height, with a margin for rounding; and the distance that rounding errors may hide.
+        private var _halfZ:Number = 0;
         private var _slack:Number = 0;
 
         private var _separation:SquareSeparation = new SquareSeparation();
@@ -47,14 +51,22 @@ package starlogo.ground
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
             latest = search.latest;
-            corner.setTo(grid.x - search.origin.x - border, grid.y - search.origin.y - border, -search.origin.z);
+            alongX.corner = grid.x - search.origin.x - border;
+            alongY.corner = grid.y - search.origin.y - border;
+            zeroHeight = -search.origin.z;
             var pathX:Number = latest * Math.abs(motion.x);
             var pathY:Number = latest * Math.abs(motion.y);
-            var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(corner.x) + Math.abs(box.y) + Math.abs(corner.y) + Math.abs(box.z)
-                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + latest * Math.abs(motion.z));
+            var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.corner) + Math.abs(box.y) + Math.abs(alongY.corner) + Math.abs(box.z)
+                    + Math.abs(zeroHeight) + grid.cellWidth + pathX + pathY + latest * Math.abs(motion.z));
             _slack = FARTHER * rounding;
-            _half.setTo(box.halfX + rounding, box.halfY + rounding, box.halfZ + rounding);
-            length = Math.max(2 * _half.x + pathX, 2 * _half.y + pathY) + 2 * search.maxDistance;
+            alongX.at = box.x;
+            alongX.half = box.halfX + rounding;
+            alongX.speed = motion.x;
+            alongY.at = box.y;
+            alongY.half = box.halfY + rounding;
+            alongY.speed = motion.y;
+            _halfZ = box.halfZ + rounding;
+            length = Math.max(2 * alongX.half + pathX, 2 * alongY.half + pathY) + 2 * search.maxDistance;
         }
 
         /** How wide the squares of a level are. */
@@ -63,21 +75,20 @@ package starlogo.ground
             return grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
         }
 
-        /**
-         * The first or the last column or row of a level that the box may pass over in a passage. It may be outside of the grid.
-         *
-         * @param isX whether these are columns, along x; otherwise they are rows
-         */
-        public function endOf(passage:SquarePassage, level:int, isX:Boolean, isLast:Boolean):int
+        /** The first column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
+        public function firstOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            var speed:Number = isX ? search.motion.x : search.motion.y;
-            var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
-            var half:Number = isX ? _half.x : _half.y;
-            var around:Number = half + search.maxDistance;
-            var start:Number = at + passage.from * speed;
-            var end:Number = at + passage.to * speed;
-            var place:Number = isLast ? Math.max(start, end) + around : Math.min(start, end) - around;
-            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor(place / widthAt(level))));
+            var start:Number = axis.at - axis.corner + passage.from * axis.speed;
+            var end:Number = axis.at - axis.corner + passage.to * axis.speed;
+            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor((Math.min(start, end) - (axis.half + search.maxDistance)) / widthAt(level))));
+        }
+
+        /** The last one. */
+        public function lastOf(axis:AxisPath, passage:SquarePassage, level:int):int
+        {
+            var start:Number = axis.at - axis.corner + passage.from * axis.speed;
+            var end:Number = axis.at - axis.corner + passage.to * axis.speed;
+            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor((Math.max(start, end) + (axis.half + search.maxDistance)) / widthAt(level))));
         }
 
         /**
@@ -88,35 +99,32 @@ package starlogo.ground
         public function findPassage(level:int, column:int, row:int, passage:SquarePassage):void
         {
             passage.besideSquared = 0;
-            narrowAlong(true, column, level, passage);
-            narrowAlong(false, row, level, passage);
+            narrowAlong(alongX, column, level, passage);
+            narrowAlong(alongY, row, level, passage);
             var start:Number = search.box.z + passage.from * search.motion.z;
             var end:Number = search.box.z + passage.to * search.motion.z;
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, search.maxDistance * search.maxDistance - passage.besideSquared));
-            var bottom:Number = Math.min(start, end) - _half.z;
-            passage.low = Math.max(bottom - up, bottom + search.above + 2 * _slack);
-            passage.high = Math.max(start, end) + _half.z + up;
+            var bottom:Number = Math.min(start, end) - _halfZ;
+            passage.low = Math.max(bottom - up, bottom + search.minHeight + 2 * _slack);
+            passage.high = Math.max(start, end) + _halfZ + up;
         }
 
         // Narrows a passage to the part in which the box is over a column or a row. If it does not move along x or y, it is
         // over the column or row all the time or never.
-        private function narrowAlong(isX:Boolean, square:int, level:int, passage:SquarePassage):void
+        private function narrowAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):void
         {
             var width:Number = widthAt(level);
-            var at:Number = isX ? search.box.x : search.box.y;
-            var half:Number = isX ? _half.x : _half.y;
-            var speed:Number = isX ? search.motion.x : search.motion.y;
-            var first:Number = isX ? corner.x : corner.y;
+            var speed:Number = axis.speed;
             if (speed == 0)
             {
-                var beside:Number = Math.max(0, Math.abs(at - first - (square + 0.5) * width) - width / 2 - half);
+                var beside:Number = Math.max(0, Math.abs(axis.at - axis.corner - (square + 0.5) * width) - width / 2 - axis.half);
                 passage.besideSquared += beside * beside;
                 passage.to = beside > search.maxDistance ? -1 : passage.to;
                 return;
             }
-            var low:Number = (first + square * width - (at + half)) / speed;
-            var high:Number = (first + (square + 1) * width - (at - half)) / speed;
+            var low:Number = (axis.corner + square * width - (axis.at + axis.half)) / speed;
+            var high:Number = (axis.corner + (square + 1) * width - (axis.at - axis.half)) / speed;
             passage.from = Math.max(passage.from, Math.min(low, high));
             passage.to = Math.min(passage.to, Math.max(low, high));
         }
@@ -128,8 +136,8 @@ package starlogo.ground
             var speed:Number = search.motion.z;
             if (speed != 0)
             {
-                var low:Number = (heights.least - (box.z + _half.z)) / speed;
-                var high:Number = (heights.greatest - (box.z - _half.z)) / speed;
+                var low:Number = (heights.least - (box.z + _halfZ)) / speed;
+                var high:Number = (heights.greatest - (box.z - _halfZ)) / speed;
                 passage.from = Math.max(passage.from, Math.min(low, high));
                 passage.to = Math.min(passage.to, Math.max(low, high));
             }
@@ -143,8 +151,8 @@ package starlogo.ground
                 return false;
             }
             var width:Number = widthAt(level);
-            var x:Number = corner.x + column * width;
-            var y:Number = corner.y + row * width;
+            var x:Number = alongX.corner + column * width;
+            var y:Number = alongY.corner + row * width;
             _least.setTo(x - _slack, y - _slack, heights.least - _slack);
             _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
             return _separation.stayApart(search, _least, _greatest);

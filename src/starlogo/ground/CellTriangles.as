@@ -1,6 +1,5 @@
 package starlogo.ground
 {
-    import flash.geom.Vector3D;
     import starlogo.geometry.Touching;
 
     /**
@@ -83,7 +82,7 @@ package starlogo.ground
             var heights:Vector.<Number> = grid.heights;
             var next:int = grid.isBlocky ? 0 : 1;
             var far:int = next * grid.columns;
-            var z:Number = _path.corner.z;
+            var z:Number = _path.zeroHeight;
             _tops[0] = heights[at] + z;
             _tops[1] = heights[int(at + next)] + z;
             _tops[2] = heights[int(at + next + far)] + z;
@@ -139,7 +138,7 @@ package starlogo.ground
             var low:Number = floor;
             if (grid.hasCell(column, row))
             {
-                low = grid.isBlocky ? grid.heights[row * grid.columns + column] + _path.corner.z : Infinity;
+                low = grid.isBlocky ? grid.heights[row * grid.columns + column] + _path.zeroHeight : Infinity;
             }
             if (low >= top && low >= endTop || low > _passage.high)
             {
@@ -166,10 +165,9 @@ package starlogo.ground
         // Writes a corner of the cell's top.
         private function writeCorner(corner:int, out:Vector.<Number>, to:int):void
         {
-            var first:Vector3D = _path.corner;
             var width:Number = _path.grid.cellWidth;
-            out[to] = first.x + (_column + ((corner + 1) >> 1 & 1)) * width;
-            out[int(to + 1)] = first.y + (_row + (corner >> 1)) * width;
+            out[to] = _path.alongX.corner + (_column + ((corner + 1) >> 1 & 1)) * width;
+            out[int(to + 1)] = _path.alongY.corner + (_row + (corner >> 1)) * width;
             out[int(to + 2)] = _tops[corner];
         }
     }

@@ -38,35 +38,27 @@ package starlogo.ground
         private var _under:GroundPoint = new GroundPoint();
         private var _around:HeightRange = new HeightRange();
 
-        /** Begins with the ground as it is now. */
-        public function begin(grid:HeightGrid):void
-        {
-            _grid = grid;
-            grid.pyramid.findWhole(_around);
-            _slope = grid.isBlocky ? Infinity : _around.stepX / grid.cellWidth;
-            _tolerance = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth + Math.abs(_around.least)
-                    + Math.abs(_around.greatest));
-        }
-
         /**
          * Decides about an agent. Nothing is known about trees, about hulls whose extents have their middle in the ground, and about agents whose middle
          * is outside of the terrain or over a hole.
          *
+         * @param grid the ground
          * @param extents of the agent, in the world
          * @param form of the agent
          * @return one of the three answers
          */
-        public function decide(extents:GroundBox, form:int):int
+        public function decide(grid:HeightGrid, extents:GroundBox, form:int):int
         {
             // nodes of a tree may extend beyond the tree's extents
             if (form > BoundingStructure.HULL)
             {
                 return UNKNOWN;
             }
+            readGround(grid);
             var isSphere:Boolean = form == BoundingStructure.SPHERE;
             _under.x = extents.x;
             _under.y = extents.y;
-            _grid.findHeight(_under);
+            grid.findHeight(_under);
             var above:Number = extents.z - _under.height;
             var inner:Number = isSphere ? extents.halfX : 0;
             if (above <= inner)
@@ -85,7 +77,17 @@ package starlogo.ground
             {
                 return APART;
             }
-            return isSphere && !_grid.isBlocky && touchesSphere(extents) ? TOUCHING : UNKNOWN;
+            return isSphere && !grid.isBlocky && touchesSphere(extents) ? TOUCHING : UNKNOWN;
+        }
+
+        // Reads what depends on the ground alone.
+        private function readGround(grid:HeightGrid):void
+        {
+            _grid = grid;
+            grid.pyramid.findWhole(_around);
+            _slope = grid.isBlocky ? Infinity : _around.stepX / grid.cellWidth;
+            _tolerance = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth + Math.abs(_around.least)
+                    + Math.abs(_around.greatest));
         }
 
         // Whether the agent is above all heights near it, or higher than the slopes between them allow. Few heights are read.

@@ -152,7 +152,7 @@ package starlogo.ground
                 if (_pairs.side.isOverTriangle(_tried) && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
                 {
                     deepest = _tried.depth;
-                    _pairs.search.above = deepest;
+                    _pairs.search.minHeight = deepest;
                     keep(out);
                 }
             }

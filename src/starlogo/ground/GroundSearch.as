@@ -36,7 +36,7 @@ package starlogo.ground
         /** A limit: how far from the standing box a triangle still counts. */
         public var maxDistance:Number = 0;
 
-        /** A limit: only triangles count that are clearly higher than this above the bottom of the box. */
-        public var above:Number = -Infinity;
+        /** A limit: only triangles count that come clearly higher above the bottom of the box than this. */
+        public var minHeight:Number = -Infinity;
     }
 }

@@ -79,10 +79,10 @@ package starlogo.ground
             var motion:RelativeMotion = _path.search.motion;
             var lastColumn:int = Math.min(firstColumn + most - 1, _path.grid.lastColumnAt(level));
             var lastRow:int = Math.min(firstRow + most - 1, _path.grid.lastRowAt(level));
-            var left:int = Math.max(firstColumn, _path.endOf(_passage, level, true, false));
-            var right:int = Math.min(lastColumn, _path.endOf(_passage, level, true, true));
-            var bottom:int = Math.max(firstRow, _path.endOf(_passage, level, false, false));
-            var top:int = Math.min(lastRow, _path.endOf(_passage, level, false, true));
+            var left:int = Math.max(firstColumn, _path.firstOf(_path.alongX, _passage, level));
+            var right:int = Math.min(lastColumn, _path.lastOf(_path.alongX, _passage, level));
+            var bottom:int = Math.max(firstRow, _path.firstOf(_path.alongY, _passage, level));
+            var top:int = Math.min(lastRow, _path.lastOf(_path.alongY, _passage, level));
             for (var row:int = bottom; row <= top; row++)
             {
                 for (var column:int = left; column <= right; column++)
@@ -128,8 +128,8 @@ package starlogo.ground
         private function readHeights(level:int, column:int, row:int, isAtBorder:Boolean):void
         {
             _path.grid.findRange(level, column, row, column, row, _heights);
-            _heights.least += _path.corner.z;
-            _heights.greatest += _path.corner.z;
+            _heights.least += _path.zeroHeight;
+            _heights.greatest += _path.zeroHeight;
             if (isAtBorder || _heights.hasHole)
             {
                 _heights.least = Math.min(_heights.least, _passage.low);

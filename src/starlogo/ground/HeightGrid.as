@@ -273,7 +273,7 @@ package starlogo.ground
             for (var i:int = Math.max(0, row - around); i <= Math.min(rows - 1, row + around); i++)
             {
                 // in rows between the first and the last, only both ends
-                var step:int = Math.abs(i - row) == around ? 1 : Math.max(1, 2 * around);
+                var step:int = Math.abs(i - row) == around ? 1 : 2 * around;
                 for (var k:int = column - around; k <= column + around; k += step)
                 {
                     if (k >= 0 && k < columns && isOfCell(k, i))

@@ -157,7 +157,7 @@ package starlogo.ground
             search.motion = motion;
             search.latest = motion.latest;
             search.maxDistance = maxDistance;
-            search.above = -Infinity;
+            search.minHeight = -Infinity;
         }
 
         private function addNode(node:int):void

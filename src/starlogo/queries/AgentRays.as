@@ -11,6 +11,7 @@ package starlogo.queries
     import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.rays.Hits;
     import starlogo.queries.rays.RowRayQuery;
+    import starlogo.queries.rays.RowSurfaceQuery;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -26,6 +27,7 @@ package starlogo.queries
         private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _rowRays:RowRayQuery;
+        private var _rowSurfaces:RowSurfaceQuery;
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
         private var _hits:Hits;
@@ -49,6 +51,7 @@ package starlogo.queries
             _seen = seen;
             _found = new Collector(seen);
             _rowRays = new RowRayQuery(seen);
+            _rowSurfaces = new RowSurfaceQuery(seen);
             _hits = new Hits(seen, _found, RayHit);
         }
 
@@ -244,7 +247,7 @@ package starlogo.queries
         {
             for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_rowRays.findSurfaces(row, _ray, _hits))
+                if (_rowSurfaces.findSurfaces(row, _ray, _hits))
                 {
                     _found.add(row, _hits.firstKeyOf(row));
                 }

@@ -9,7 +9,6 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
-    import starlogo.queries.motion.ObstacleSearch;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.Mover;
     import starlogo.queries.motion.MovingBody;
@@ -34,9 +33,8 @@ package starlogo.queries
     public final class MoveQueries
     {
         private var _seen:SeenAgents;
-        private var _obstacleSearch:ObstacleSearch;
-        private var _mover:Mover;
-        private var _slider:Slider;
+        private var _mover:Mover = new Mover();
+        private var _slider:Slider = new Slider();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _found:Collector;
         private var _hits:Hits;
@@ -64,9 +62,6 @@ package starlogo.queries
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _obstacleSearch = new ObstacleSearch(seen);
-            _mover = new Mover(seen);
-            _slider = new Slider(seen);
             _body = new MovingBody(seen);
             _found = new Collector(seen);
             _hits = new Hits(seen, _found, ShapeHit);
@@ -114,14 +109,14 @@ package starlogo.queries
         // These questions, or the nested ones while a filter's accepts is being called.
         private function get idle():MoveQueries
         {
-            return _obstacleSearch.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
+            return _body.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
         }
 
         private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _body.readAgent(agent);
             setMotion(dx, dy, dz);
-            _obstacleSearch.findAlong(_body, _motion, agent, filter);
+            _body.findRowsAlong(_motion, agent, filter);
             collect(1, _end);
             var isMet:Boolean = _hits.end() > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
@@ -147,7 +142,7 @@ package starlogo.queries
         {
             _body.readAgent(agent);
             setMotion(dx, dy, dz);
-            _obstacleSearch.findWithin(_body, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
+            _body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
             _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
             _recovery.restoreClearance(_body, _slid.place);
             if (dx != 0 || dy != 0 || dz != 0)
@@ -160,7 +155,7 @@ package starlogo.queries
         private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             setMotion(dx, dy, dz);
-            _obstacleSearch.findAlong(_body, _motion, asker, filter);
+            _body.findRowsAlong(_motion, asker, filter);
             collect(1, null);
             return _hits.end() == 0 ? null : write(0, hit || new ShapeHit());
         }
@@ -169,7 +164,7 @@ package starlogo.queries
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             setMotion(dx, dy, dz);
-            _obstacleSearch.findAlong(_body, _motion, asker, filter);
+            _body.findRowsAlong(_motion, asker, filter);
             collect(Collector.ALL, null);
             _hits.resize(hits, _hits.end());
             for (var i:int = 0; i < hits.length; i++)

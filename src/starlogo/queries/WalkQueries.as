@@ -6,7 +6,6 @@ package starlogo.queries
     import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;
     import starlogo.geometry.requireInWorld;
-    import starlogo.queries.motion.ObstacleSearch;
     import starlogo.queries.motion.Walk;
     import starlogo.queries.motion.WalkMover;
     import starlogo.search.table.ListedAgents;
@@ -30,7 +29,6 @@ package starlogo.queries
         private static const DEFAULTS:WalkOptions = new WalkOptions();
 
         private var _seen:SeenAgents;
-        private var _obstacleSearch:ObstacleSearch;
         private var _walkMover:WalkMover;
         private var _walk:Walk;
 
@@ -41,8 +39,7 @@ package starlogo.queries
         public function WalkQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _obstacleSearch = new ObstacleSearch(seen);
-            _walkMover = new WalkMover(seen, _obstacleSearch);
+            _walkMover = new WalkMover(seen);
             _walk = new Walk(seen);
         }
 
@@ -56,7 +53,7 @@ package starlogo.queries
         // These questions, or the nested ones while a filter's accepts is being called.
         private function get idle():WalkQueries
         {
-            return _obstacleSearch.isAsking ? (_nested ||= new WalkQueries(_seen)).idle : this;
+            return _walk.body.isAsking ? (_nested ||= new WalkQueries(_seen)).idle : this;
         }
 
         private function walkOn(agent:Agent, dx:Number, dy:Number, options:WalkOptions, footing:Footing):Footing
@@ -109,7 +106,7 @@ package starlogo.queries
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.turn = link.carry(_seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && _obstacleSearch.askFilter(row, walk.agent, walk.options.filter))
+                if ((walk.turn != 0 || walk.carry.length > 0) && walk.body.askFilter(row, walk.agent, walk.options.filter))
                 {
                     return row;
                 }

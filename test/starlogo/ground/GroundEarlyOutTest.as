@@ -83,9 +83,8 @@ package starlogo.ground
             _extents.halfX = _numbers[3];
             _extents.halfY = _numbers[4];
             _extents.halfZ = _numbers[5];
-            _earlyOut.begin(terrain.grid);
             _query.setTo(terrain.grid, null, structure, _placement, 1, false);
-            return _earlyOut.decide(_extents, structure.kind);
+            return _earlyOut.decide(terrain.grid, _extents, structure.kind);
         }
 
         private function thinHull(size:Number):Hull

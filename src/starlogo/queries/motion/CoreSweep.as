@@ -4,7 +4,6 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
 
@@ -19,8 +18,6 @@ package starlogo.queries.motion
      */
     public final class CoreSweep
     {
-        private var _seen:SeenAgents;
-
         // The motion, the body's place at its end, the motion's length, and the contact that was found last.
         private var _motion:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
@@ -30,18 +27,12 @@ package starlogo.queries.motion
         // Where a sweep begins again that has met what the core leaves.
         private var _beyond:Vector3D = new Vector3D();
 
-        /** @param seen has the rows */
-        public function CoreSweep(seen:SeenAgents)
-        {
-            _seen = seen;
-        }
-
         /**
          * Finds what the core meets first.
          *
          * @param body the body that moves. What it meets are its obstacles. Of rows that are met at the same time, the first one counts
          * @param from where the motion begins
-         * @param out receives the answer
+         * @param out receives the answer, without the time of the touch
          * @return whether anything is met
          */
         public function findFirst(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
@@ -49,6 +40,7 @@ package starlogo.queries.motion
             aim(from, motion);
             out.row = -1;
             out.time = RelativeMotion.NEVER;
+            out.touchTime = NaN;
             for (var i:int = 0; i < body.obstacles.count; i++)
             {
                 keepEarlier(body, body.obstacles.numbers[i], from, motion, out);
@@ -65,7 +57,6 @@ package starlogo.queries.motion
                 out.contact.normalise();
                 out.along = -_length;
             }
-            findTouchTime(body, from, motion, out);
             return true;
         }
 
@@ -87,14 +78,18 @@ package starlogo.queries.motion
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
             aim(from, motion);
-            findStop(body, _seen.table.bodyOf(row), from, motion);
+            findStop(body, body.bodyOf(row), from, motion);
             return _motion.time != RelativeMotion.NEVER;
         }
 
-        // Finds when the whole body touches the row: earlier than the core, by how far the core is behind the body's surface at the contact. But an
-        // inner face of a concave body touches later than the core's. There the whole body is swept too. If it touches elsewhere, the core's time
-        // counts: this is no inner face.
-        private function findTouchTime(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):void
+        /**
+         * Finds when the whole body touches the row that the core meets first: earlier than the core, by how far the core is behind the body's surface at
+         * the contact. But an inner face of a concave body touches later than the core's. There the whole body is swept too. If it touches elsewhere, the
+         * core's time counts: this is no inner face.
+         *
+         * @param out what <code>findFirst()</code> has found; receives the time of the touch
+         */
+        public function findTouchTime(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):void
         {
             var contact:ContactPoint = out.contact;
             var source:Body = body.source;
@@ -105,9 +100,10 @@ package starlogo.queries.motion
             out.touchTime = Math.max(0, Math.min(1, out.time + recess / out.along));
             if (recess < 0)
             {
+                aim(from, motion);
                 var whole:Body = body.wholeAt(_end);
-                var other:Body = _seen.table.bodyOf(out.row);
-                _seen.narrowPhase.testsOf(whole, other).findImpact(whole, other, _motion, null);
+                var other:Body = body.bodyOf(out.row);
+                body.testsOf(whole, other).findImpact(whole, other, _motion, null);
                 var isExpected:Boolean = Math.abs(_motion.time - out.touchTime) <= out.touchTime - out.time;
                 out.touchTime = isExpected ? _motion.time : out.time;
             }
@@ -124,7 +120,7 @@ package starlogo.queries.motion
         // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer.
         private function keepEarlier(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            findStop(body, _seen.table.bodyOf(row), from, motion);
+            findStop(body, body.bodyOf(row), from, motion);
             if (_motion.time < out.time)
             {
                 out.row = row;
@@ -170,11 +166,11 @@ package starlogo.queries.motion
             _motion.time = RelativeMotion.NEVER;
             if (body.isNear(core, other, _motion))
             {
-                _seen.narrowPhase.testsOf(core, other).findImpact(core, other, _motion, _contact);
+                body.testsOf(core, other).findImpact(core, other, _motion, _contact);
             }
             // a sheet may be wholly under the ground at the beginning, and then it touches no surface
             if (_motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND
-                    && _seen.narrowPhase.areTouching(body.core.at(from), other))
+                    && body.testsOf(core, other).areTouching(body.core.at(from), other))
             {
                 _motion.time = 0;
                 _contact.setNormal(0, 0, 0);

@@ -51,7 +51,7 @@ package starlogo.queries.motion
                 walk.floorNormal.setTo(contact.normalX, contact.normalY, contact.normalZ);
                 return true;
             }
-            if (isTooHigh(walk, contact, place) || !findFaceBehind(walk, contact, row))
+            if (isTooHigh(walk, contact, place) || !findFaceBehind(walk, contact, row, _entry))
             {
                 return false;
             }
@@ -69,7 +69,7 @@ package starlogo.queries.motion
         }
 
         // Finds the face behind an edge. Returns whether there is one that is not too steep.
-        private function findFaceBehind(walk:Walk, contact:ContactPoint, row:int):Boolean
+        private function findFaceBehind(walk:Walk, contact:ContactPoint, row:int, out:RayEntry):Boolean
         {
             var across:Number = Math.sqrt(contact.normalX * contact.normalX + contact.normalY * contact.normalY);
             var behind:Number = BEHIND_EDGE * walk.body.extent;
@@ -78,7 +78,7 @@ package starlogo.queries.motion
             _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
             _ray.aim(_origin, DOWN);
             _ray.to = 2 * above;
-            return _rowRays.findHit(row, _ray, _entry) && _entry.distance != 0 && _entry.normalZ >= walk.cosine;
+            return _rowRays.findHit(row, _ray, out) && out.distance != 0 && out.normalZ >= walk.cosine;
         }
     }
 }

@@ -15,7 +15,7 @@ package starlogo.queries.motion
         /** When the core meets it, as a part of the motion; Infinity if it meets none. */
         public var time:Number = Infinity;
 
-        /** When the whole body touches it. */
+        /** When the whole body touches it; NaN until CoreSweep.findTouchTime finds it. */
         public var touchTime:Number = NaN;
 
         /** The contact of the core at <code>time</code>. Its normal always points against the motion. */

@@ -2,7 +2,6 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.data.NumberList;
-    import starlogo.queries.SeenAgents;
 
     /**
      * Moves a body straight on among rows of a table, until it touches one of them. A row that it would go into stops it. A row that it only
@@ -17,7 +16,7 @@ package starlogo.queries.motion
         // the ground.
         private static const STEPS_INTO_TOUCH:int = 64;
 
-        private var _sweep:CoreSweep;
+        private var _sweep:CoreSweep = new CoreSweep();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
         // How the beginning lifts the body, where the lifted body is, the planes of what it overlaps deeply, and what its core meets first.
@@ -25,12 +24,6 @@ package starlogo.queries.motion
         private var _liftedPlace:Vector3D = new Vector3D();
         private var _planes:SlidePlanes = new SlidePlanes();
         private var _impact:Impact = new Impact();
-
-        /** @param seen has the rows, and tests which of them touch */
-        public function Mover(seen:SeenAgents)
-        {
-            _sweep = new CoreSweep(seen);
-        }
 
         /**
          * Computes how the beginning of a motion lifts a body out of rows, all together.
@@ -130,7 +123,7 @@ package starlogo.queries.motion
                 lift.clear();
                 return;
             }
-            if (!lift.isLifted && beginsFree(body, from, motion))
+            if (!lift.isLifted && beginsFree(body, from, motion, _impact))
             {
                 if (_impact.row >= 0)
                 {
@@ -157,11 +150,11 @@ package starlogo.queries.motion
             }
         }
 
-        // Whether the core touches nothing where a motion begins, so that what it meets first, which the impact receives, decides. One-way rows and
+        // Whether the core touches nothing where a motion begins, so that what it meets first decides. The last argument receives that. One-way rows and
         // flat bodies are not decided here. A first touch after the beginning shows that no surfaces touch there.
-        private function beginsFree(body:MovingBody, from:Vector3D, motion:Vector3D):Boolean
+        private function beginsFree(body:MovingBody, from:Vector3D, motion:Vector3D, first:Impact):Boolean
         {
-            if (body.core.isFlat || _sweep.findFirst(body, from, motion, _impact) && _impact.time == 0)
+            if (body.core.isFlat || _sweep.findFirst(body, from, motion, first) && first.time == 0)
             {
                 return false;
             }
@@ -183,6 +176,7 @@ package starlogo.queries.motion
             out.along = impact.along;
             out.contact.copyFrom(impact.contact);
             out.contact.depth = 0;
+            _sweep.findTouchTime(body, _liftedPlace, motion, impact);
             out.corePlace.setTo(_liftedPlace.x + impact.time * motion.x, _liftedPlace.y + impact.time * motion.y, _liftedPlace.z + impact.time * motion.z);
             // without the lift the body would have touched earlier
             var time:Number = impact.touchTime + out.contact.along(lift.displacement) / impact.along;

@@ -2,14 +2,16 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.agents.warnOfInside;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
+    import starlogo.queries.trees.Collector;
+    import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.pairs.PairTests;
@@ -17,7 +19,8 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * A body that moves: what may be in its way, its core, and the tests of both with a row, at the places that a motion tries.
+     * A body that moves: the rows that may be in its way, its core, and the tests of both with a row, at the places that a motion tries. The classes
+     * that move it know rows only through it.
      *
      * @private
      */
@@ -26,16 +29,13 @@ package starlogo.queries.motion
         // The factor by which the inset of a core grows until the core is free.
         private static const NARROWER:Number = 4;
 
-        // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
-        private static const WITH_ROOM:Number = 2.1;
-
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
         private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
 
         /** The body where it begins: a copy, because a filter's <code>accepts</code> may move the agent. Read only. */
         public var source:Body = new Body();
 
-        /** The rows that count and are near its way, in the order of the list. The ObstacleSearch finds them. */
+        /** The rows that count and are near its way, in the order of the list. Read only. */
         public var rows:NumberList = new NumberList();
 
         /** The rows that stop the motion. A row that a plane has taken the place of is not one of them, nor a one-way row that the body passed. */
@@ -45,6 +45,10 @@ package starlogo.queries.motion
         public var core:BodyCore;
 
         private var _seen:SeenAgents;
+
+        // Finds the rows near its way.
+        private var _found:Collector;
+        private var _search:SweptBoxSearch = new SweptBoxSearch();
 
         // The body at the place of its last test.
         private var _whole:Body = new Body();
@@ -56,6 +60,7 @@ package starlogo.queries.motion
         public function MovingBody(seen:SeenAgents)
         {
             _seen = seen;
+            _found = new Collector(seen);
             core = new BodyCore(source);
         }
 
@@ -124,6 +129,70 @@ package starlogo.queries.motion
             return 2 * source.largestHalf;
         }
 
+        /** Whether a filter's <code>accepts</code> is being called. Then this must not find rows. */
+        public function get isAsking():Boolean
+        {
+            return _found.isAsking;
+        }
+
+        /** Finds the rows near a straight motion. The asker is the agent that moves, or null. */
+        public function findRowsAlong(motion:Vector3D, asker:Agent, filter:AgentFilter):void
+        {
+            if (beginRows())
+            {
+                _search.moveAlong(motion.x, motion.y, motion.z, 1);
+                collectRows(asker, filter);
+            }
+        }
+
+        /**
+         * Finds the rows near motions that are not known yet.
+         *
+         * @param range how far it may go in any direction
+         * @param up how much farther it may go upwards
+         * @param down how much farther it may go downwards
+         * @param asker the agent that moves
+         */
+        public function findRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
+        {
+            if (beginRows())
+            {
+                _search.widen(range, up, down);
+                collectRows(asker, filter);
+            }
+        }
+
+        // Begins without rows. Returns false if the model of the body is loading.
+        private function beginRows():Boolean
+        {
+            rows.count = 0;
+            if (hasShape)
+            {
+                _search.beginAround(_seen.treeOfExtents(), source);
+            }
+            return hasShape;
+        }
+
+        private function collectRows(asker:Agent, filter:AgentFilter):void
+        {
+            _found.begin(Collector.ALL, 1, asker, filter);
+            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
+            {
+                _found.add(row, 0);
+            }
+            var count:int = _found.endSorted();
+            for (var i:int = 0; i < count; i++)
+            {
+                rows.add(_found.rowAt(i));
+            }
+        }
+
+        /** Asks a filter about one row, as a search of its own. Returns whether the row counts. */
+        public function askFilter(row:int, asker:Agent, filter:AgentFilter):Boolean
+        {
+            return _found.askFilter(row, asker, filter);
+        }
+
         /**
          * Begins a motion, with the core and the tolerances that it needs.
          *
@@ -133,6 +202,24 @@ package starlogo.queries.motion
         {
             obstacles.copyFrom(among);
             core.begin(_seen.table, among, from, motion);
+        }
+
+        /** The body of a row. */
+        public function bodyOf(row:int):Body
+        {
+            return _seen.table.bodyOf(row);
+        }
+
+        /** The agents, by row. */
+        public function get agents():Vector.<Agent>
+        {
+            return _seen.table.list.agents;
+        }
+
+        /** The tests for two bodies: see NarrowPhase. */
+        public function testsOf(own:Body, other:Body):PairTests
+        {
+            return _seen.narrowPhase.testsOf(own, other);
         }
 
         /** The whole body at a place. It is valid until the next call. */
@@ -145,21 +232,21 @@ package starlogo.queries.motion
         /** Whether the whole body touches a row when it stands at a place. */
         public function touches(row:int, place:Vector3D):Boolean
         {
-            return areTouching(wholeAt(place), _seen.table.bodyOf(row));
+            return areTouching(wholeAt(place), bodyOf(row));
         }
 
         /** Whether the core touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
         public function coreTouches(row:int, place:Vector3D):Boolean
         {
-            return touches(row, place) && _seen.narrowPhase.areTouching(core.at(place), _seen.table.bodyOf(row));
+            return touches(row, place) && _seen.narrowPhase.areTouching(core.at(place), bodyOf(row));
         }
 
         /** Whether one of the core and a row is inside of the other when the body stands at a place. Their surfaces must not touch there. */
         public function isCoreInside(row:int, place:Vector3D):Boolean
         {
             var inner:Body = core.at(place);
-            var other:Body = _seen.table.bodyOf(row);
-            return isNear(inner, other, RelativeMotion.NONE) && _seen.narrowPhase.testsOf(inner, other).isOneInside(inner, other);
+            var other:Body = bodyOf(row);
+            return isNear(inner, other, RelativeMotion.NONE) && testsOf(inner, other).isOneInside(inner, other);
         }
 
         /**
@@ -169,7 +256,7 @@ package starlogo.queries.motion
          */
         public function overlaps(row:int, place:Vector3D):Boolean
         {
-            var other:Body = _seen.table.bodyOf(row);
+            var other:Body = bodyOf(row);
             var whole:Body = wholeAt(place);
             if (other.form == ModelShape.GROUND)
             {
@@ -189,10 +276,10 @@ package starlogo.queries.motion
          */
         public function findContact(row:int, place:Vector3D, isSure:Boolean, out:ContactPoint):Boolean
         {
-            var other:Body = _seen.table.bodyOf(row);
+            var other:Body = bodyOf(row);
             var whole:Body = wholeAt(place);
             var shallow:Number = BodyCore.SHALLOW * extentWith(other);
-            var pairTests:PairTests = _seen.narrowPhase.testsOf(whole, other);
+            var pairTests:PairTests = testsOf(whole, other);
             pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
             {
@@ -204,47 +291,13 @@ package starlogo.queries.motion
         /** Whether a row stops only what comes from above. See Agent.isOneWay. */
         public function isOneWay(row:int):Boolean
         {
-            return _seen.table.list.agents[row].isOneWay;
+            return agents[row].isOneWay;
         }
 
         /** Whether the body goes on through a row that it meets with this contact, because the row is one-way, and the body comes not from above. */
         public function passes(row:int, contact:ContactPoint):Boolean
         {
             return isOneWay(row) && contact.normalZ < UPWARDS;
-        }
-
-        /**
-         * Whether a contact leads out of a row by a short way. The shortest way out of a tree may lead through a wall of the tree if it is
-         * longer than the way to the middle of the body.
-         */
-        public function isExitShort(row:int, contact:ContactPoint):Boolean
-        {
-            return _seen.table.shapes[row].form != ModelShape.TREE || contact.depth <= halfAlong(contact);
-        }
-
-        // Half of the extent of the box around the body, along a contact's normal.
-        private function halfAlong(contact:ContactPoint):Number
-        {
-            return Math.abs(contact.normalX) * source.halfX + Math.abs(contact.normalY) * source.halfY + Math.abs(contact.normalZ) * source.halfZ;
-        }
-
-        /**
-         * Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
-         * too of one that begins with all of the body inside of another structure, and with room to spare, as that around a level.
-         */
-        public function warnIfInside(row:int, contact:ContactPoint):void
-        {
-            var form:int = _seen.table.shapes[row].form;
-            var least:Number = halfAlong(contact);
-            if (form != ModelShape.TREE)
-            {
-                least *= WITH_ROOM;
-            }
-            if (form != ModelShape.GROUND && contact.depth > least)
-            {
-                var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
-                warnOfInside(_seen.table.list.agents, row, source.shape.modelName, source.placement, below, contact.depth, form == ModelShape.TREE);
-            }
         }
 
         /**
@@ -275,7 +328,7 @@ package starlogo.queries.motion
         /** Half of the gap across which the body and a row still touch, at a place. It does not apply to spheres and points. */
         public function halfToleranceAt(row:int, place:Vector3D):Number
         {
-            return Tolerances.SURFACES / 4 * extentWith(_seen.table.bodyOf(row)) + Tolerances.PLACES / 2 * (Math.abs(place.x) + Math.abs(place.y) + Math.abs(place.z));
+            return Tolerances.SURFACES / 4 * extentWith(bodyOf(row)) + Tolerances.PLACES / 2 * (Math.abs(place.x) + Math.abs(place.y) + Math.abs(place.z));
         }
 
         /** Whether the extents of this body or its core come within a slop of another's, anywhere on a motion that ends where it is. */

@@ -1,8 +1,14 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
+    import starlogo.agents.warnOfInside;
     import starlogo.convex.ContactPoint;
     import starlogo.data.NumberList;
+    import starlogo.engine;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+
+    use namespace engine;
 
     /**
      * Moves a body out of what it overlaps or touches: at the beginning of a motion (leaveOverlaps), and at its end off what it only touches
@@ -32,6 +38,9 @@ package starlogo.queries.motion
 
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
+
+        // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
+        private static const WITH_ROOM:Number = 2.1;
 
         private var _before:Vector3D = new Vector3D();
 
@@ -127,9 +136,9 @@ package starlogo.queries.motion
                 {
                     continue;
                 }
-                body.warnIfInside(row, _contact);
+                warnIfInside(body, row, _contact);
                 _contact.depth += body.core.clearance;
-                if (body.isExitShort(row, _contact))
+                if (isExitShort(body, row, _contact))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > out.depth)
@@ -139,6 +148,38 @@ package starlogo.queries.motion
                 }
             }
             return sum;
+        }
+
+        // Whether a contact leads out of a row by a short way. The shortest way out of a tree may lead through a wall of the tree if it is longer than the
+        // way to the middle of the body.
+        private static function isExitShort(body:MovingBody, row:int, contact:ContactPoint):Boolean
+        {
+            return body.bodyOf(row).form != ModelShape.TREE || contact.depth <= halfAlong(body.source, contact);
+        }
+
+        // Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
+        // too of one that begins with all of the body inside of another structure, and with room to spare, as that around a level.
+        private static function warnIfInside(body:MovingBody, row:int, contact:ContactPoint):void
+        {
+            var form:int = body.bodyOf(row).form;
+            var isTree:Boolean = form == ModelShape.TREE;
+            var source:Body = body.source;
+            var least:Number = halfAlong(source, contact);
+            if (!isTree)
+            {
+                least *= WITH_ROOM;
+            }
+            if (form != ModelShape.GROUND && contact.depth > least)
+            {
+                var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
+                warnOfInside(body.agents, row, source.shape.modelName, source.placement, below, contact.depth, isTree);
+            }
+        }
+
+        // Half of the extent of the box around a body, along a contact's normal.
+        private static function halfAlong(body:Body, contact:ContactPoint):Number
+        {
+            return Math.abs(contact.normalX) * body.halfX + Math.abs(contact.normalY) * body.halfY + Math.abs(contact.normalZ) * body.halfZ;
         }
 
         // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
@@ -160,7 +201,7 @@ package starlogo.queries.motion
                 if (touches && narrowOrFindDeep(body, row, place, isOfAll, _contact))
                 {
                     planes.add(_contact, row);
-                    body.warnIfInside(row, _contact);
+                    warnIfInside(body, row, _contact);
                 }
                 else
                 {

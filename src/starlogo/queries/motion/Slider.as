@@ -3,7 +3,6 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.data.NumberList;
-    import starlogo.queries.SeenAgents;
 
     /**
      * Moves a body among rows of a table, along the rows that it meets. It begins like a motion of the Mover.
@@ -21,7 +20,7 @@ package starlogo.queries.motion
         // A slide ends after this many iterations.
         private static const MOST_ITERATIONS:int = 8;
 
-        private var _sweep:CoreSweep;
+        private var _sweep:CoreSweep = new CoreSweep();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
         // What is left of the motion, what is met first on that, and what is met first without one of the planes.
@@ -31,12 +30,6 @@ package starlogo.queries.motion
 
         // How the beginning lifts the body. A slide goes on from there.
         private var _lift:StartLift = new StartLift();
-
-        /** @param seen has the rows, and tests which of them touch */
-        public function Slider(seen:SeenAgents)
-        {
-            _sweep = new CoreSweep(seen);
-        }
 
         /**
          * Computes a motion that slides along what it meets.
@@ -86,6 +79,7 @@ package starlogo.queries.motion
             {
                 _rest.beginCorner();
             }
+            _sweep.findTouchTime(body, place, _rest.motion, impact);
             _rest.advance(place, Math.max(impact.touchTime + body.core.clearance / impact.along, 0));
         }
 

@@ -25,9 +25,8 @@ package starlogo.queries.motion
         // A walk begins with this many pushes at most.
         private static const MOST_PUSHES:int = 8;
 
-        private var _obstacleSearch:ObstacleSearch;
-        private var _mover:Mover;
-        private var _slider:Slider;
+        private var _mover:Mover = new Mover();
+        private var _slider:Slider = new Slider();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _foothold:Foothold;
 
@@ -43,15 +42,9 @@ package starlogo.queries.motion
         private var _carried:Vector3D = new Vector3D();
         private var _overlap:ContactPoint = new ContactPoint();
 
-        /**
-         * @param seen has the rows
-         * @param search finds the rows near a walk
-         */
-        public function WalkMover(seen:SeenAgents, search:ObstacleSearch)
+        /** @param seen has the rows */
+        public function WalkMover(seen:SeenAgents)
         {
-            _obstacleSearch = search;
-            _mover = new Mover(seen);
-            _slider = new Slider(seen);
             _foothold = new Foothold(seen);
         }
 
@@ -59,7 +52,7 @@ package starlogo.queries.motion
         public function findNear(walk:Walk, distance:Number):void
         {
             // the range has the way in it, whatever its direction
-            _obstacleSearch.findWithin(walk.body, walk.range + distance, walk.pieces * walk.options.stepHeight,
+            walk.body.findRowsWithin(walk.range + distance, walk.pieces * walk.options.stepHeight,
                     walk.pieces * walk.options.snap + walk.options.fall, walk.agent, walk.options.filter);
         }
 

@@ -16,6 +16,7 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.penetration.GroundExitSearch;
     import starlogo.search.penetration.PenetrationSearch;
     import starlogo.search.TreeLimits;
 
@@ -45,7 +46,8 @@ package starlogo.search.pairs
         public function GroundPairTests(limits:TreeLimits)
         {
             _limits = limits;
-            _separation = new PenetrationSearch(new DisplacedGroundPair(this));
+            var pair:DisplacedGroundPair = new DisplacedGroundPair(this);
+            _separation = new PenetrationSearch(pair, new GroundExitSearch(pair));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -63,8 +65,7 @@ package starlogo.search.pairs
             _extents.halfX = a.halfX;
             _extents.halfY = a.halfY;
             _extents.halfZ = a.halfZ;
-            _earlyOut.begin(gridOf(b));
-            var found:int = _earlyOut.decide(_extents, a.form);
+            var found:int = _earlyOut.decide(gridOf(b), _extents, a.form);
             return found == GroundEarlyOut.UNKNOWN ? overlap(a, b) : found == GroundEarlyOut.TOUCHING;
         }
 

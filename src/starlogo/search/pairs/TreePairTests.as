@@ -12,6 +12,7 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.PenetrationSearch;
+    import starlogo.search.penetration.TreeExitSearch;
     import starlogo.search.SearchCounts;
     import starlogo.search.TreeLimits;
     import starlogo.solid.TreeDistanceQuery;
@@ -52,7 +53,8 @@ package starlogo.search.pairs
             this.limits = limits;
             _impacts = new TreeImpactQuery(_pair, _overlaps, _counts);
             _distances = new TreeDistanceQuery(_counts);
-            _separation = new PenetrationSearch(new DisplacedTreePair(this, false), new DisplacedTreePair(this, true));
+            var pair:DisplacedTreePair = new DisplacedTreePair(this, false);
+            _separation = new PenetrationSearch(pair, new TreeExitSearch(pair, new DisplacedTreePair(this, true)));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */

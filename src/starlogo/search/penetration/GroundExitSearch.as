@@ -3,6 +3,7 @@ package starlogo.search.penetration
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.search.Body;
 
     /**
      * Finds a short way out of the ground. An agent in the ground may have many. Its contact may have a lower bound of their lengths
@@ -13,8 +14,10 @@ package starlogo.search.penetration
      * walls do, and the ground ends at edges, where a push out of the whole plane is longer than needed. So a push that does not free the agent is
      * changed: it goes as far along the ground, and from there as high as the agent has to be lifted. The shortest of these ways is taken if no push
      * is shorter. One sweep down finds each lift, because all places above a free one are free.</p>
+     *
+     * @private
      */
-    internal final class GroundExitSearch
+    public final class GroundExitSearch extends ExitSearch
     {
         // The most pushes that are tried.
         private static const MOST_PUSHES:int = 80;
@@ -29,7 +32,8 @@ package starlogo.search.penetration
         private var _directions:DirectionSearch;
         private var _pushOut:PushOut;
 
-        // The contacts with which other ways begin, and the displacement that is tried.
+        // The contact of the two, the contacts with which other ways begin, and the displacement that is tried.
+        private var _first:ContactPoint = new ContactPoint();
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
         private var _tried:Displacement = new Displacement();
 
@@ -40,27 +44,24 @@ package starlogo.search.penetration
         private var _down:RelativeMotion = new RelativeMotion();
         private var _offset:Vector3D = new Vector3D();
 
-        /**
-         * @param pair a body and the ground; it has begun when a method is called
-         * @param directions finds the length of a way that ends with a lift
-         * @param pushOut pushes the body out of contacts
-         */
-        public function GroundExitSearch(pair:DisplacedPair, directions:DirectionSearch, pushOut:PushOut)
+        /** @param pair a body and the ground; it has begun when a method is called */
+        public function GroundExitSearch(pair:DisplacedPair)
         {
             _pair = pair;
-            _directions = directions;
-            _pushOut = pushOut;
+            _directions = new DirectionSearch(pair);
+            _pushOut = new PushOut(pair, _directions);
         }
 
         /**
-         * Finds a way out. The push out of one contact after the other is taken if no way is clearly shorter. Otherwise it looks farther and farther
-         * for other ways, and for ways that end with a lift. The first of these goes straight up, above all ground around.
+         * The push out of one contact after the other is taken if no way is clearly shorter. Otherwise it looks farther and farther for other ways, and
+         * for ways that end with a lift. The first of these goes straight up, above all ground around.
          *
-         * @param first the contact of the two
-         * @param out receives the normal and the depth
+         * @inheritDoc
          */
-        public function find(first:ContactPoint, out:ContactPoint):void
+        override public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
+            var first:ContactPoint = _first;
+            first.copyFrom(out);
             out.depth = Infinity;
             var maxDistance:Number = Math.max(DirectionSearch.IMPROVED_DEPTH * _pair.extent, Math.min(first.depth, _pair.extent));
             if (_pushOut.find(first, Math.max(first.proof.provenDepth / LEAST_SHARE_TAKEN, PushOut.ROOM * _pair.extent), out))
@@ -71,7 +72,7 @@ package starlogo.search.penetration
             _pair.findOuterContact(_outer);
             _lift.distance = _outer.depth + _pair.tolerance;
             _lift.setDirection(0, 0, 1);
-            while (!findPushOrLift(first, maxDistance, out) && maxDistance / LEAST_SHARE_TAKEN <= _lift.distance)
+            while (!findPushOrLift(maxDistance, out) && maxDistance / LEAST_SHARE_TAKEN <= _lift.distance)
             {
                 maxDistance *= FARTHER;
             }
@@ -86,9 +87,9 @@ package starlogo.search.penetration
         // Looks for the shortest push, also out of sides of the ground that are at most a distance away. Tries a lift after each other push. Takes
         // a push that frees the body if it is neither much longer than the distance nor longer than the shortest lift. Returns whether it has
         // taken one.
-        private function findPushOrLift(first:ContactPoint, maxDistance:Number, out:ContactPoint):Boolean
+        private function findPushOrLift(maxDistance:Number, out:ContactPoint):Boolean
         {
-            _pushOut.begin(first);
+            _pushOut.begin(_first);
             for (var tries:int = MOST_PUSHES; tries > 0; tries--)
             {
                 addExits(maxDistance);

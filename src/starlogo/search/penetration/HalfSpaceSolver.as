@@ -19,7 +19,7 @@ package starlogo.search.penetration
         // How much less than required a displacement may go along a normal, as a fraction of its length, because of rounding.
         private static const RELATIVE_SLACK:Number = 1e-12;
 
-        /** The number of half-spaces. */
+        /** The number of half-spaces. Read only. */
         public var count:int = 0;
 
         // By half-space: the normal, and the depth.
@@ -49,13 +49,16 @@ package starlogo.search.penetration
             count++;
         }
 
-        /** Writes a half-space as four numbers: its normal, and the depth. */
-        public function write(index:int, out:Vector.<Number>, at:int):void
+        /** Adds a half-space of another solver. */
+        public function addFrom(other:HalfSpaceSolver, index:int):void
         {
-            out[at] = _xs[index];
-            out[int(at + 1)] = _ys[index];
-            out[int(at + 2)] = _zs[index];
-            out[int(at + 3)] = _depths[index];
+            add(other._xs[index], other._ys[index], other._zs[index], other._depths[index]);
+        }
+
+        /** Removes the half-space that was added last. */
+        public function removeLast():void
+        {
+            count--;
         }
 
         /**
@@ -71,7 +74,7 @@ package starlogo.search.penetration
             _slack = slack;
             out.length = Infinity;
             out.deciding = 0;
-            out.last = -1;
+            out.numbers[0] = -1;
             _tried.setTo(0, 0, 0);
             if (leadsOut(0))
             {
@@ -133,9 +136,9 @@ package starlogo.search.penetration
                 out.displacement.copyFrom(_tried);
                 out.length = length;
                 out.deciding = deciding;
-                out.last = last;
-                out.second = second;
-                out.third = third;
+                out.numbers[0] = last;
+                out.numbers[1] = second;
+                out.numbers[2] = third;
             }
         }
 

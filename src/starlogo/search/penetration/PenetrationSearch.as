@@ -6,41 +6,26 @@ package starlogo.search.penetration
 
     /**
      * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, the two
-     * just touch, and a little farther they do not.
-     *
-     * <p>It begins with a push along the given normal (PushOut). The shortest way out of the structures around both bodies is tried too; if no
-     * push is found, it gives the direction (DirectionSearch). The ground has many sides, and a search of its own (GroundExitSearch).</p>
+     * just touch, and a little farther they do not. An ExitSearch finds the way out: TreeExitSearch or GroundExitSearch.
      *
      * @private
      */
     public final class PenetrationSearch
     {
         private var _pair:DisplacedPair;
-        private var _directions:DirectionSearch;
-        private var _pushOut:PushOut;
-        private var _groundExits:GroundExitSearch;
+        private var _exits:ExitSearch;
 
-        // The same pair if the leaves of trees decide, or null. They find every touch that triangles find, in a tenth of the time.
-        private var _leaves:DisplacedPair;
-        private var _directionsOfLeaves:DirectionSearch;
-
-        // The first contact; the contact of the structures around both; and the displacement that is tried.
-        private var _first:ContactPoint = new ContactPoint();
-        private var _outer:ContactPoint = new ContactPoint();
+        // The displacement that is tried.
         private var _tried:Displacement = new Displacement();
 
         /**
-         * @param pair knows whether its bodies touch, and when: a pair with a tree, or with the ground
-         * @param leaves knows it by the leaves of trees; null for the ground
+         * @param pair knows whether its bodies touch, and when
+         * @param exits finds the ways out of this pair
          */
-        public function PenetrationSearch(pair:DisplacedPair, leaves:DisplacedPair = null)
+        public function PenetrationSearch(pair:DisplacedPair, exits:ExitSearch)
         {
             _pair = pair;
-            _leaves = leaves;
-            _directionsOfLeaves = new DirectionSearch(leaves);
-            _directions = new DirectionSearch(_pair);
-            _pushOut = new PushOut(_pair, _directions);
-            _groundExits = new GroundExitSearch(_pair, _directions, _pushOut);
+            _exits = exits;
         }
 
         /**
@@ -55,7 +40,7 @@ package starlogo.search.penetration
             // only a body that moves may have been stopped just before the touch
             if (!isComing(motion) || _pair.areTouching())
             {
-                findLeast(a, b, motion, out);
+                _exits.find(a, b, motion, out);
             }
             else
             {
@@ -65,6 +50,12 @@ package starlogo.search.penetration
             OverlapMiddle.movePoint(_pair.first, b, out);
             OverlapMiddle.keepWithin(_pair.first, out);
             OverlapMiddle.keepWithin(b, out);
+        }
+
+        /** Whether the first body moves, and touches the second only after the motion's beginning. */
+        internal static function isComing(motion:RelativeMotion):Boolean
+        {
+            return motion.time > 0 && !motion.isStill;
         }
 
         // Handles two bodies that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
@@ -77,62 +68,6 @@ package starlogo.search.penetration
             if (!_pair.testAt(_tried))
             {
                 out.pointAgainst(motion);
-            }
-        }
-
-        // Whether the first body moves, and touches the second only after the motion's beginning.
-        private static function isComing(motion:RelativeMotion):Boolean
-        {
-            return motion.time > 0 && !motion.isStill;
-        }
-
-        // Finds the shortest way out that it can. If triangles decide and the depth is more than IMPROVED_DEPTH, the leaves find a direction
-        // first, because their tests are fast.
-        private function findLeast(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
-        {
-            _first.copyFrom(out);
-            if (_pair.isSecondGround)
-            {
-                _groundExits.find(_first, out);
-                return;
-            }
-            out.depth = Infinity;
-            _pushOut.find(_first, Infinity, out);
-            if (isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
-            {
-                _first.pointAgainst(motion);
-                _first.depth = 0;
-                _pushOut.find(_first, DirectionSearch.GAIN * out.depth, out);
-            }
-            if (out.depth == 0)
-            {
-                return;
-            }
-            if (_pair.haveTriangles && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
-            {
-                _leaves.begin(a, b, motion);
-                tryOuter(_leaves, _directionsOfLeaves, out);
-                _directions.findAlong(out, out);
-                return;
-            }
-            tryOuter(_pair, _directions, out);
-        }
-
-        // Tries to go straight along the shortest way out of the structures around both bodies of a pair.
-        private function tryOuter(pair:DisplacedPair, directions:DirectionSearch, out:ContactPoint):void
-        {
-            pair.putBack();
-            pair.findOuterContact(_outer);
-            if (out.depth == Infinity)
-            {
-                directions.findAlong(_outer, out);
-                return;
-            }
-            _tried.setDirection(_outer.normalX, _outer.normalY, _outer.normalZ);
-            _tried.distance = out.depth - pair.tolerance;
-            if (_tried.distance > 0 && !pair.testAt(_tried))
-            {
-                directions.shorten(_tried, out);
             }
         }
     }

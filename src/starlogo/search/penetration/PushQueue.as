@@ -14,51 +14,36 @@ package starlogo.search.penetration
         // The most pushes that are kept.
         private static const MOST:int = 256;
 
-        // The numbers of a push: its vector, its length, and for each contact that decides it the normal and the depth along it. Three contacts
-        // at most decide.
-        private static const LENGTH:int = 3;
-        private static const FIRST:int = 4;
-        private static const STRIDE:int = 16;
+        // Before the first push.
+        private static const NONE:ShortestExit = new ShortestExit();
 
-        /** The current push. */
-        public var push:Vector3D = new Vector3D();
+        /** The current push; one of length 0 at first. Read only. */
+        public var push:ShortestExit = NONE;
 
-        /** Its length. */
+        /** Its length. A push in the list that was taken has the length Infinity. Read only. */
         public var length:Number = 0;
 
-        /** How many contacts decide about the current push. */
-        public var deciding:int = 0;
-
-        // The pushes. The length of one that was taken is Infinity.
-        private var _pushes:Vector.<Number> = new Vector.<Number>();
-
-        // By push: how many contacts decide about it.
-        private var _deciding:Vector.<int> = new Vector.<int>();
-
+        // The pushes, and their number. The numbers of their half-spaces are those of the contacts.
+        private var _pushes:Vector.<ShortestExit> = new Vector.<ShortestExit>();
         private var _count:int = 0;
 
-        // The number of the current push, -1 at first.
-        private var _current:int = -1;
-
-        // The new contact and those that decide about the current push, as half-spaces.
+        // All contacts of pushes as half-spaces; and of these the new contact and those that decide about the current push.
+        private var _contacts:HalfSpaceSolver = new HalfSpaceSolver();
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
-
-        // The shortest displacement out of the half-spaces.
-        private var _shortest:ShortestExit = new ShortestExit();
 
         /** Begins again, with a push of length 0. */
         public function begin():void
         {
-            _count = deciding = 0;
-            _current = -1;
+            _contacts.begin();
+            _count = 0;
             length = 0;
-            push.setTo(0, 0, 0);
+            push = NONE;
         }
 
         /** Whether the current push is the one that was added first. */
         public function get isFirst():Boolean
         {
-            return _current == 0;
+            return push === _pushes[0];
         }
 
         /** Goes on to the shortest push that is left. Returns false if there is none. */
@@ -67,20 +52,17 @@ package starlogo.search.penetration
             length = Infinity;
             for (var i:int = 0; i < _count; i++)
             {
-                if (_pushes[int(STRIDE * i + LENGTH)] < length)
+                if (_pushes[i].length < length)
                 {
-                    length = _pushes[int(STRIDE * i + LENGTH)];
-                    _current = i;
+                    push = _pushes[i];
+                    length = push.length;
                 }
             }
-            var at:int = STRIDE * _current;
             if (length == Infinity)
             {
                 return false;
             }
-            push.setTo(_pushes[at], _pushes[int(at + 1)], _pushes[int(at + 2)]);
-            _pushes[int(at + LENGTH)] = Infinity;
-            deciding = _deciding[_current];
+            push.length = Infinity;
             return true;
         }
 
@@ -92,55 +74,46 @@ package starlogo.search.penetration
         public function add(contact:ContactPoint, slack:Number):void
         {
             _halfSpaces.begin();
-            for (var i:int = 0; i < deciding; i++)
+            for (var i:int = 0; i < push.deciding; i++)
             {
-                var at:int = STRIDE * _current + FIRST + 4 * i;
-                _halfSpaces.add(_pushes[at], _pushes[int(at + 1)], _pushes[int(at + 2)], _pushes[int(at + 3)]);
+                _halfSpaces.addFrom(_contacts, push.numbers[i]);
                 slack *= 2;
             }
-            var along:Number = contact.normalX * push.x + contact.normalY * push.y + contact.normalZ * push.z;
-            _halfSpaces.add(contact.normalX, contact.normalY, contact.normalZ, contact.depth + slack + along);
-            // if the new contact does not decide, the current push is out of it, and leads nowhere
-            if (_count < MOST && _halfSpaces.solve(3, 0, _shortest) && _shortest.last == deciding && isNew(slack))
+            var along:Number = contact.along(push.displacement);
+            _contacts.add(contact.normalX, contact.normalY, contact.normalZ, contact.depth + slack + along);
+            _halfSpaces.addFrom(_contacts, _contacts.count - 1);
+            if (_count == _pushes.length)
             {
-                keep();
+                _pushes.push(new ShortestExit());
+            }
+            var found:ShortestExit = _pushes[_count];
+            // if the new contact does not decide, the current push is out of it, and leads nowhere
+            if (_count < MOST && _halfSpaces.solve(3, 0, found) && found.numbers[0] == push.deciding && isNew(found.displacement, slack))
+            {
+                found.numbers[0] = _contacts.count - 1;
+                found.numbers[1] = push.numbers[found.numbers[1]];
+                found.numbers[2] = push.numbers[found.numbers[2]];
+                _count++;
+            }
+            else
+            {
+                _contacts.removeLast();
             }
         }
 
-        // Whether the shortest push differs from all others, except the current one, by more than the slack.
-        private function isNew(slack:Number):Boolean
+        // Whether a displacement differs from all pushes, except the current one, by more than the slack.
+        private function isNew(displacement:Vector3D, slack:Number):Boolean
         {
             for (var i:int = 0; i < _count; i++)
             {
-                var at:int = STRIDE * i;
-                var off:Number = Math.abs(_pushes[at] - _shortest.displacement.x) + Math.abs(_pushes[int(at + 1)] - _shortest.displacement.y)
-                    + Math.abs(_pushes[int(at + 2)] - _shortest.displacement.z);
-                if (off <= slack && i != _current)
+                var other:Vector3D = _pushes[i].displacement;
+                var off:Number = Math.abs(other.x - displacement.x) + Math.abs(other.y - displacement.y) + Math.abs(other.z - displacement.z);
+                if (off <= slack && _pushes[i] !== push)
                 {
                     return false;
                 }
             }
             return true;
-        }
-
-        private function keep():void
-        {
-            if (_count == _deciding.length)
-            {
-                // most bodies need few pushes, so MOST would be much memory for each collider
-                _deciding.length = 2 * _count + 4;
-                _pushes.length = STRIDE * _deciding.length;
-            }
-            var at:int = STRIDE * _count;
-            _pushes[at] = _shortest.displacement.x;
-            _pushes[int(at + 1)] = _shortest.displacement.y;
-            _pushes[int(at + 2)] = _shortest.displacement.z;
-            _pushes[int(at + LENGTH)] = _shortest.length;
-            _deciding[_count] = _shortest.deciding;
-            _halfSpaces.write(_shortest.last, _pushes, at + FIRST);
-            _halfSpaces.write(_shortest.second, _pushes, at + FIRST + 4);
-            _halfSpaces.write(_shortest.third, _pushes, at + FIRST + 8);
-            _count++;
         }
     }
 }

@@ -18,9 +18,7 @@ package starlogo.search.penetration
         /** How many half-spaces decide: the displacement ends on the planes of these. */
         public var deciding:int = 0;
 
-        /** The numbers of up to three half-spaces that decide: the one that was added last, and those before it. If none decides, last is -1. */
-        public var last:int = -1;
-        public var second:int = 0;
-        public var third:int = 0;
+        /** The numbers of the half-spaces that decide: first the one that was added last, which is -1 if none decides. */
+        public var numbers:Vector.<int> = new <int>[-1, 0, 0];
     }
 }

@@ -25,9 +25,8 @@ package starlogo.queries.motion
             var random:SeededRandom = new SeededRandom(741);
             var wrong:Complaints = new Complaints();
             var seen:SeenAgents = new SeenAgents(EachCollider.make("combinations, exact", landOf(SolidModels.all())));
-            var search:ObstacleSearch = new ObstacleSearch(seen);
             var body:MovingBody = new MovingBody(seen);
-            var sweep:CoreSweep = new CoreSweep(seen);
+            var sweep:CoreSweep = new CoreSweep();
             var from:Vector3D = new Vector3D();
             var motion:Vector3D = new Vector3D();
             var row:NumberList = new NumberList();
@@ -49,7 +48,7 @@ package starlogo.queries.motion
                 body.readAgent(agents[0]);
                 from.setTo(agents[0].x, agents[0].y, agents[0].z);
                 motion.setTo(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
-                search.findAlong(body, motion, agents[0], null);
+                body.findRowsAlong(motion, agents[0], null);
                 body.beginMotion(body.rows, from, motion);
                 var found:Impact = new Impact();
                 sweep.findFirst(body, from, motion, found);
@@ -60,7 +59,7 @@ package starlogo.queries.motion
                     row.count = 0;
                     row.add(body.rows.numbers[k]);
                     body.obstacles.copyFrom(row);
-                    if (new CoreSweep(seen).findFirst(body, from, motion, alone) && alone.time < expected.time)
+                    if (new CoreSweep().findFirst(body, from, motion, alone) && alone.time < expected.time)
                     {
                         expected = alone;
                     }

@@ -36,9 +36,8 @@ package starlogo.queries.motion
         private var _structures:RandomStructures = new RandomStructures(_random);
         private var _model:Model = BuiltInModel.sphere();
         private var _seen:SeenAgents = new SeenAgents(EachCollider.make("triangles", landOf(_model)));
-        private var _search:ObstacleSearch = new ObstacleSearch(_seen);
         private var _body:MovingBody = new MovingBody(_seen);
-        private var _mover:Mover = new Mover(_seen);
+        private var _mover:Mover = new Mover();
         private var _result:MotionResult = new MotionResult();
         private var _corners:Vector.<Number> = new Vector.<Number>();
         private var _wrong:Complaints = new Complaints();
@@ -111,7 +110,7 @@ package starlogo.queries.motion
             for each (var motion:Vector3D in motions)
             {
                 _body.readStructure(new Sphere(from, 0.1));
-                _search.findAlong(_body, motion, null, null);
+                _body.findRowsAlong(motion, null, null);
                 _mover.findTouch(_body, _body.rows, from, motion, new StartLift(), _result);
                 assertTrue(motion + ": deep", _result.isDeep);
             }
@@ -136,7 +135,7 @@ package starlogo.queries.motion
                 _body.readStructure(make(middle.add(side), _structures.frame()));
                 from.setTo(_body.source.placement.x, _body.source.placement.y, _body.source.placement.z);
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
-                _search.findAlong(_body, motion, null, null);
+                _body.findRowsAlong(motion, null, null);
                 _mover.findTouch(_body, _body.rows, from, motion, new StartLift(), _result);
                 if (_result.row >= 0)
                 {

@@ -20,15 +20,14 @@ package starlogo.queries.motion
         public function aSlideWithoutAMotionHasMetNoFloorAndNoWall():void
         {
             var seen:SeenAgents = new SeenAgents(new TightestFitCollider(landOf(BuiltInModel.cube())));
-            var search:ObstacleSearch = new ObstacleSearch(seen);
-            var slider:Slider = new Slider(seen);
+            var slider:Slider = new Slider();
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var body:MovingBody = new MovingBody(seen);
             var from:Vector3D = new Vector3D(0, 0, 1.5);
             var result:SlideResult = new SlideResult();
             body.readAgent(agent);
-            search.findWithin(body, 1, 0, 0, agent, null);
+            body.findRowsWithin(1, 0, 0, agent, null);
             slider.slide(body, body.rows, from, new Vector3D(0, 0, -1), SlideLimits.NONE, result);
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
             slider.slide(body, body.rows, from, new Vector3D(), SlideLimits.NONE, result);

@@ -1,0 +1,89 @@
+package starlogo.queries.rays
+{
+    import starlogo.engine;
+    import starlogo.intersection.ray.crossStructure;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
+    import starlogo.queries.SeenAgents;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.solid.TreeRayQuery;
+
+    use namespace engine;
+
+    /**
+     * Finds all surfaces of a row that a ray crosses, as a collider sees the row. The ray is moved into the space of the row's model, as for a
+     * RowRayQuery.
+     *
+     * @private
+     */
+    public final class RowSurfaceQuery
+    {
+        private var _seen:SeenAgents;
+        private var _inModel:Ray = new Ray();
+        private var _solid:TreeRayQuery = new TreeRayQuery();
+
+        // The crossings with a row's shape, those that are surfaces, one of them, and a scratch ray.
+        private var _crossings:RayCrossings = new RayCrossings();
+        private var _surfaces:SurfaceCrossings = new SurfaceCrossings();
+        private var _entry:RayEntry = new RayEntry();
+        private var _reversed:Ray = new Ray();
+
+        /** @param seen has the rows */
+        public function RowSurfaceQuery(seen:SeenAgents)
+        {
+            _seen = seen;
+        }
+
+        /**
+         * Finds all surfaces of a row that a ray crosses.
+         *
+         * @param ray the ray in the world. A surface at exactly <code>to</code> is crossed
+         * @param out receives a hit for each surface, in the order of the ray
+         * @return whether it crosses any
+         */
+        public function findSurfaces(row:int, ray:Ray, out:Hits):Boolean
+        {
+            var body:Body = _seen.table.bodyOf(row);
+            var line:Ray = _inModel;
+            var crossings:RayCrossings = _crossings;
+            var isGround:Boolean = body.form == ModelShape.GROUND;
+            var areTriangles:Boolean = true;
+            var isMet:Boolean = false;
+            crossings.count = 0;
+            if (isGround)
+            {
+                _seen.narrowPhase.groundTestsOf(body).findCrossings(body, ray, crossings);
+            }
+            else
+            {
+                RowRayQuery.bringIntoModel(ray, body.placement, line);
+                areTriangles = line.isFinite && cross(body, line, crossings);
+            }
+            _surfaces.find(crossings, areTriangles);
+            for (var i:int = 0; i < _surfaces.indices.count; i++)
+            {
+                crossings.readEntry(_surfaces.indices.numbers[i], _entry);
+                if (isGround ? _entry.distance <= ray.to : RowRayQuery.bringBack(_entry, line, body.placement, ray))
+                {
+                    out.addEntry(row, ray, _entry);
+                    isMet = true;
+                }
+            }
+            return isMet;
+        }
+
+        // Adds the crossings of a ray in the model's space with a body's shape. Returns whether they are those of triangles.
+        private function cross(body:Body, line:Ray, out:RayCrossings):Boolean
+        {
+            var shape:ModelShape = body.shape;
+            if (shape.hierarchy != null)
+            {
+                return _solid.findAll(shape.hierarchy, _seen.narrowPhase.treeLimits.depthOf(body), _seen.narrowPhase.treeLimits.exact, line, out);
+            }
+            crossStructure(line, shape.structure, 0, _reversed, _entry, _seen.narrowPhase.convexRay, out);
+            return false;
+        }
+    }
+}

@@ -1,0 +1,89 @@
+package starlogo.search.penetration
+{
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.search.Body;
+
+    /**
+     * Finds a short way out for a pair with a tree. It pushes the first body along the given normal (PushOut). The shortest way out of the structures
+     * around both bodies is tried too; if no push is found, it gives the direction (DirectionSearch).
+     *
+     * @private
+     */
+    public final class TreeExitSearch extends ExitSearch
+    {
+        private var _pair:DisplacedPair;
+        private var _directions:DirectionSearch;
+        private var _pushOut:PushOut;
+
+        // The same pair if the leaves of trees decide. They find every touch that triangles find, in a tenth of the time.
+        private var _leaves:DisplacedPair;
+        private var _directionsOfLeaves:DirectionSearch;
+
+        // The first contact; the contact of the structures around both; and the displacement that is tried.
+        private var _first:ContactPoint = new ContactPoint();
+        private var _outer:ContactPoint = new ContactPoint();
+        private var _tried:Displacement = new Displacement();
+
+        /**
+         * @param pair a pair with a tree; it has begun when a method is called
+         * @param leaves knows the pair by the leaves of trees
+         */
+        public function TreeExitSearch(pair:DisplacedPair, leaves:DisplacedPair)
+        {
+            _pair = pair;
+            _leaves = leaves;
+            _directions = new DirectionSearch(pair);
+            _directionsOfLeaves = new DirectionSearch(leaves);
+            _pushOut = new PushOut(pair, _directions);
+        }
+
+        /**
+         * If triangles decide and the depth is more than IMPROVED_DEPTH, the leaves find a direction first, because their tests are fast.
+         *
+         * @inheritDoc
+         */
+        override public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _first.copyFrom(out);
+            out.depth = Infinity;
+            _pushOut.find(_first, Infinity, out);
+            if (PenetrationSearch.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
+            {
+                _first.pointAgainst(motion);
+                _first.depth = 0;
+                _pushOut.find(_first, DirectionSearch.GAIN * out.depth, out);
+            }
+            if (out.depth == 0)
+            {
+                return;
+            }
+            if (_pair.haveTriangles && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
+            {
+                _leaves.begin(a, b, motion);
+                tryOuter(_leaves, _directionsOfLeaves, out);
+                _directions.findAlong(out, out);
+                return;
+            }
+            tryOuter(_pair, _directions, out);
+        }
+
+        // Tries to go straight along the shortest way out of the structures around both bodies of a pair.
+        private function tryOuter(pair:DisplacedPair, directions:DirectionSearch, out:ContactPoint):void
+        {
+            pair.putBack();
+            pair.findOuterContact(_outer);
+            if (out.depth == Infinity)
+            {
+                directions.findAlong(_outer, out);
+                return;
+            }
+            _tried.setDirection(_outer.normalX, _outer.normalY, _outer.normalZ);
+            _tried.distance = out.depth - pair.tolerance;
+            if (_tried.distance > 0 && !pair.testAt(_tried))
+            {
+                directions.shorten(_tried, out);
+            }
+        }
+    }
+}

@@ -34,25 +34,25 @@ package starlogo.agents
             sChanges++;
         }
 
-        /** @copy NameNumbers#count */
+        /** The number of names so far. */
         public static function get count():int
         {
             return NUMBERS.count;
         }
 
-        /** @copy NameNumbers#numberOf() */
+        /** The number of a name, from 0. A new name gets the next number. */
         public static function numberOf(name:String):int
         {
             return NUMBERS.numberOf(name);
         }
 
-        /** @copy NameNumbers#knownNumberOf() */
+        /** The number of a name; -1 if it has none yet. */
         public static function knownNumberOf(name:String):int
         {
             return NUMBERS.knownNumberOf(name);
         }
 
-        /** @copy NameNumbers#nameOf() */
+        /** The name for a number. */
         public static function nameOf(number:int):String
         {
             return NUMBERS.nameOf(number);

@@ -60,7 +60,7 @@ package starlogo.agents
         engine static const ANY_KIND:int = -1;
 
         /** @private The numbers of the names of models. */
-        engine static const MODELS:NameNumbers = new NameNumbers([]);
+        engine static const MODELS:NameNumbers = new NameNumbers(new Vector.<String>());
 
         private static var sCreated:int = 0;
         private static var sMatrix:Vector.<Number> = new Matrix3D().rawData;

@@ -18,7 +18,7 @@ package starlogo.agents
 
         // The first names are those of the ground and of the edges.
         private static const OF_WORLD:int = 2;
-        private static const NUMBERS:NameNumbers = new NameNumbers([TERRAIN, EDGE, ""]);
+        private static const NUMBERS:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ""]);
 
         private static var sChanges:int = 0;
 

@@ -15,11 +15,11 @@ package starlogo.agents
         private var _last:int = 0;
 
         /** @param first the names that have the first numbers */
-        public function NameNumbers(first:Array)
+        public function NameNumbers(first:Vector.<String>)
         {
-            for each (var name:String in first)
+            for (var i:int = 0; i < first.length; i++)
             {
-                add(name);
+                add(first[i]);
             }
         }
 

@@ -1,9 +1,9 @@
-// This room has what a game moves: agents, and the numbers of their breeds. The rooms from search on read it. Read this file first.
+// This room has what a game moves: agents, how they are turned (Turn), and the numbers of the names of their breeds and models (NameNumbers). The
+// rooms from search on read it. Read this file first.
 // This file is long because an agent has many traits, and each one's contract stands at the trait.
 package starlogo.agents
 {
     import flash.geom.Matrix3D;
-    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -59,17 +59,10 @@ package starlogo.agents
         /** @private For <code>structureKind</code>: the tightest structure of any kind. */
         engine static const ANY_KIND:int = -1;
 
+        /** @private The numbers of the names of models. */
+        engine static const MODELS:NameNumbers = new NameNumbers(new Vector.<String>());
+
         private static var sCreated:int = 0;
-        private static var sTurned:Placement = new Placement();
-        private static var sAngles:Vector3D = new Vector3D();
-        // How far a quaternion's length may be from 1 if its numbers are kept as they are.
-        private static const NEARLY_UNIT:Number = 1e-6;
-
-        // What has turned an agent: angles, a quaternion, or angles and then a quaternion of the same rotation. The numbers stand in snapshots.
-        private static const BY_ANGLES:int = 0;
-        private static const BY_QUATERNION:int = 1;
-        private static const BY_BOTH:int = 2;
-
         private static var sMatrix:Vector.<Number> = new Matrix3D().rawData;
 
         /** @private The agent's place in the world. Its rotation may be stale: see <code>worldPlacement</code>. */
@@ -83,13 +76,10 @@ package starlogo.agents
         engine var revision:int = 0;
 
         /**
-         * @private Counts changes of the agent's body, except of its place: of the turn, the size, <code>traversalDepth</code>, and what
-         * <code>shapeRevision</code> counts.
+         * @private Counts changes of the agent's body, except of its place: of the model, the way it collides, the turn, the size, and
+         * <code>traversalDepth</code>.
          */
         engine var bodyRevision:int = 0;
-
-        /** @private Counts changes of which shape the agent has: of its model, and of the way it collides. */
-        engine var shapeRevision:int = 0;
 
         /** @private The revision that the last jump made. The agent has no motion up to this revision. */
         engine var jumpRevision:int = -1;
@@ -99,6 +89,9 @@ package starlogo.agents
 
         /** @private The number of the breed's name. */
         engine var breedNumber:int;
+
+        /** @private The number of the model's name in MODELS. -1 in the constructor. */
+        engine var modelNumber:int = -1;
 
         /** @private The value of <code>traversalDepth</code>, without a call. */
         engine var depthLimit:int = 0;
@@ -126,18 +119,8 @@ package starlogo.agents
         /** The agent's colour, with the client's colour numbers. It has no effect on collisions. */
         public var color:Number = 0;
 
-        private var _shape:String;
         private var _hierarchical:Boolean = false;
-        private var _heading:Number = 0;
-        private var _pitch:Number = 0;
-        private var _roll:Number = 0;
-
-        // The numbers of the last setQuaternion(). Null before the first one.
-        private var _quaternion:Vector.<Number> = null;
-        private var _turnedBy:int = BY_ANGLES;
-
-        // Whether the rotation has to be computed from the angles, or if a quaternion has turned the agent, the angles from the rotation.
-        private var _isStale:Boolean = false;
+        private var _turn:Turn;
 
         /**
          * Creates an agent of size 1 at the origin.
@@ -152,7 +135,8 @@ package starlogo.agents
             requireBreed(breed);
             idNumber = newId();
             breedNumber = Breeds.numberOf(breed);
-            _shape = shape;
+            modelNumber = MODELS.numberOf(shape);
+            _turn = new Turn(placement);
         }
 
         /** @private Counts a new agent, and returns its id. */
@@ -188,16 +172,16 @@ package starlogo.agents
         /** The name of the agent's model. */
         public function get shape():String
         {
-            return _shape;
+            return MODELS.nameOf(modelNumber);
         }
 
         public function set shape(value:String):void
         {
             requireName("shape", value);
-            if (value != _shape)
+            var other:int = MODELS.numberOf(value);
+            if (other != modelNumber)
             {
-                _shape = value;
-                shapeRevision++;
+                modelNumber = other;
                 countBodyChange();
             }
         }
@@ -259,40 +243,40 @@ package starlogo.agents
         /** The turn about the z axis in degrees, counter-clockwise seen from above. Any finite number. */
         public function get heading():Number
         {
-            findAngles();
-            return _heading;
+            _turn.findAngles();
+            return _turn.heading;
         }
 
         public function set heading(value:Number):void
         {
-            findAngles();
-            turnTo(value, _pitch, _roll);
+            _turn.findAngles();
+            turnTo(value, _turn.pitch, _turn.roll);
         }
 
         /** The turn about the world's y axis in degrees, before the heading. Any finite number. */
         public function get pitch():Number
         {
-            findAngles();
-            return _pitch;
+            _turn.findAngles();
+            return _turn.pitch;
         }
 
         public function set pitch(value:Number):void
         {
-            findAngles();
-            turnTo(_heading, value, _roll);
+            _turn.findAngles();
+            turnTo(_turn.heading, value, _turn.roll);
         }
 
         /** The turn about the world's x axis in degrees, before the pitch. Any finite number. */
         public function get roll():Number
         {
-            findAngles();
-            return _roll;
+            _turn.findAngles();
+            return _turn.roll;
         }
 
         public function set roll(value:Number):void
         {
-            findAngles();
-            turnTo(_heading, _pitch, value);
+            _turn.findAngles();
+            turnTo(_turn.heading, _turn.pitch, value);
         }
 
         /** The uniform scale of the model, from SMALLEST_SIZE to LARGEST_SIZE. With 1 the agent is one patch wide. */
@@ -386,38 +370,14 @@ package starlogo.agents
             requireFinite("a quaternion's y", y);
             requireFinite("a quaternion's z", z);
             requireFinite("a quaternion's w", w);
-            var largest:Number = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.max(Math.abs(z), Math.abs(w)));
-            if (largest == 0)
+            if (x == 0 && y == 0 && z == 0 && w == 0)
             {
                 throw new RangeError(this + ": a quaternion must not be 0");
             }
-            var overX:Number = x / largest;
-            var overY:Number = y / largest;
-            var overZ:Number = z / largest;
-            var overW:Number = w / largest;
-            var length:Number = Math.sqrt(overX * overX + overY * overY + overZ * overZ + overW * overW);
-            if (!(Math.abs(largest * length - 1) <= NEARLY_UNIT))
+            if (_turn.setQuaternion(x, y, z, w))
             {
-                setQuaternion(overX / length, overY / length, overZ / length, overW / length);
-                return;
-            }
-            sTurned.setQuaternion(overX / length, overY / length, overZ / length, overW / length);
-            if (!worldPlacement().hasRotationOf(sTurned))
-            {
-                placement.copyRotation(sTurned);
-                _turnedBy = BY_QUATERNION;
-                _isStale = true;
                 countBodyChange();
             }
-            else if (_turnedBy == BY_ANGLES)
-            {
-                _turnedBy = BY_BOTH;
-            }
-            _quaternion ||= new Vector.<Number>(4, true);
-            _quaternion[0] = x;
-            _quaternion[1] = y;
-            _quaternion[2] = z;
-            _quaternion[3] = w;
         }
 
         /**
@@ -432,15 +392,7 @@ package starlogo.agents
         public function getQuaternion(out:Vector.<Number> = null):Vector.<Number>
         {
             out ||= new Vector.<Number>(4);
-            if (_turnedBy == BY_ANGLES)
-            {
-                worldPlacement().readQuaternion(out);
-                return out;
-            }
-            for (var i:int = 0; i < 4; i++)
-            {
-                out[i] = _quaternion[i];
-            }
+            _turn.readQuaternion(out);
             return out;
         }
 
@@ -502,7 +454,6 @@ package starlogo.agents
             if (value != _hierarchical)
             {
                 _hierarchical = value;
-                shapeRevision++;
                 countBodyChange();
             }
         }
@@ -560,7 +511,6 @@ package starlogo.agents
             if (kind != structureKind)
             {
                 structureKind = kind;
-                shapeRevision++;
                 countBodyChange();
             }
         }
@@ -593,71 +543,34 @@ package starlogo.agents
         /** The class, id, breed and shape, as errors name the agent. */
         public function toString():String
         {
-            if (_shape == null)
+            if (modelNumber < 0)
             {
                 return "a new agent";
             }
-            return "agent " + idNumber + " (breed \"" + breed + "\", shape \"" + _shape + "\")";
+            return "agent " + idNumber + " (breed \"" + breed + "\", shape \"" + shape + "\")";
         }
 
         /** @private The agent's place in the world. Its rotation is up to date. */
         engine function worldPlacement():Placement
         {
-            if (_isStale && _turnedBy == BY_ANGLES)
-            {
-                placement.setRotation(_heading, _pitch, _roll);
-                _isStale = false;
-            }
+            _turn.findRotation();
             return placement;
         }
 
-        /** @private Writes what has turned the agent, and by how much. */
+        /** @private See Turn.write(). */
         engine function writeTurn(bytes:ByteArray):void
         {
-            bytes.writeByte(_turnedBy);
-            if (_turnedBy != BY_QUATERNION)
-            {
-                bytes.writeDouble(_heading);
-                bytes.writeDouble(_pitch);
-                bytes.writeDouble(_roll);
-            }
-            for (var i:int = 0; _turnedBy != BY_ANGLES && i < 4; i++)
-            {
-                bytes.writeDouble(_quaternion[i]);
-            }
+            _turn.write(bytes);
         }
 
-        /**
-         * @private Turns the agent as another one was when <code>writeTurn()</code> wrote it, to the last bit.
-         *
-         * @throws RangeError if the bytes are no turn
-         */
+        /** @private See Turn.read(). */
         engine function readTurn(bytes:ByteArray):void
         {
-            var by:int = bytes.readUnsignedByte();
-            if (by > BY_BOTH)
-            {
-                throw new RangeError(this + ": there is no turn of kind " + by);
-            }
-            if (by != BY_QUATERNION)
-            {
-                turnTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
-                // the angles may have been these, and a quaternion of the same rotation
-                _turnedBy = BY_ANGLES;
-            }
-            if (by != BY_ANGLES)
-            {
-                setQuaternion(bytes.readDouble(), bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
-            }
-            if (by == BY_QUATERNION && _turnedBy != BY_QUATERNION)
-            {
-                // the angles happen to make the same rotation
-                _turnedBy = BY_QUATERNION;
-                _isStale = true;
-            }
+            _turn.read(bytes, this);
         }
 
-        private function turnTo(heading:Number, pitch:Number, roll:Number):void
+        /** @private Turns the agent by three angles. @throws RangeError if one is not finite; the agent is then unchanged */
+        engine function turnTo(heading:Number, pitch:Number, roll:Number):void
         {
             if (!isFinite(heading + pitch + roll))
             {
@@ -665,28 +578,9 @@ package starlogo.agents
                 requireFinite("pitch", pitch);
                 requireFinite("roll", roll);
             }
-            if (heading == _heading && pitch == _pitch && roll == _roll && _turnedBy != BY_QUATERNION)
+            if (_turn.setAngles(heading, pitch, roll))
             {
-                return;
-            }
-            _turnedBy = BY_ANGLES;
-            _heading = heading;
-            _pitch = pitch;
-            _roll = roll;
-            _isStale = true;
-            countBodyChange();
-        }
-
-        // It takes three arctangents, and most games that turn by quaternions never read the angles. So they are computed only when needed.
-        private function findAngles():void
-        {
-            if (_isStale && _turnedBy == BY_QUATERNION)
-            {
-                placement.readAngles(sAngles);
-                _heading = sAngles.z;
-                _pitch = sAngles.y;
-                _roll = sAngles.x;
-                _isStale = false;
+                countBodyChange();
             }
         }
 
@@ -717,7 +611,7 @@ package starlogo.agents
         private function requireBreed(value:String):void
         {
             requireName("breed", value);
-            if (value == Breeds.TERRAIN || value == Breeds.EDGE || (_shape != null && isOfWorld))
+            if (value == Breeds.TERRAIN || value == Breeds.EDGE || (modelNumber >= 0 && isOfWorld))
             {
                 throw new ArgumentError(this + ": breed must not be \"" + value + "\": only the ground and the edges of the world have such a breed, and they keep it");
             }

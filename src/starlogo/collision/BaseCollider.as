@@ -11,7 +11,6 @@ package starlogo.collision
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -137,10 +136,9 @@ package starlogo.collision
         engine function findPairs(input:FrameInput, foreign:ForeignPairs, counts:CollisionStatistics):FoundPairs
         {
             var start:Number = getTimer();
-            var hasGround:Boolean = input.world[ListedAgents.GROUND_ROW] != null;
-            if (hasGround || input.world[ListedAgents.EDGES_ROW] != null)
+            if (input.ground != null || input.edges != null)
             {
-                var what:String = hasGround ? "a terrain needs" : "bounds need";
+                var what:String = input.ground != null ? "a terrain needs" : "bounds need";
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
             foreign.begin(input.agents);

@@ -105,7 +105,7 @@ package starlogo.collision
                 by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            _input.setTo(agents, interests, FrameInput.NO_WORLD);
+            _input.setTo(agents, interests, null, null);
             var pairs:FoundPairs = find(by, _input, false);
             if (_phase != HANDLING)
             {

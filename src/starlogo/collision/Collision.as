@@ -21,7 +21,6 @@ package starlogo.collision
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.table.ListedAgents;
     import starlogo.search.WorldAgent;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
@@ -91,7 +90,6 @@ package starlogo.collision
         private var _calls:HandlerCalls = new HandlerCalls();
         private var _input:FrameInput = new FrameInput();
         private var _foreign:ForeignPairs = new ForeignPairs();
-        private var _world:Vector.<WorldAgent> = new <WorldAgent>[null, null];
         private var _snapshots:Snapshots = new Snapshots();
 
         // The system of the frame under way, or null. Its collider stays reserved until the frame's end.
@@ -327,7 +325,7 @@ package starlogo.collision
             }
             var searched:Collider = _lastFrame.collider || _system.equivalentCollider;
             return _snapshots.write(_touches, searched.search.table, _lastFrame.agents, _lastFrame.collider == _system.equivalentCollider,
-                    kindOfSystem(), presentWorld(), withTraits, withGround);
+                    kindOfSystem(), ground, edges, withTraits, withGround);
         }
 
         /**
@@ -348,7 +346,7 @@ package starlogo.collision
             requireGiven("bytes", bytes);
             requireGiven("agents", agents);
             var collider:Collider = _system.equivalentCollider;
-            _touches = _snapshots.read(bytes, agents, collider.search, kindOfSystem(), presentWorld());
+            _touches = _snapshots.read(bytes, agents, collider.search, kindOfSystem(), ground, edges);
             collider.takeContactsFromFrame();
             _lastFrame.keep(agents, collider);
             _lastFrame.hasFailed = false;
@@ -377,7 +375,7 @@ package starlogo.collision
         {
             var touches:TouchTracker = _touches;
             _handlers.begin(agents);
-            _input.setTo(agents, _handlers.interests, presentWorld());
+            _input.setTo(agents, _handlers.interests, ground, edges);
             if (filter != null)
             {
                 _input.askFilter(filter);
@@ -431,12 +429,14 @@ package starlogo.collision
             return _system.equivalentCollider.narrowPhase.choice.system;
         }
 
-        // The agents of the ground and of the edges as they are now.
-        private function presentWorld():Vector.<WorldAgent>
+        private function get ground():WorldAgent
         {
-            _world[ListedAgents.GROUND_ROW] = terrain == null ? null : terrain.worldAgent;
-            _world[ListedAgents.EDGES_ROW] = bounds == null ? null : bounds.worldAgent;
-            return _world;
+            return terrain == null ? null : terrain.worldAgent;
+        }
+
+        private function get edges():WorldAgent
+        {
+            return bounds == null ? null : bounds.worldAgent;
         }
     }
 }

@@ -102,7 +102,7 @@ package starlogo.queries
             var found:NarrowPhase = _source.findNarrowPhase();
             var next:AgentTable = found === _narrowPhase ? _table : newTable(found);
             next.read(agents);
-            next.readWorldAgent(ListedAgents.GROUND_ROW, terrain == null ? null : terrain.worldAgent);
+            next.readWorld(terrain == null ? null : terrain.worldAgent, null);
             _table = next;
             if (found !== _narrowPhase)
             {
@@ -249,7 +249,7 @@ package starlogo.queries
          */
         engine function treeOfExtents():RowTree
         {
-            _table.readWorld();
+            _table.refreshWorld();
             return build(_extents, _table.extents);
         }
 

@@ -5,6 +5,7 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.data.HashTable;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
@@ -33,20 +34,17 @@ package starlogo.search
         /** @private For <code>system</code>: a CombinationCollider. */
         engine static const COMBINATION:int = 4;
 
-        // A text stands before each key, because a model may be called "hasOwnProperty".
-        private static const PREFIX:String = ":";
-        private static const MOST_RECENT:int = 8;
-
         /** The models, or null if the shapes need no models. */
         public var greatLand:GreatLand;
 
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;
 
-        // The shapes of each model, by its name, as a chain. _recent has a few shapes that were needed last: finding one there allocates no key.
-        // Shapes of models with an older revision are void.
-        private var _ofModels:Object = {};
-        private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
+        // The shapes that are not void, and by the number of the model's name and the kind: the index of the shape.
+        private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+        private var _indices:HashTable = new HashTable();
+
+        // The revision of all models at which void shapes were forgotten.
         private var _seenRevision:int = -1;
 
         /**
@@ -142,43 +140,8 @@ package starlogo.search
         engine function shapeOf(agent:Agent):ModelShape
         {
             var kind:int = kindOf(agent);
-            var shape:ModelShape = findRecent(agent.shape, kind);
-            if (shape == null)
-            {
-                shape = findKept(agent.shape, kind) || newShape(agent, kind);
-                if (shape != null)
-                {
-                    _recent[Math.min(_recent.length, MOST_RECENT - 1)] = shape;
-                }
-            }
-            return shape;
-        }
-
-        // A shape that was needed lately, or null. It moves towards the front.
-        private function findRecent(modelName:String, kind:int):ModelShape
-        {
-            for (var i:int = 0; i < _recent.length; i++)
-            {
-                var shape:ModelShape = _recent[i];
-                if (shape.kind == kind && shape.modelName == modelName)
-                {
-                    _recent[i] = _recent[i >> 1];
-                    _recent[i >> 1] = shape;
-                    return shape;
-                }
-            }
-            return null;
-        }
-
-        // Any shape so far, or null.
-        private function findKept(modelName:String, kind:int):ModelShape
-        {
-            var shape:ModelShape = _ofModels[PREFIX + modelName];
-            while (shape != null && shape.kind != kind)
-            {
-                shape = shape.next;
-            }
-            return shape;
+            var index:int = _indices.valueOf(agent.modelNumber, kind);
+            return index < 0 ? newShape(agent, kind) : _shapes[index];
         }
 
         private function newShape(agent:Agent, kind:int):ModelShape
@@ -196,8 +159,7 @@ package starlogo.search
             }
             requireExtents(shape, agent);
             areSpheres = areSpheres && shape.form == BoundingStructure.SPHERE;
-            shape.next = _ofModels[PREFIX + shape.modelName];
-            _ofModels[PREFIX + shape.modelName] = shape;
+            _indices.set (agent.modelNumber, kind, _shapes.push(shape) - 1);
             return shape;
         }
 
@@ -218,24 +180,20 @@ package starlogo.search
                 return;
             }
             _seenRevision = revision;
-            var haveChanged:Boolean = false;
-            for (var key:String in _ofModels)
+            var kept:int = 0;
+            _indices.clear();
+            for (var i:int = 0; i < _shapes.length; i++)
             {
-                var shape:ModelShape = _ofModels[key];
-                if (shape.revision != revisionOf(shape.modelName))
+                var shape:ModelShape = _shapes[i];
+                shape.isVoid = shape.revision != revisionOf(shape.modelName);
+                if (!shape.isVoid)
                 {
-                    delete _ofModels[key];
-                    haveChanged = true;
-                    for (; shape != null; shape = shape.next)
-                    {
-                        shape.isVoid = true;
-                    }
+                    _indices.set (Agent.MODELS.numberOf(shape.modelName), shape.kind, kept);
+                    _shapes[kept] = shape;
+                    kept++;
                 }
             }
-            if (haveChanged)
-            {
-                _recent.length = 0;
-            }
+            _shapes.length = kept;
         }
     }
 }

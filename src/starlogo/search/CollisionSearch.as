@@ -84,8 +84,7 @@ package starlogo.search
         public function find(input:FrameInput, mayKeep:Boolean, counts:SearchCounts):FoundPairs
         {
             table.read(input.agents);
-            table.readWorldAgent(ListedAgents.GROUND_ROW, input.world[ListedAgents.GROUND_ROW]);
-            table.readWorldAgent(ListedAgents.EDGES_ROW, input.world[ListedAgents.EDGES_ROW]);
+            table.readWorld(input.ground, input.edges);
             _hasMotions = input.isAnySweeping();
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
@@ -100,25 +99,19 @@ package starlogo.search
             return _pairs;
         }
 
-        // Finds the pairs, from those of the last search if that is wanted and possible. They are kept once two searches are alike. Returns the number
-        // of members.
+        // Finds the pairs, from those of the last search if that is wanted and possible. Returns the number of members.
         private function findPairs(input:FrameInput, mayKeep:Boolean):int
         {
-            var isLikeLast:Boolean = mayKeep && _keptPairs.isLikeLast(input, _hasMotions, _narrowPhase.treeLimits);
-            if (isLikeLast && _keptPairs.find(input))
+            if (mayKeep && _keptPairs.find(input, _hasMotions, _narrowPhase.treeLimits))
             {
                 return _keptPairs.memberCount;
             }
             // also if the search throws, because the table has been read
             _keptPairs.forget();
             var members:NumberList = findAll(input);
-            if (isLikeLast)
+            if (mayKeep)
             {
-                _keptPairs.keep(members);
-            }
-            else if (mayKeep)
-            {
-                _keptPairs.note(input, _hasMotions, _narrowPhase.treeLimits);
+                _keptPairs.keep(members, input, _hasMotions, _narrowPhase.treeLimits);
             }
             return members.count;
         }
@@ -162,7 +155,7 @@ package starlogo.search
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
-            table.readWorld();
+            table.refreshWorld();
             if (table.list.rankOf(a) <= table.list.rankOf(b))
             {
                 findContactInOrder(a, b, motion, out);

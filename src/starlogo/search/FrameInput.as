@@ -14,31 +14,32 @@ package starlogo.search
      */
     public final class FrameInput
     {
-        /** For <code>world</code>: there is neither ground nor are there edges. Nothing writes to it. */
-        public static const NO_WORLD:Vector.<WorldAgent> = new <WorldAgent>[null, null];
-
         /** The list of agents. If there is a filter it is a copy, because a filter may change the game's list. */
         public var agents:Vector.<Agent> = null;
 
         /** By index in the list: whether the filter admits the agent; null without a filter. */
         public var admitted:Vector.<Boolean> = null;
 
-        /** The pairs of breeds that count; null for all. It must not be null if there is an agent of the ground or of the edges. */
+        /** The pairs of breeds that count; null for all. It must not be null if there is ground or there are edges. */
         public var interests:BreedInterests = null;
 
-        /** The agents of the ground and of the edges of the world, by their rows; null where there is none. */
-        public var world:Vector.<WorldAgent> = NO_WORLD;
+        /** The ground, or null. */
+        public var ground:WorldAgent = null;
+
+        /** The edges of the world, or null. */
+        public var edges:WorldAgent = null;
 
         // What a filter fills: the copy of the list, and its answers.
         private var _copy:Vector.<Agent> = new Vector.<Agent>();
         private var _answers:Vector.<Boolean> = new Vector.<Boolean>();
 
         /** Sets all. All agents take part. */
-        public function setTo(agents:Vector.<Agent>, interests:BreedInterests, world:Vector.<WorldAgent>):void
+        public function setTo(agents:Vector.<Agent>, interests:BreedInterests, ground:WorldAgent, edges:WorldAgent):void
         {
             this.agents = agents;
             this.interests = interests;
-            this.world = world;
+            this.ground = ground;
+            this.edges = edges;
             admitted = null;
         }
 

@@ -81,21 +81,15 @@ package starlogo.search
             _areValid = false;
         }
 
-        /**
-         * Whether a search depends on the same as the last one, and few rows have changed. Then the next search is probably like it too, so its
-         * pairs are worth keeping. The table has been read.
-         *
-         * @param anySweeps whether an agent sweeps
-         * @param limits how far trees are tested
-         */
-        public function isLikeLast(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):Boolean
+        // Whether a search depends on the same as the last one, and few rows have changed.
+        private function isLikeLast(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):Boolean
         {
             return _interests === input.interests && _interestsRevision == revisionOf(input) && _anySweeps == anySweeps
                 && _isFiltered == (input.admitted != null) && _maxDepth == depthOf(limits) && areFew(countRead());
         }
 
-        /** Notes what a search depends on, for the next one. The parameters are those of <code>isLikeLast()</code>. */
-        public function note(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
+        // Notes what a search depends on, for the next one.
+        private function note(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
         {
             _interests = input.interests;
             _interestsRevision = revisionOf(input);
@@ -105,23 +99,37 @@ package starlogo.search
         }
 
         /**
-         * Keeps the pairs of a search of all rows that is like the last one.
+         * Keeps the pairs of a search of all rows, for which <code>find()</code> has returned false. If it was like the last one and few rows had
+         * changed, the next search is probably like it too. Otherwise its pairs are not worth keeping, and it only notes what the search
+         * depended on.
          *
          * @param members the members of the search
+         * @param input as in find
+         * @param anySweeps as in find
+         * @param limits as in find
          */
-        public function keep(members:NumberList):void
+        public function keep(members:NumberList, input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
         {
+            if (!isLikeLast(input, anySweeps, limits) || !areFew(_changed.count))
+            {
+                note(input, anySweeps, limits);
+                return;
+            }
             _cells.begin(_anySweeps ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
             _areValid = true;
         }
 
         /**
-         * Finds the pairs of a search that is like the last one. Returns false if all rows have to be searched: because no pairs are kept, because too
-         * many rows have changed, or because the cells need other buckets.
+         * Finds the pairs of a search. The table has been read. Returns false if all rows have to be searched: because the search does not depend on
+         * the same as the last one, no pairs are kept, too many rows have changed, or the cells need other buckets.
+         *
+         * @param anySweeps whether an agent sweeps
+         * @param limits how far trees are tested
          */
-        public function find(input:FrameInput):Boolean
+        public function find(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):Boolean
         {
-            if (!_areValid)
+            _changed.count = 0;
+            if (!_areValid || !isLikeLast(input, anySweeps, limits))
             {
                 return false;
             }
@@ -180,7 +188,6 @@ package starlogo.search
         private function findChanged(input:FrameInput):void
         {
             var length:int = _table.list.agents.length;
-            _changed.count = 0;
             if (_marks.length < length)
             {
                 _marks.length = length;

@@ -38,9 +38,6 @@ package starlogo.search
         /** @private The revision of the model in the GreatLand. */
         internal var revision:int;
 
-        /** @private Another shape of the same model, or null. */
-        internal var next:ModelShape = null;
-
         /** @private Whether the model has a newer revision, so that this shape is void. */
         engine var isVoid:Boolean = false;
 

@@ -15,7 +15,6 @@ package starlogo.search
     import starlogo.search.pairs.StructurePairTests;
     import starlogo.search.pairs.TreePairTests;
     import starlogo.search.table.AgentTable;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -66,32 +65,54 @@ package starlogo.search
         /**
          * Keeps the candidates that touch a row, and moves them to the beginning of the list.
          *
-         * @param level has the slack of the extents, in an object because V8 would box a Number; null for the ground and the edges of the world
-         * @param row may be the ground or the edges of the world, whose extents say nothing
-         * @param others the candidates. If the row is an agent, their circles on the ground overlap the row's circle
+         * @param level has the slack of the extents, in an object because V8 would box a Number
+         * @param others the candidates. Their circles on the ground overlap the row's circle
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */
         public function keepTouching(table:AgentTable, level:BinLevel, row:int, others:Vector.<int>, count:int):int
         {
-            if (table.areSpheres && row >= ListedAgents.FIRST_LISTED)
+            if (table.areSpheres)
             {
                 return sphereTests.keepTouching(table, level, row, others, count);
             }
             var body:Body = table.bodyOf(row);
             var extents:Extents = table.extents;
-            var slack:Number = level == null ? 0 : level.slack;
+            var slack:Number = level.slack;
             // two spheres or two boxes need no test of their extents, except for the heights
             var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var isNear:Boolean = body.isOfWorld
-                    || (table.shapes[other].form == quickForm ? areHeightsNear(extents, slack, row, other) : areNear(extents, slack, row, other));
+                var isNear:Boolean = table.shapes[other].form == quickForm ? areHeightsNear(extents, slack, row, other) : areNear(extents, slack, row, other);
                 if (isNear && areTouching(body, table.bodyOf(other)))
                 {
                     others[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /**
+         * Keeps the rows that touch the ground or the edges of the world, and moves them to the beginning of the list.
+         *
+         * @param worldRow the row of the ground or of the edges
+         * @param others rows of agents
+         * @param count the number of these rows
+         * @return the number of rows that it keeps
+         */
+        public function keepTouchingWorld(table:AgentTable, worldRow:int, others:Vector.<int>, count:int):int
+        {
+            var world:Body = table.bodyOf(worldRow);
+            var tests:PairTests = testsOfWorldAgent(world);
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (tests.areTouching(table.bodyOf(others[i]), world))
+                {
+                    others[kept] = others[i];
                     kept++;
                 }
             }

@@ -78,7 +78,8 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            addTouching(row, others, count, level);
+            var kept:int = _anySweeps ? keepTouchingMotions(row, others, count, level, _out) : _narrowPhase.keepTouching(_table, level, row, others, count);
+            _out.addPairs(row, others, kept);
         }
 
         /**
@@ -106,17 +107,13 @@ package starlogo.search
                 }
             }
             count = _input.interests.keepOfInterest(_table.breeds, worldRow, others, count);
-            addTouching(worldRow, others, count, null);
+            var kept:int = _anySweeps ? keepTouchingMotions(worldRow, others, count, null, _out)
+                : _narrowPhase.keepTouchingWorld(_table, worldRow, others, count);
+            _out.addPairs(worldRow, others, kept);
         }
 
-        // Adds the pairs of a row with those candidates that touch it. There is no level for the ground and the edges, whose extents say nothing.
-        private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
-        {
-            var kept:int = _anySweeps ? keepTouchingMotions(row, others, count, level, _out) : _narrowPhase.keepTouching(_table, level, row, others, count);
-            _out.addPairs(row, others, kept);
-        }
-
-        // Keeps the rows that touch a row on their motions. The last argument receives the times of their pairs, which are added to it next.
+        // Keeps the rows that touch a row on their motions. The level is null for the ground and the edges, whose extents say nothing. The last argument
+        // receives the times of their pairs, which are added to it next.
         private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, out:FoundPairs):int
         {
             var ranks:Vector.<int> = _table.list.ranks;

@@ -1,7 +1,11 @@
 package starlogo.collision.snapshots
 {
     import flash.utils.ByteArray;
+    import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * The names of breeds and models in a snapshot. Other parts of the snapshot mention a name by its index.
@@ -10,45 +14,22 @@ package starlogo.collision.snapshots
      */
     internal final class SnapshotNames
     {
-        // A text stands before each key, because a model may be called "hasOwnProperty".
-        private static const PREFIX:String = ":";
-
         private var _names:Vector.<String> = new Vector.<String>();
 
-        // By the number of a breed: the index of its name, plus 1. By the name of a model: the same. The model asked for last, and its index.
+        // By the number of a breed's or a model's name: the index of the name, plus 1.
         private var _ofBreeds:Vector.<int> = new Vector.<int>();
-        private var _ofModels:Object = {};
-        private var _last:String = null;
-        private var _lastIndex:int = 0;
+        private var _ofModels:Vector.<int> = new Vector.<int>();
 
         /** The index of a breed's name. */
         public function ofBreed(number:int):int
         {
-            if (number >= _ofBreeds.length)
-            {
-                _ofBreeds.length = number + 1;
-            }
-            if (_ofBreeds[number] == 0)
-            {
-                _ofBreeds[number] = _names.push(Breeds.nameOf(number));
-            }
-            return _ofBreeds[number] - 1;
+            return indexOf(Breeds.nameOf(number), _ofBreeds, number);
         }
 
         /** The index of a model's name. */
-        public function ofModel(name:String):int
+        public function ofModel(number:int):int
         {
-            if (name != _last)
-            {
-                _last = name;
-                _lastIndex = int(_ofModels[PREFIX + name]) - 1;
-                if (_lastIndex < 0)
-                {
-                    _lastIndex = _names.push(name) - 1;
-                    _ofModels[PREFIX + name] = _lastIndex + 1;
-                }
-            }
-            return _lastIndex;
+            return indexOf(Agent.MODELS.nameOf(number), _ofModels, number);
         }
 
         /** The name with an index. @throws RangeError if there is none */
@@ -86,6 +67,20 @@ package starlogo.collision.snapshots
                 }
                 _names.push(name);
             }
+        }
+
+        // The index of a name, which it gets here if it is new.
+        private function indexOf(name:String, indices:Vector.<int>, number:int):int
+        {
+            if (number >= indices.length)
+            {
+                indices.length = number + 1;
+            }
+            if (indices[number] == 0)
+            {
+                indices[number] = _names.push(name);
+            }
+            return indices[number] - 1;
         }
     }
 }

@@ -23,7 +23,7 @@ package starlogo.collision.snapshots
             for (var i:int = 0; i < agents.length; i++)
             {
                 var agent:Agent = agents[i];
-                bytes.writeInt(names.ofModel(agent.shape));
+                bytes.writeInt(names.ofModel(agent.modelNumber));
                 bytes.writeInt(names.ofBreed(agent.breedNumber));
                 bytes.writeByte(int(agent.sweeps) * SWEEPS + int(agent.hierarchical) * HIERARCHICAL + int(agent.isOneWay) * ONE_WAY);
                 // ANY_KIND is -1

@@ -10,7 +10,6 @@ package starlogo.collision.snapshots
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
     import starlogo.search.table.AgentTable;
-    import starlogo.search.table.ListedAgents;
     import starlogo.search.WorldAgent;
 
     use namespace engine;
@@ -58,24 +57,24 @@ package starlogo.collision.snapshots
          * @param agents the last frame's list. It is empty if there was no frame
          * @param keepsMotions whether the agents' next motions begin at their positions in the table
          * @param system the kind of the collision system, as in BaseShapeChoice
-         * @param world the agents of the ground and of the edges, as in FrameInput
+         * @param ground the ground, or null
+         * @param edges the edges of the world, or null
          * @param withTraits whether the agents' traits are written
          * @param withGround whether the ground's heights are written
          * @throws IllegalOperationError if the collision system has searched another list
          */
         public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, system:int,
-                world:Vector.<WorldAgent>, withTraits:Boolean, withGround:Boolean):ByteArray
+                ground:WorldAgent, edges:WorldAgent, withTraits:Boolean, withGround:Boolean):ByteArray
         {
             if (agents.length > 0 && !table.list.isListed(agents))
             {
                 throw new IllegalOperationError("the collision system has searched another list since the last frame");
             }
-            var ground:WorldAgent = world[ListedAgents.GROUND_ROW];
             var hasHeights:Boolean = withGround && ground != null;
             var names:SnapshotNames = new SnapshotNames();
             var rest:ByteArray = newBytes();
             SnapshotPlaces.write(rest, agents, table, keepsMotions);
-            writeTouches(rest, names, tracker, table, world);
+            writeTouches(rest, names, tracker, table, ground, edges);
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
@@ -100,12 +99,13 @@ package starlogo.collision.snapshots
          * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
          *
          * @param system the kind of the collision system that will search
-         * @param world the agents of the ground and of the edges, as in FrameInput. The ground gets the heights that are in the snapshot
+         * @param ground the ground, or null. It gets the heights that are in the snapshot
+         * @param edges the edges of the world, or null
          * @return the tracker that knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
         public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, system:int,
-                world:Vector.<WorldAgent>):TouchTracker
+                ground:WorldAgent, edges:WorldAgent):TouchTracker
         {
             search.table.list.propose(agents);
             var copy:ByteArray = newBytes();
@@ -118,7 +118,7 @@ package starlogo.collision.snapshots
             var parts:SnapshotParts = new SnapshotParts();
             try
             {
-                readParts(copy, agents, system, world, parts);
+                readParts(copy, agents, system, ground, edges, parts);
             }
             catch (error:Error)
             {
@@ -130,7 +130,7 @@ package starlogo.collision.snapshots
             SnapshotPlatforms.restore(parts.platforms, agents);
             if (parts.ground != null)
             {
-                parts.ground.restore(world[ListedAgents.GROUND_ROW].beginChange());
+                parts.ground.restore(ground.beginChange());
             }
             return parts.touches;
         }
@@ -175,7 +175,8 @@ package starlogo.collision.snapshots
             check(bytes.position == bytes.length);
         }
 
-        private function writeTouches(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, world:Vector.<WorldAgent>):void
+        private function writeTouches(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, ground:WorldAgent,
+                edges:WorldAgent):void
         {
             var touches:Vector.<Touch> = tracker.inOrder();
             bytes.writeInt(touches.length);
@@ -183,7 +184,7 @@ package starlogo.collision.snapshots
             {
                 var touch:Touch = touches[i];
                 bytes.writeInt(table.list.ranks[table.list.rowOf(touch.first)]);
-                bytes.writeInt(Breeds.isOfWorld(touch.secondBreed) ? table.list.rows.count + enterWorldAgent(touch, world) : table.list.ranks[table.list.rowOf(touch.second)]);
+                bytes.writeInt(Breeds.isOfWorld(touch.secondBreed) ? table.list.rows.count + enterWorldAgent(touch, ground, edges) : table.list.ranks[table.list.rowOf(touch.second)]);
                 bytes.writeInt(names.ofBreed(touch.firstBreed));
                 bytes.writeInt(names.ofBreed(touch.secondBreed));
                 bytes.writeBoolean(touch.isBothWays);
@@ -192,19 +193,19 @@ package starlogo.collision.snapshots
 
         // Finds the index of the ground or the edges of a touch after those of the agents. If they were exchanged, it keeps their agent for restore().
         // The reserved breeds have the first numbers, and the ground's breed is the first of them.
-        private function enterWorldAgent(touch:Touch, world:Vector.<WorldAgent>):int
+        private function enterWorldAgent(touch:Touch, ground:WorldAgent, edges:WorldAgent):int
         {
             var index:int = touch.secondBreed;
-            if (touch.second !== world[index])
+            if (touch.second !== ground && touch.second !== edges)
             {
                 _former[index] = touch.second;
-                index += world.length;
+                index += _former.length;
             }
             return index;
         }
 
         // Reads and checks all parts but the traits. If there are traits, they are next.
-        private function readParts(bytes:ByteArray, agents:Vector.<Agent>, system:int, world:Vector.<WorldAgent>, parts:SnapshotParts):void
+        private function readParts(bytes:ByteArray, agents:Vector.<Agent>, system:int, ground:WorldAgent, edges:WorldAgent, parts:SnapshotParts):void
         {
             var contents:int = bytes.readUnsignedByte();
             var writtenBy:int = contents / SYSTEM;
@@ -219,10 +220,9 @@ package starlogo.collision.snapshots
             parts.names.read(bytes);
             parts.places = SnapshotPlaces.read(bytes, count);
             check(parts.places != null);
-            parts.touches = readTouches(bytes, agents, world, parts.names);
+            parts.touches = readTouches(bytes, agents, ground, edges, parts.names);
             parts.platforms = SnapshotPlatforms.read(bytes, agents);
             check(parts.platforms != null);
-            var ground:WorldAgent = world[ListedAgents.GROUND_ROW];
             var hasGround:Boolean = (contents & HAS_GROUND) != 0;
             if (hasGround != (ground != null))
             {
@@ -238,10 +238,10 @@ package starlogo.collision.snapshots
             check(parts.hasTraits || bytes.position == bytes.length);
         }
 
-        private function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<WorldAgent>, names:SnapshotNames):TouchTracker
+        private function readTouches(bytes:ByteArray, agents:Vector.<Agent>, ground:WorldAgent, edges:WorldAgent, names:SnapshotNames):TouchTracker
         {
             var partners:Vector.<Agent> = agents.concat();
-            partners.push(world[ListedAgents.GROUND_ROW], world[ListedAgents.EDGES_ROW], _former[ListedAgents.GROUND_ROW], _former[ListedAgents.EDGES_ROW]);
+            partners.push(ground, edges, _former[0], _former[1]);
             var touches:TouchTracker = new TouchTracker();
             var pairs:uint = bytes.readUnsignedInt();
             for (var left:uint = pairs; left > 0; left--)

@@ -5,6 +5,7 @@ package starlogo.search.table
     import starlogo.broadphase.Extents;
     import starlogo.data.NumberList;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -50,9 +51,6 @@ package starlogo.search.table
         // and while the model is loading.
         private var _bodyRevisions:Vector.<int> = new Vector.<int>();
 
-        // By row: the agent's shapeRevision at which its shape was read.
-        private var _shapeRevisions:Vector.<int> = new Vector.<int>();
-
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
 
@@ -95,12 +93,12 @@ package starlogo.search.table
             list.beginRead();
             var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
             // whether the list is the same is found out on the way
-            isSame &&= findChanged(agents, list.rows);
+            isSame &&= readChanged(agents, list.rows);
             if (!isSame)
             {
                 list.propose(agents);
                 emptyArrived();
-                findChanged(agents, list.proposed);
+                readChanged(agents, list.proposed);
             }
             findShapes(_reshaped, _newShapes);
             // nothing below throws
@@ -109,7 +107,7 @@ package starlogo.search.table
                 list.accept();
                 followList();
             }
-            places.read(list);
+            places.accept(list.rows.count);
             loadingCount = takeShapes(_reshaped, _newShapes);
         }
 
@@ -140,8 +138,14 @@ package starlogo.search.table
             return _choice.areSpheres;
         }
 
-        /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. */
-        public function readWorldAgent(row:int, agent:WorldAgent):void
+        /** Reads the ground and the edges of the world for a search. Either may be null. */
+        public function readWorld(ground:WorldAgent, edges:WorldAgent):void
+        {
+            readWorldAgent(ListedAgents.GROUND_ROW, ground);
+            readWorldAgent(ListedAgents.EDGES_ROW, edges);
+        }
+
+        private function readWorldAgent(row:int, agent:WorldAgent):void
         {
             var isOther:Boolean = list.agents[row] !== agent;
             hasWorldChanged[row] = isOther || agent != null && agent.revision != places.last.revisions[row];
@@ -159,8 +163,8 @@ package starlogo.search.table
             }
         }
 
-        /** Reads the ground and the edges of the world as they are now, unless they are held. */
-        public function readWorld():void
+        /** Reads the ground and the edges of the last search again, as they are now. If a frame holds them, they stay as it has read them. */
+        public function refreshWorld():void
         {
             if (!_isWorldHeld)
             {
@@ -226,9 +230,9 @@ package starlogo.search.table
             return body;
         }
 
-        // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). Returns false if the rows do not
-        // belong to the agents.
-        private function findChanged(agents:Vector.<Agent>, listed:NumberList):Boolean
+        // Reads the places of the rows whose agents have changed since the last search, and finds those whose bodies have changed (_reshaped).
+        // Nothing of the last search changes. Returns false if the rows do not belong to the agents.
+        private function readChanged(agents:Vector.<Agent>, listed:NumberList):Boolean
         {
             var rows:Vector.<int> = listed.numbers;
             var byRow:Vector.<Agent> = list.agents;
@@ -236,6 +240,11 @@ package starlogo.search.table
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var end:int = agents.length;
             var changed:NumberList = places.proposed;
+            var next:RowPlaces = places.next;
+            var xs:Vector.<Number> = next.x;
+            var ys:Vector.<Number> = next.y;
+            var zs:Vector.<Number> = next.z;
+            var revisions:Vector.<int> = next.revisions;
             var reshaped:NumberList = _reshaped;
             changed.count = reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
@@ -253,6 +262,11 @@ package starlogo.search.table
                         reshaped.add(row);
                     }
                     changed.add(row);
+                    var at:Placement = agent.placement;
+                    xs[row] = at.x;
+                    ys[row] = at.y;
+                    zs[row] = at.z;
+                    revisions[row] = agent.revision;
                     // also if the list is refused: then the next search reads the row again
                     breeds[row] = agent.breedNumber;
                 }
@@ -305,7 +319,7 @@ package starlogo.search.table
         {
             var row:int = shapes.length;
             shapes.length = _bodies.length = length;
-            breeds.length = _bodyRevisions.length = _shapeRevisions.length = _placedRevisions.length = length;
+            breeds.length = _bodyRevisions.length = _placedRevisions.length = length;
             places.grow(length);
             for (; row < length; row++)
             {
@@ -358,11 +372,7 @@ package starlogo.search.table
             }
             for (var i:int = 0; i < reshaped.count; i++)
             {
-                var row:int = reshaped.numbers[i];
-                if (needsShape(row))
-                {
-                    out[i] = _choice.shapeOf(list.agents[row]);
-                }
+                out[i] = _choice.shapeOf(list.agents[reshaped.numbers[i]]);
             }
         }
 
@@ -374,12 +384,11 @@ package starlogo.search.table
             for (var i:int = 0; i < reshaped.count; i++)
             {
                 var row:int = reshaped.numbers[i];
-                if (needsShape(row))
+                if (found[i] !== shapes[row])
                 {
                     setShape(row, found[i]);
-                    found[i] = null;
                 }
-                if (shapes[row] == null)
+                if (found[i] == null)
                 {
                     loading++;
                 }
@@ -391,12 +400,6 @@ package starlogo.search.table
             return loading;
         }
 
-        private function needsShape(row:int):Boolean
-        {
-            var shape:ModelShape = shapes[row];
-            return shape == null || shape.isVoid || list.agents[row].shapeRevision != _shapeRevisions[row];
-        }
-
         private function setShape(row:int, shape:ModelShape):void
         {
             var before:ModelShape = shapes[row];
@@ -405,7 +408,6 @@ package starlogo.search.table
                 places.forgetMotion(row);
             }
             shapes[row] = shape;
-            _shapeRevisions[row] = list.agents[row].shapeRevision;
             if (shape == null)
             {
                 // it is read again in the next search

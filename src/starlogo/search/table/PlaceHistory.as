@@ -33,7 +33,7 @@ package starlogo.search.table
         /** The rows that the search before has read again. */
         public var previouslyChanged:NumberList = new NumberList();
 
-        /** The rows that the next search has to read again. <code>read()</code> takes them. */
+        /** The rows that the next search has read again, before it is accepted. */
         internal var proposed:NumberList = new NumberList();
 
         // By row: the way from the agent's place to the middle of its extents.
@@ -53,11 +53,20 @@ package starlogo.search.table
         }
 
         /**
-         * Reads the places of the proposed rows for a new search.
-         *
-         * @param list has the agents of the rows
+         * The places of the next search, before it is accepted: those of the search before the last, which nobody needs any more. If the next search is
+         * refused, the one after it reads the same rows again.
          */
-        internal function read(list:ListedAgents):void
+        internal function get next():RowPlaces
+        {
+            return previous;
+        }
+
+        /**
+         * Makes the next places and the proposed rows those of the last search.
+         *
+         * @param listedCount the number of agents in the list
+         */
+        internal function accept(listedCount:int):void
         {
             var older:RowPlaces = previous;
             previous = last;
@@ -66,14 +75,14 @@ package starlogo.search.table
             previouslyChanged = changed;
             changed = proposed;
             proposed = spare;
-            // rows that have changed before, and not now, have one place in both searches. There are none if all have changed now
-            for (var i:int = 0; i < previouslyChanged.count && changed.count < list.rows.count; i++)
+            // A row that has changed in the search before, and not since, has an older place here. There is none if all have changed now.
+            for (var i:int = 0; i < previouslyChanged.count && changed.count < listedCount; i++)
             {
-                last.copyRow(previous, previouslyChanged.numbers[i]);
-            }
-            for (i = 0; i < changed.count; i++)
-            {
-                last.read(changed.numbers[i], list.agents[changed.numbers[i]]);
+                var row:int = previouslyChanged.numbers[i];
+                if (last.revisions[row] < previous.revisions[row])
+                {
+                    last.copyRow(previous, row);
+                }
             }
             moveExtents();
         }

@@ -24,7 +24,7 @@ package starlogo.convex
         public var least:Number = NaN;
         public var greatest:Number = NaN;
 
-        /** Twice the triangle's area. Only <code>setTriangle()</code> sets it. */
+        /** Twice the triangle's area. */
         public var doubleArea:Number = 0;
 
         private var _ofShape:Interval = new Interval();
@@ -73,15 +73,6 @@ package starlogo.convex
             least = least < third ? least : third;
             greatest = offset > second ? offset : second;
             greatest = greatest > third ? greatest : third;
-        }
-
-        /** Reads a plane from a list of planes: four numbers from an index on, the normal and the offset. */
-        public function read(planes:Vector.<Number>, at:int):void
-        {
-            normal.x = planes[at];
-            normal.y = planes[int(at + 1)];
-            normal.z = planes[int(at + 2)];
-            offset = least = greatest = planes[int(at + 3)];
         }
 
         /**

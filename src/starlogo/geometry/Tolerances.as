@@ -145,12 +145,6 @@ package starlogo.geometry
         public static const CORES:Number = 1e-15;
 
         /**
-         * How far a triangle's corners may be off its plane by rounding, as a fraction of its model's distance from the origin. The plane of a
-         * narrower triangle rules out nothing. Smaller: fewer triangles have planes. Larger: planes rule out fewer triangles.
-         */
-        public static const PLANES:Number = 1e-10;
-
-        /**
          * How much larger a hierarchy's nodes are than the nodes of the next level, as a fraction of the model's radius. Smaller than
          * 1e-15: because of rounding, children may touch something that their parents do not touch, so a greater depth may find more
          * collisions than a smaller depth. Larger: nodes are larger, by 63 times that fraction at the root.

@@ -7,7 +7,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Prepares a model for exact tests, in steps: the corners and planes of its triangles by slot; the surface that they make;
+     * Prepares a model for exact tests, in steps: the corners of its triangles by slot; the surface that they make;
      * what counts its windings; and the outermost points of its parts.
      *
      * <p>The surface takes most of the work, unless it is known already: which vertices are at the same place, to within Tolerances.WELDING, which
@@ -57,7 +57,6 @@ package starlogo.solid
             {
                 sliced(mesh.fillCorners);
             }
-            sliced(mesh.fillPlanes);
             if (knownSurface == null || surface.widestSeam > 0)
             {
                 _welding = new Welding(tree.vertices);

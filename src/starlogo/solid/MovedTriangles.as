@@ -55,9 +55,8 @@ package starlogo.solid
         // tolerance is more than those CORES, because it has SURFACES of the radii.
         private var _outerTolerance:Number = 0;
 
-        // The plane of a triangle of the first model, and how far from it the second model's triangle may be if it touches that.
+        // The plane of a triangle of the first model.
         private var _plane:TrianglePlane = new TrianglePlane();
-        private var _planeMargin:Number = 0;
 
         /** @param counts counts the pairs of triangles that are tested or measured */
         public function MovedTriangles(counts:TreeCounts)
@@ -79,7 +78,6 @@ package starlogo.solid
             _movedFrom = -1;
             _tolerance = pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _planeMargin = _outerTolerance + _firstMesh.flatness;
         }
 
         /**
@@ -223,8 +221,8 @@ package starlogo.solid
         // Whether the second model's triangle stays on one side of the plane of a triangle of the first model.
         private function stayApart(slot:int, motion:RelativeMotion):Boolean
         {
-            _plane.read(_firstMesh.preparePlanes(), 4 * slot);
-            return _plane.findEntry(_second, _planeMargin, motion) > motion.latest;
+            _plane.setTriangle(_firstMesh.corners, 9 * slot);
+            return _plane.findEntry(_second, _outerTolerance, motion) > motion.latest;
         }
 
         // The squared distance of the extents of a triangle of the first model and of the second model's triangle.

@@ -31,8 +31,7 @@ package starlogo.solid
         private var _ofShape:Interval = new Interval();
 
         /**
-         * Sets the shape. Its axes are along each edge of a box or a segment, and across each edge and the motion; for a sphere or a capsule
-         * also the part of the motion across the segment. For a hull, the coordinate axes stand for the edges.
+         * Sets the shape. The first triangle that is tested makes its axes: most motions come near no triangle.
          *
          * @param shape kept
          * @param radius around the core, with the tolerance and a margin for rounding
@@ -44,6 +43,14 @@ package starlogo.solid
             _radius = radius;
             _motion = motion;
             _end = 0;
+        }
+
+        // Makes the axes. They are along each edge of a box or a segment, and across each edge and the motion; for a sphere or a capsule also the part
+        // of the motion across the segment. For a hull, the coordinate axes stand for the edges.
+        private function addAxes():void
+        {
+            var shape:ConvexShape = _shape;
+            var motion:RelativeMotion = _motion;
             var p:Vector.<Number> = shape.points;
             if (shape.end <= ConvexShape.SEGMENT)
             {
@@ -102,6 +109,10 @@ package starlogo.solid
          */
         public function stayApart(corners:Vector.<Number>, at:int, motion:RelativeMotion):Boolean
         {
+            if (_end == 0)
+            {
+                addAxes();
+            }
             var axes:Vector.<Number> = _axes;
             var end:int = _end;
             var latest:Number = motion.latest;

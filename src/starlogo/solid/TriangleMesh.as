@@ -1,13 +1,11 @@
 package starlogo.solid
 {
-    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
 
     use namespace engine;
 
-    /** A model's triangles, for exact tests: their corners, planes and extents by slot, which is the order of the tree. */
+    /** A model's triangles, for exact tests: their corners and extents by slot, which is the order of the tree. */
     internal final class TriangleMesh
     {
         /** The boxes around the triangles. */
@@ -15,13 +13,6 @@ package starlogo.solid
 
         /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
-
-        /**
-         * The triangles' planes: the normal and the offset of each (TrianglePlane). The offset is the least one of a corner. A triangle whose
-         * corners' offsets differ by more than <code>flatness</code> has no plane, like a flat one: the normal is 0, and the offset NaN. Null until
-         * somebody needs them, because rays need none.
-         */
-        public var planes:Vector.<Number> = null;
 
         /**
          * The triangles' extents: minX, maxX, minY, maxY, minZ, maxZ of each. Null before <code>prepareExtents()</code>: only pairs of trees need
@@ -34,12 +25,6 @@ package starlogo.solid
         {
             this.tree = tree;
             corners = new Vector.<Number>(9 * tree.items.length, true);
-        }
-
-        /** How much the places of a triangle's corners along its normal may differ. */
-        public function get flatness():Number
-        {
-            return Tolerances.PLANES * tree.radiusAboutOrigin;
         }
 
         /** Fills in the corners of a range of triangles. Must be called for all triangles before anything else. */
@@ -84,24 +69,10 @@ package starlogo.solid
         public function refit():void
         {
             fillCorners(0, corners.length / 9);
-            if (planes != null)
-            {
-                fillPlanes(0, corners.length / 9);
-            }
             if (extents != null)
             {
                 fillExtents();
             }
-        }
-
-        /** Returns the planes. If they are not known yet, computes them. */
-        public function preparePlanes():Vector.<Number>
-        {
-            if (planes == null)
-            {
-                fillPlanes(0, corners.length / 9);
-            }
-            return planes;
         }
 
         /** Returns the extents. If they are not known yet, computes them. */
@@ -121,25 +92,6 @@ package starlogo.solid
             for (var i:int = 0; i < count; i++)
             {
                 writeTriangleExtents(corners, 9 * i, extents, 6 * i);
-            }
-        }
-
-        /** Fills in the planes of a range of triangles. Must be called for all triangles before the planes are read. */
-        public function fillPlanes(first:int, end:int):void
-        {
-            planes ||= new Vector.<Number>(4 * corners.length / 9, true);
-            var into:Vector.<Number> = planes;
-            var plane:TrianglePlane = new TrianglePlane();
-            for (var i:int = first; i < end; i++)
-            {
-                var to:int = 4 * i;
-                plane.setTriangle(corners, 9 * i);
-                // false for NaN too
-                var isPlane:Boolean = plane.greatest - plane.least <= flatness;
-                into[to] = isPlane ? plane.normal.x : 0;
-                into[to + 1] = isPlane ? plane.normal.y : 0;
-                into[to + 2] = isPlane ? plane.normal.z : 0;
-                into[to + 3] = isPlane ? plane.least : NaN;
             }
         }
     }

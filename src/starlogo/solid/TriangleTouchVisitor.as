@@ -19,7 +19,7 @@ package starlogo.solid
 
     /**
      * Decides when a solid structure first touches a triangle of a model, and whether it does if it is still. Most triangles are ruled out by their
-     * extents and planes. If the structure moves, SweptAxes rules out most of the others.
+     * extents. If the structure moves, SweptAxes rules out most of the others. Their planes come last.
      */
     internal final class TriangleTouchVisitor extends NodeVisitor
     {
@@ -44,9 +44,8 @@ package starlogo.solid
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
 
-        // The plane of a triangle, and how far from it the structure's core may be if it touches the triangle.
+        // The plane of a triangle.
         private var _plane:TrianglePlane = new TrianglePlane();
-        private var _planeMargin:Number = 0;
 
         // The slot of the triangle that is touched first.
         private var _found:int = -1;
@@ -80,7 +79,6 @@ package starlogo.solid
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
             _mesh = model.prepareMesh();
-            _mesh.preparePlanes();
             _motion = motion;
             _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
             _kernel.shape.margin += pose.tolerance + Touching.marginOfSurface(model.boxTree.radius);
@@ -92,7 +90,6 @@ package starlogo.solid
             }
             var rounding:Number = Tolerances.EXTENTS * size;
             _radius = shape.radius + shape.margin + rounding;
-            _planeMargin = _radius + _mesh.flatness;
             _search.setExtents(_extents, shape.margin + rounding);
             _search.setMotion(motion);
             sweepExtents(0, motion.x);
@@ -129,9 +126,13 @@ package starlogo.solid
                     continue;
                 }
                 _sweep.latest = limit;
-                _plane.read(_mesh.planes, 4 * i);
-                _sweep.earliest = Math.max(_motion.earliest, _plane.findEntry(_kernel.shape, _planeMargin, _motion));
-                if (_sweep.earliest > limit || !isStill && _separatingAxes.stayApart(_mesh.corners, 9 * i, _sweep))
+                if (!isStill && _separatingAxes.stayApart(_mesh.corners, 9 * i, _sweep))
+                {
+                    continue;
+                }
+                _plane.setTriangle(_mesh.corners, 9 * i);
+                _sweep.earliest = Math.max(_motion.earliest, _plane.findEntry(_kernel.shape, _radius, _motion));
+                if (_sweep.earliest > limit)
                 {
                     continue;
                 }

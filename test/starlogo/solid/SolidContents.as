@@ -22,7 +22,7 @@ package starlogo.solid
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
             return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.weldedCorners, windings.weldedAt, interior.leastPartExtent, interior.partPoints, mesh.corners,
-                    mesh.prepareExtents(), mesh.preparePlanes(), axesOf(hierarchy.boxTree)].join("\n");
+                    mesh.prepareExtents(), axesOf(hierarchy.boxTree)].join("\n");
         }
 
         private static function axesOf(tree:BoxTree):String

@@ -175,7 +175,7 @@ package starlogo.search.table
 
         private function readSurface(row:int):void
         {
-            var agent:WorldAgent = list.agents[row] as WorldAgent;
+            var agent:WorldAgent = WorldAgent(list.agents[row]);
             if (agent != null && shapes[row] !== agent.surface)
             {
                 setShape(row, agent.surface);

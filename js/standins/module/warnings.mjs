@@ -4,6 +4,7 @@ import { parametersOf } from "./contacts.mjs";
 const $MOST_LOOKED_AT = 1000;
 const $LONG_SILENCE = 300;
 const $LONG_FALL = 200;
+const $MANY_ANGLES = 300;
 const $END = 2; // CollisionHandler.END
 const $STRUCTURE = "structure"; // what a cast structure is called: see Body.readStructure
 const $warned = /* @__PURE__ */ new Set();
@@ -12,6 +13,7 @@ const $checkedObjects = /* @__PURE__ */ new WeakSet();
 const $silentFrames = /* @__PURE__ */ new WeakMap();
 const $updates = /* @__PURE__ */ new WeakMap();
 const $falls = /* @__PURE__ */ new WeakMap();
+const $angles = { areTold: false, count: 0, least: 0, most: 0 };
 let $frames = 0;
 let $lookedAt = 0;
 
@@ -177,6 +179,25 @@ export function $warnOfFall(agent, dx, dy) {
 export function $warnOfUnits(options) {
 	if (!(options?.slopeDegrees > 0 && options.slopeDegrees < 1.6)) return;
 	$warn(`slopeDegrees is ${options.slopeDegrees}, so ground that is steeper than this many degrees is a wall. If these are radians, take ${Math.round(options.slopeDegrees * 180 / Math.PI)}`);
+}
+
+/**
+ * Warns of an agent's angle that is probably in radians: a twelfth of π or some of them, to the last digits, because no angle in degrees is; or
+ * many angles that together go all round, and no farther.
+ */
+export function $warnOfAngle(agent, name, value) {
+	if ($angles.areTold || typeof value !== "number" || value === 0 || agent[`_${name}`] === value) return;
+	const twelfths = Math.abs(value) * 12 / Math.PI;
+	const isPart = twelfths < 24.5 && Math.abs(twelfths - Math.round(twelfths)) < 1e-12;
+	if (value < $angles.least) $angles.least = value;
+	if (value > $angles.most) $angles.most = value;
+	$angles.count++;
+	const round = $angles.most - $angles.least;
+	const goRound = $angles.count > $MANY_ANGLES && round > 6 && round < 6.2832 && ($angles.most < 3.1416 || $angles.least >= 0);
+	if (!isPart && !goRound) return;
+	$angles.areTold = true;
+	const why = isPart ? "a part of π" : `as ${$angles.count} angles before it, between ${$rounded($angles.least)} and ${$rounded($angles.most)}`;
+	$warn(`${name} of ${agent} is ${$rounded(value)}, ${why}. Angles are in degrees: if this is in radians, take ${name} = angle * 180 / Math.PI, here ${$rounded(value * 180 / Math.PI)}`);
 }
 
 /** What an error says about a name that is not known: the name that is probably meant. Of hints the minified module has nothing. */

@@ -28,6 +28,7 @@ package starlogo.libraries
 
         private var _revision:int = 0;
         private var _loadingCount:int = 0;
+        private var _loadProblem:String = null;
 
         /** @param table counts replaced and removed data of all shapes */
         public function ModelEntry(table:ModelTable)
@@ -86,6 +87,7 @@ package starlogo.libraries
          */
         public function replace(model:Model, structures:ModelStructures, tree:ModelTree, building:Steps = null):void
         {
+            _loadProblem = null;
             countChange(_structures);
             _structures = structures;
             setTree(tree, building);
@@ -109,10 +111,22 @@ package starlogo.libraries
             _building = building;
         }
 
+        /** Why the last load of a model of this name failed; null if it did not, or if another one has begun or come. */
+        public function get loadProblem():String
+        {
+            return _loadProblem;
+        }
+
+        public function set loadProblem(value:String):void
+        {
+            _loadProblem = value;
+        }
+
         /** Counts one more model of this name that is loading. */
         public function beginLoading():void
         {
             _loadingCount++;
+            _loadProblem = null;
         }
 
         /** Counts one less, if one is loading. */

@@ -103,7 +103,7 @@ package starlogo.search
             }
             if (!greatLand.isLoading(agent.shape))
             {
-                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first"
+                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"" + greatLand.whyMissing(agent.shape)
                         + meantOf(agent.shape, greatLand.modelNames));
             }
             return true;

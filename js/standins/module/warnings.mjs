@@ -4,7 +4,7 @@ import { parametersOf } from "./contacts.mjs";
 const $MOST_LOOKED_AT = 1000;
 const $LONG_SILENCE = 300;
 const $LONG_FALL = 200;
-const $MANY_ANGLES = 300;
+const $MANY_ANGLES = 30;
 const $END = 2; // CollisionHandler.END
 const $STRUCTURE = "structure"; // what a cast structure is called: see Body.readStructure
 const $warned = /* @__PURE__ */ new Set();
@@ -183,20 +183,20 @@ export function $warnOfUnits(options) {
 
 /**
  * Warns of an agent's angle that is probably in radians: a twelfth of π or some of them, to the last digits, because no angle in degrees is; or
- * many angles that together go all round, and no farther.
+ * one that begins again at the other end of a turn, if none was farther yet.
  */
 export function $warnOfAngle(agent, name, value) {
-	if ($angles.areTold || typeof value !== "number" || value === 0 || agent[`_${name}`] === value) return;
+	const before = agent[`_${name}`];
+	if ($angles.areTold || typeof value !== "number" || value === 0 || before === value) return;
 	const twelfths = Math.abs(value) * 12 / Math.PI;
 	const isPart = twelfths < 24.5 && Math.abs(twelfths - Math.round(twelfths)) < 1e-12;
 	if (value < $angles.least) $angles.least = value;
 	if (value > $angles.most) $angles.most = value;
-	$angles.count++;
-	const round = $angles.most - $angles.least;
-	const goRound = $angles.count > $MANY_ANGLES && round > 6 && round < 6.2832 && ($angles.most < 3.1416 || $angles.least >= 0);
-	if (!isPart && !goRound) return;
+	const areOfATurn = $angles.most - $angles.least < 6.2832 && ($angles.most < 3.1416 || $angles.least >= 0);
+	const beginsAgain = areOfATurn && $angles.count++ > $MANY_ANGLES && Math.abs(value - before) > 4.7 && !Number.isInteger(value);
+	if (!isPart && !beginsAgain) return;
 	$angles.areTold = true;
-	const why = isPart ? "a part of π" : `as ${$angles.count} angles before it, between ${$rounded($angles.least)} and ${$rounded($angles.most)}`;
+	const why = isPart ? "a part of π" : `and was ${$rounded(before)}; all angles were between ${$rounded($angles.least)} and ${$rounded($angles.most)}`;
 	$warn(`${name} of ${agent} is ${$rounded(value)}, ${why}. Angles are in degrees: if this is in radians, take ${name} = angle * 180 / Math.PI, here ${$rounded(value * 180 / Math.PI)}`);
 }
 

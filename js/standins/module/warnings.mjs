@@ -13,7 +13,8 @@ const $checkedObjects = /* @__PURE__ */ new WeakSet();
 const $silentFrames = /* @__PURE__ */ new WeakMap();
 const $updates = /* @__PURE__ */ new WeakMap();
 const $falls = /* @__PURE__ */ new WeakMap();
-const $angles = { areTold: false, count: 0, least: 0, most: 0 };
+const $angles = { count: 0, least: 0, most: 0 };
+let $anglesToSee = 20000;
 let $frames = 0;
 let $lookedAt = 0;
 
@@ -182,20 +183,30 @@ export function $warnOfUnits(options) {
 }
 
 /**
- * Warns of an agent's angle that is probably in radians: a twelfth of π or some of them, to the last digits, because no angle in degrees is; or
- * one that begins again at the other end of a turn, if none was farther yet.
+ * Warns of an agent's angle that is probably in radians. It looks at the first angles alone, and no further once one is of more than a turn. It is
+ * short, so V8 makes it a part of the setter, which then makes no object of the Number.
  */
 export function $warnOfAngle(agent, name, value) {
+	if ($anglesToSee > 0) $warnOfRadians(agent, name, value);
+}
+
+/**
+ * An angle is probably in radians if it is a twelfth of π or some of them, to the last digits, because no angle in degrees is; or if it begins
+ * again at the other end of a turn, and none was farther yet.
+ */
+function $warnOfRadians(agent, name, value) {
 	const before = agent[`_${name}`];
-	if ($angles.areTold || typeof value !== "number" || value === 0 || before === value) return;
+	if (typeof value !== "number" || value === 0 || before === value) return;
+	$angles.count++;
+	$angles.least = Math.min($angles.least, value);
+	$angles.most = Math.max($angles.most, value);
 	const twelfths = Math.abs(value) * 12 / Math.PI;
 	const isPart = twelfths < 24.5 && Math.abs(twelfths - Math.round(twelfths)) < 1e-12;
-	if (value < $angles.least) $angles.least = value;
-	if (value > $angles.most) $angles.most = value;
 	const areOfATurn = $angles.most - $angles.least < 6.2832 && ($angles.most < 3.1416 || $angles.least >= 0);
-	const beginsAgain = areOfATurn && $angles.count++ > $MANY_ANGLES && Math.abs(value - before) > 4.7 && !Number.isInteger(value);
+	$anglesToSee = areOfATurn ? $anglesToSee - 1 : 0;
+	const beginsAgain = areOfATurn && $angles.count > $MANY_ANGLES && Math.abs(value - before) > 4.7 && !Number.isInteger(value);
 	if (!isPart && !beginsAgain) return;
-	$angles.areTold = true;
+	$anglesToSee = 0;
 	const why = isPart ? "a part of π" : `and was ${$rounded(before)}; all angles were between ${$rounded($angles.least)} and ${$rounded($angles.most)}`;
 	$warn(`${name} of ${agent} is ${$rounded(value)}, ${why}. Angles are in degrees: if this is in radians, take ${name} = angle * 180 / Math.PI, here ${$rounded(value * 180 / Math.PI)}`);
 }

@@ -4,7 +4,7 @@
 /** All examples by groups, in the order of the index. A name with a capital is that of a SWF in flash/, the others are those of pages. */
 const EXAMPLES = {
 	"Touching": ["first-collision", "start-and-end", "separate", "bullet", "filters"],
-	"Asking and moving": ["nearest-and-cone", "ray", "distance", "slide", "walk", "camera", "falling", "hills"],
+	"Asking and moving": ["nearest-and-cone", "ray", "distance", "slide", "walk", "one-way", "camera", "falling", "hills"],
 	"Models and whole games": ["exact", "models", "three-instances", "ten-thousand", "snapshot", "own-system"],
 	"In Flash": ["FirstCollision", "Contacts", "Sweeps", "Questions", "OwnModel"],
 };

@@ -51,7 +51,6 @@ writeFileSync(join(out, minified), `${small}//# sourceMappingURL=maps/${minified
 mkdirSync(SHORT, { recursive: true });
 writeFileSync(join(SHORT, "short.js"), transformSync(users, { ...hidden, format: "esm", target: "es2022" }).code);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
-writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "js/module/cook.mjs"), join(out, "cook.mjs"));
 writePages(out);
@@ -71,6 +70,8 @@ buildSync({
 	target: "es2022",
 	legalComments: "inline",
 });
+// last, because with this file the package counts as made
+writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 console.log(`written: ${out} (${Math.round(small.length / 1024)} KB minified)`);
 
 /**

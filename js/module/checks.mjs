@@ -34,6 +34,9 @@ const WARNING = new Map([
 	...["cast", "near", "nearest"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, null);"]),
 ]);
 
+/** The angles that an agent is turned by. */
+const ANGLES = /^starlogo\.agents\.Agent\.(?:heading|pitch|roll)$/;
+
 /** Functions that the engine calls in its loops. The module exports a checked function around them. */
 export const isWrapped = (type) => type?.kind === "function";
 
@@ -64,8 +67,8 @@ export class Checks {
 			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...others];
 		}
 		const isCollider = kind === "constructor" && /\.collision\.\w+Collider$/.test(qname) && parameters.length > 0;
-		const first = isCollider ? `$warnOfMore("${type.name}", arguments, ${parameters.length});` : kind === "method" ? WARNING.get(`${qname}.${name}`) ?? [] : [];
-		return [first, parameters.flatMap((parameter) => this.#check(type, member, parameter))].flat();
+		const first = isCollider ? `$warnOfMore("${type.name}", arguments, ${parameters.length});` : kind === "method" ? WARNING.get(`${qname}.${name}`) ?? [] : kind === "set" && ANGLES.test(`${qname}.${name}`) ? `$warnOfAngle(this, "${name}", value);` : [];
+		return [first, switchesOf(type, member), parameters.flatMap((parameter) => this.#check(type, member, parameter))].flat();
 	}
 
 	/** The public fields of a class that only its users write: { name, type }. */
@@ -183,6 +186,21 @@ export class Checks {
 		const test = this.#typeTest(element, "each");
 		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${article(element)}", (each) => ${test}` : ""});`];
 	}
+}
+
+/** The Booleans that a method of the engine ends with, if they may be left out. A literal with their names may stand in the place of the first. */
+export function endingBooleans(type, member) {
+	if (member?.kind !== "method" || type.qname.startsWith("flash.")) return [];
+	const { parameters } = member;
+	return parameters.slice(parameters.findLastIndex(({ type, value }) => type !== "Boolean" || value === null) + 1);
+}
+
+// The names are quoted, because users write them: they are never shortened.
+function switchesOf(type, member) {
+	const booleans = endingBooleans(type, member);
+	if (booleans.length === 0) return [];
+	const [taken, initial] = [booleans.map(({ name }) => `"${name}": ${name}`), booleans.map(({ name, value }) => `"${name}": ${value}`)];
+	return [`if ($areOptions(${booleans[0].name})) ({ ${taken.join(", ")} } = $options(null, "${type.name}.${member.name}: options", ${booleans[0].name}, { ${initial.join(", ")} }, "true, false or options"));`];
 }
 
 function optionsOf({ name }) {

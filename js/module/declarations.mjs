@@ -1,6 +1,6 @@
 /** Writes index.d.ts: the TypeScript declarations of the public classes, with their documentation. */
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
-import { isWritten, mayHaveNull } from "./checks.mjs";
+import { endingBooleans, isWritten, mayHaveNull } from "./checks.mjs";
 import { PLATFORM_NAMES } from "./names.mjs";
 
 const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
@@ -264,7 +264,9 @@ class Writer {
 		return member.parameters.map((parameter) => {
 			if (parameter.isRest) return `...${parameter.name}: string[]`;
 			const optional = parameter.value === null ? "" : "?";
-			return `${parameter.name}${optional}: ${this.#parameterType(parameter, this.#said(member, parameter, owner))}`;
+			const booleans = owner ? endingBooleans(owner, member) : [];
+			const literal = parameter === booleans[0] ? ` | { ${booleans.map(({ name }) => `${name}?: boolean | undefined`).join("; ")} }` : "";
+			return `${parameter.name}${optional}: ${this.#parameterType(parameter, this.#said(member, parameter, owner))}${literal}`;
 		}).join(", ");
 	}
 

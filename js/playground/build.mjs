@@ -220,7 +220,7 @@ rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 const result = await build(settings(false));
 parts.check(Object.keys(result.metafile.outputs));
-for (const file of ["index.html", "open.js", "style.css", "icon.svg"]) cpSync(path.join(here, file), path.join(out, file));
+for (const file of ["open.js", "style.css", "icon.svg"]) cpSync(path.join(here, file), path.join(out, file));
 cpSync(path.join(npm, "blockly/media"), path.join(out, "media"), { recursive: true, filter: (file) => !/\.(mp3|ogg|wav)$/.test(file) });
 mkdirSync(path.join(out, "models"));
 for (const model of models) writeFileSync(path.join(out, "models", `${model.name}.json`), JSON.stringify(baked(model)));
@@ -237,6 +237,8 @@ for (const [view, folders] of Object.entries(WORDS)) {
 	const editor = view === "play" ? neededFor("js/playground/play/editor.js").filter((file) => !first.includes(file)) : [];
 	console.log(`${view}: ${sizes(first)}${editor.length > 0 ? `, and then for the blocks ${sizes(editor)}` : ""}`);
 }
+// last, because with this file the page counts as made
+cpSync(path.join(here, "index.html"), path.join(out, "index.html"));
 console.log(`written: ${path.relative(process.cwd(), out)}`);
 
 /** The script files that some parts need before they run, including the page's first one and its words. */

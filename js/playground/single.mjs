@@ -61,7 +61,7 @@ export async function writeSingle(out, name, { plugins, ...settings }) {
 		if (!page.includes(from)) throw new Error(`index.html has no ${from}`);
 		return page.replaceAll(from, () => to);
 	};
-	let page = readFileSync(path.join(out, "index.html"), "utf8");
+	let page = readFileSync(new URL("index.html", import.meta.url), "utf8");
 	page = page.replace(/(Content-Security-Policy" content=")[^"]*/, (_, before) => before + policy);
 	page = change(page, "\t<script src=\"open.js\"></script>\n", "");
 	page = change(page, "\t<script type=\"module\" src=\"main.js\"></script>\n", "");

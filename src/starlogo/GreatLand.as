@@ -8,6 +8,7 @@ package starlogo
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelPreparation;
     import starlogo.libraries.ModelTable;
+    import starlogo.models.FailedLoads;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.models.cooked.CookedFile;
@@ -27,7 +28,7 @@ package starlogo
      * the one that is added last replaces the other. If you call <code>addModel()</code> while another model of that name is loading, yours
      * is used until the other is loaded.</p>
      */
-    public class GreatLand implements ModelReceiver
+    public class GreatLand implements ModelReceiver, FailedLoads
     {
         /** Whether the tightest bounding structure of a model is computed. The TightestFitCollider needs it. */
         public var loadTightestFit:Boolean = true;
@@ -188,6 +189,19 @@ package starlogo
         public function expectNoMore(name:String):void
         {
             _models.entryToWrite(name).endLoading();
+        }
+
+        /** @inheritDoc */
+        public function loadFailed(name:String, problem:String):void
+        {
+            _models.entryToWrite(name).loadProblem = problem;
+        }
+
+        /** @private Why there is no model of a name, as the end of a message: what was wrong when its load failed, or else what to do. */
+        engine function whyMissing(name:String):String
+        {
+            var problem:String = _models.entryOf(name).loadProblem;
+            return problem == null ? "; add it to the GreatLand first" : ", because its load failed: " + problem;
         }
 
         /** Whether a ModelLoader is loading a model of this name. A model of the same name may already be added. */

@@ -23,6 +23,7 @@ const SHOWN = {
 	distance: [60, (distance) => distance > 0.5],
 	slide: [300, (collected) => collected > 5],
 	walk: [900, (jumps, things) => jumps > 0 && things > 4],
+	'one-way': [1200, (landed, dropped) => landed > 3 && dropped > 0],
 	camera: [600, (frames, shortened, inWalls) => frames === 600 && shortened > 60 && shortened < 540 && inWalls === 0],
 	falling: [200, (landed, falling) => landed > 10 && falling > 0],
 	hills: [260, (touching, all, seen) => touching > 3 && touching < all && seen > 0 && seen < all],

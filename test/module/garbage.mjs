@@ -38,11 +38,21 @@ function move() {
 }
 
 const kept = new Array(COUNT).fill(null);
-const result = { objects: 0, moving: 0, frames: {}, pairs: {}, sweeps: {}, touches: {} };
+// others than those that collide, which would not be the same afterwards
+const turned = agents.map(() => new Agent("sphere"));
+let isThere = false;
+function turn() {
+	isThere = !isThere;
+	const headings = isThere ? motionX : motionY;
+	for (let i = 0; i < COUNT; i++) turned[i].heading = headings[i];
+}
+
+const result = { objects: 0, moving: 0, turning: 0, frames: {}, pairs: {}, sweeps: {}, touches: {} };
 result.objects = garbage(() => {
 	for (let i = 0; i < COUNT; i++) kept[i] = { i };
 });
 result.moving = garbage(move);
+result.turning = garbage(turn);
 for (const [name, System] of Object.entries({ "a BinCollider": BinCollider, "a TightestFitCollider": TightestFitCollider })) {
 	const collider = new System(greatLand);
 	const out = [];

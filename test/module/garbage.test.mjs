@@ -16,6 +16,10 @@ test("moving agents makes no garbage", () => {
 	assert.ok(Math.abs(measured.moving) < MOST, `${measured.moving} bytes a frame`);
 });
 
+test("turning agents makes no garbage", () => {
+	assert.ok(Math.abs(measured.turning) < MOST, `${measured.turning} bytes a frame`);
+});
+
 for (const [name, bytes] of Object.entries(measured.frames)) {
 	test(`a frame of ${name} makes no garbage`, () => {
 		assert.ok(measured.pairs[name] > 10000, `${measured.pairs[name]} pairs: something happens`);

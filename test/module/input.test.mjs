@@ -386,6 +386,31 @@ test("names of the wrong kind are shown short, with what is meant", async () => 
 	assert.throws(() => new SeenAgents(shapes).update([new Agent("flor")]), /add it to the LevelShapes first; is "floor" meant\?$/);
 });
 
+test("a literal with their names stands in place of the Booleans that a call ends with", () => {
+	const land = makeLand();
+	land.prepareExact = true;
+	const collider = new HierarchicalCollider(land);
+	collider.exact = true;
+	const collision = new Collision(collider);
+	const agent = new Agent("cube");
+	collision.update([agent]);
+	const queries = new AgentQueries(collision);
+	queries.update([agent]);
+	const ray = [{ x: -5, y: 0, z: 0.5 }, { x: 1, y: 0, z: 0 }, 99, null, null];
+	assert.equal(queries.castAll(...ray, { allSurfaces: true }).length, 2);
+	assert.equal(queries.castAll(...ray, { allSurfaces: false }).length, 1);
+	assert.equal(queries.castAll(...ray, {}).length, 1);
+	refused(() => queries.castAll(...ray, { surfaces: true }), "AgentQueries.castAll: options.surfaces is no option; ", "there are allSurfaces");
+	refused(() => queries.castAll(...ray, { allSurfaces: 1 }), "AgentQueries.castAll: allSurfaces must be true or false, not 1");
+	refused(() => queries.castAll(...ray, [true]), "AgentQueries.castAll: options must be true, false or options, not [true]");
+	for (const [literal, given] of [[{ withTraits: true }, [true]], [{ withTraits: true, withGround: false }, [true, false]], [{ withGround: false }, [false, false]], [{}, []]]) {
+		assert.deepEqual(collision.snapshot(literal), collision.snapshot(...given));
+	}
+	refused(() => collision.snapshot({ withtraits: true }), "Collision.snapshot: options.withtraits is no option; ", "there are withTraits, withGround");
+	const bear = BuiltInModel.cube();
+	assert.deepEqual(land.cook(bear, "z", { usesTransforms: true }), land.cook(bear, "z", true));
+});
+
 test("a snapshot from before the first frame says so", () => {
 	const collision = new Collision(new BinCollider());
 	const bytes = collision.snapshot();

@@ -185,6 +185,7 @@ const all = questions.castAll(new Vector3D(), new Vector3D(1, 0, 0), 9, null, [h
 is<Same<typeof all, (RayHit<Hero> & { agent: Hero })[]>>();
 is<Same<typeof all, ReturnType<typeof questions.castAll>>>();
 questions.castAll(new Vector3D(), new Vector3D(1, 0, 0), 9, null, null, true);
+questions.castAll(new Vector3D(), new Vector3D(1, 0, 0), 9, null, null, { allSurfaces: true });
 questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, null, new RayHit<Hero>());
 questions.cast({ x: 0, y: 0, z: 1 }, { x: 1, y: 0, z: 0 } as const, 9);
 // @ts-expect-error a point has three numbers

@@ -137,6 +137,28 @@ package starlogo
                 });
         }
 
+        [Test(async, timeout="330000")]
+        public function anErrorAboutAnAgentSaysWhyItsModelDidNotLoad():void
+        {
+            var agent:Agent = new Agent("bear", "bears");
+            _loader.loadText("bear", "v 0 0 north");
+            _loader.addEventListener(ErrorEvent.ERROR, function(event:ErrorEvent):void
+                {
+                    assertSays(agent, new Agent("bear"), new RegExp("there is no model \"bear\", because its load failed: " + event.text.substr(0, 20)));
+                });
+            whenComplete(function():void
+                {
+                    assertSays(agent, new Agent("bear"), /because its load failed: model "bear"/);
+                    _loader.loadText("bear", OBJ);
+                    whenComplete(function():void
+                        {
+                            assertTrue(_greatLand.hasModel("bear"));
+                            _greatLand.removeModel("bear");
+                            assertSays(agent, new Agent("bear"), /there is no model "bear"; add it/);
+                        });
+                });
+        }
+
         [Test]
         public function aLoadThatEndsWithoutABeginningChangesNothing():void
         {

@@ -1,10 +1,12 @@
 /** Tests of the build files. */
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
+import { spawn, spawnSync } from 'node:child_process';
+import { once } from 'node:events';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
+import { setTimeout } from 'node:timers/promises';
 import { failuresIn } from '../failures.mjs';
 import { read, root } from './sources.mjs';
 
@@ -50,6 +52,31 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 	assert.equal(good.status, 0);
 	assert.equal(good.stdout, 'BUILD SUCCESSFUL\nTotal time: 8 seconds\n');
 });
+
+/** A program in Ant's place that makes something and does not end. It says so when it is told to. */
+function hangingAnt() {
+	const lines = ['mkdir -p bin/stamps/begun', 'trap "touch ended; exit 1" TERM', 'sleep 0.1', 'touch bin/stamps/begun/file', 'while :; do sleep 0.1; done'];
+	writeFileSync(path.join(home, 'bin/ant'), `#!/bin/sh\n${lines.join('\n')}\n`, { mode: 0o755 });
+}
+
+for (const signal of ['SIGTERM', 'SIGINT', 'SIGKILL']) {
+	test(`a run that ${signal} ends leaves no Ant behind, and what it was making counts as not made`, async () => {
+		assert.equal(runAnt([], 0).status, 0);
+		hangingAnt();
+		const made = path.join(home, 'bin/stamps/begun/file');
+		const ended = path.join(home, 'ended');
+		const run = spawn(path.join(home, 'antw'), ['compile'], { stdio: 'ignore', env: { ...process.env, ANT_HOME: home, IVY_JAR: path.join(home, 'antw') } });
+		while (!existsSync(made)) await setTimeout(20);
+		run.kill(signal);
+		await once(run, 'exit');
+		// who is killed can't do anything any more: the next run does
+		if (signal === 'SIGKILL') assert.equal(runAnt([], 0).status, 0);
+		assert.ok(existsSync(ended));
+		assert.ok(!existsSync(made));
+		assert.deepEqual(readdirSync(path.join(home, 'bin/stamps/runs')), []);
+		rmSync(ended);
+	});
+}
 
 test('what is made is made again after any edit of its sources: in the same second, or while it is made', () => {
 	const project = path.join(home, 'made.xml');

@@ -1,4 +1,4 @@
-import { COLLIDERS, bySubject, castOf, growth, others } from './figures.mjs';
+import { COLLIDERS, bySubject, castOf, collidersOf, growth } from './figures.mjs';
 
 /**
  * What the page draws, by figure: {kind, height, labels or series, unit}. Colours are names that the page's style knows:
@@ -100,7 +100,7 @@ function crowds(entries) {
 	const most = Math.max(...entries.map((entry) => entry.agents ?? 0));
 	const count = entries.some((entry) => entry.agents === 100) ? 100 : most;
 	const subjects = bySubject(entries).filter(([name]) => name.startsWith(`${count} `));
-	const rows = [...COLLIDERS, ...others(entries, COLLIDERS)].flatMap((collider) => subjects.filter(([, found]) => found[collider])
+	const rows = collidersOf(entries).flatMap((collider) => subjects.filter(([, found]) => found[collider])
 		.map(([name, found]) => ({ name: [SHORT[collider] ?? collider.split('.').pop(), castOf({ subject: name })], entry: found[collider], literal: found[`${collider}, literal`] })));
 	return bars(rows.map(({ name }) => name), `ms a frame of ${count} agents`, [
 		{ name: 'this engine', color: 'engine', ...barsOf(rows.map(({ entry }) => entry)) },
@@ -130,7 +130,7 @@ function scattered(entries) {
 	const all = growth(entries);
 	const first = all.find(({ cast }) => cast === 'mix') ?? all[0];
 	const casts = [first, ...all.filter(({ cast }) => cast === `${first.cast}, as dense`)];
-	const series = casts.flatMap(({ cast, exponents }, i) => [...COLLIDERS, ...others(entries, COLLIDERS)].map((collider) => ({
+	const series = casts.flatMap(({ cast, exponents }, i) => collidersOf(entries).map((collider) => ({
 		name: collider.replace('Collider', '') + (i === 0 ? '' : ', as dense') + (exponents[collider] === undefined ? '' : `: n^${exponents[collider].toFixed(2)}`),
 		color: COLLIDERS.includes(collider) ? collider : 'minimal',
 		isDashed: i > 0,

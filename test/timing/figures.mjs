@@ -11,6 +11,9 @@ const STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-alig
 export const COLLIDERS = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'];
 const THESIS_SPHERE_TEST = 0.000319;
 
+/** The engine's colliders, and those of the reader's own that were measured. */
+export const collidersOf = (entries) => [...COLLIDERS, ...others(entries, COLLIDERS)];
+
 /** Entries by subject, in their order: [subject, {variant: entry}]. */
 export function bySubject(entries) {
 	const subjects = new Map();
@@ -63,7 +66,7 @@ const beside = (entry) => (entry?.beside === undefined ? '' : entry.beside === n
 const short = (entry) => (!entry ? '' : entry.refused ? 'noisy' : time(entry.value));
 
 /** The variants that are not the report's own: a researcher's fitters or colliders, in their order. */
-export function others(entries, known) {
+function others(entries, known) {
 	return [...new Set(entries.map((entry) => entry.variant))].filter((name) => !known.includes(name) && !name.endsWith(', literal'));
 }
 
@@ -108,7 +111,7 @@ function gameRows(entries) {
 
 function scatteredRows(entries) {
 	return growth(entries).flatMap(({ cast, exponents, exponentsByWork }) => {
-		const names = [...COLLIDERS, ...others(entries, COLLIDERS)];
+		const names = collidersOf(entries);
 		const games = bySubject(entries.filter((entry) => castOf(entry) === cast)).flatMap(([scene, found]) => {
 			const jit = names.map((name) => beside(found[name]));
 			const game = [scene, ...names.map((name) => measured(found[name])), range(Object.values(found).map((entry) => entry.collisions)),
@@ -132,7 +135,7 @@ function range(counts) {
 export function growth(entries) {
 	const casts = [...new Set(entries.map((entry) => castOf(entry)))];
 	return casts.map((cast) => {
-		const fitted = (size) => Object.fromEntries([...COLLIDERS, ...others(entries, COLLIDERS)]
+		const fitted = (size) => Object.fromEntries(collidersOf(entries)
 			.map((name) => [name, entries.filter((entry) => entry.variant === name && castOf(entry) === cast && entry.value)])
 			.map(([name, games]) => [name, exponent(games.map((entry) => [size(entry), entry.value]))])
 			.filter(([, value]) => value !== undefined));
@@ -148,7 +151,7 @@ const FRAME_MS = 40;
 
 /** Up to how many agents each collider has frames of at most 40 ms, 25 a second, in the games that were measured: a row for each cast. */
 export function holding(entries) {
-	return [...new Set(entries.map((entry) => castOf(entry)))].map((cast) => [cast, ...[...COLLIDERS, ...others(entries, COLLIDERS)]
+	return [...new Set(entries.map((entry) => castOf(entry)))].map((cast) => [cast, ...collidersOf(entries)
 		.map((name) => most(entries.filter((entry) => entry.variant === name && castOf(entry) === cast)))]);
 }
 

@@ -4,6 +4,7 @@ import { parametersOf } from "./contacts.mjs";
 const $MOST_LOOKED_AT = 1000;
 const $LONG_SILENCE = 300;
 const $LONG_FALL = 200;
+const $MANY_ANGLES = 30;
 const $END = 2; // CollisionHandler.END
 const $STRUCTURE = "structure"; // what a cast structure is called: see Body.readStructure
 const $warned = /* @__PURE__ */ new Set();
@@ -12,6 +13,8 @@ const $checkedObjects = /* @__PURE__ */ new WeakSet();
 const $silentFrames = /* @__PURE__ */ new WeakMap();
 const $updates = /* @__PURE__ */ new WeakMap();
 const $falls = /* @__PURE__ */ new WeakMap();
+const $angles = { count: 0, least: 0, most: 0 };
+let $anglesToSee = 20000;
 let $frames = 0;
 let $lookedAt = 0;
 
@@ -177,6 +180,35 @@ export function $warnOfFall(agent, dx, dy) {
 export function $warnOfUnits(options) {
 	if (!(options?.slopeDegrees > 0 && options.slopeDegrees < 1.6)) return;
 	$warn(`slopeDegrees is ${options.slopeDegrees}, so ground that is steeper than this many degrees is a wall. If these are radians, take ${Math.round(options.slopeDegrees * 180 / Math.PI)}`);
+}
+
+/**
+ * Warns of an agent's angle that is probably in radians. It looks at the first angles alone, and no further once one is of more than a turn. It is
+ * short, so V8 makes it a part of the setter, which then makes no object of the Number.
+ */
+export function $warnOfAngle(agent, name, value) {
+	if ($anglesToSee > 0) $warnOfRadians(agent, name, value);
+}
+
+/**
+ * An angle is probably in radians if it is a twelfth of π or some of them, to the last digits, because no angle in degrees is; or if it begins
+ * again at the other end of a turn, and none was farther yet.
+ */
+function $warnOfRadians(agent, name, value) {
+	const before = agent[`_${name}`];
+	if (typeof value !== "number" || value === 0 || before === value) return;
+	$angles.count++;
+	$angles.least = Math.min($angles.least, value);
+	$angles.most = Math.max($angles.most, value);
+	const twelfths = Math.abs(value) * 12 / Math.PI;
+	const isPart = twelfths < 24.5 && Math.abs(twelfths - Math.round(twelfths)) < 1e-12;
+	const areOfATurn = $angles.most - $angles.least < 6.2832 && ($angles.most < 3.1416 || $angles.least >= 0);
+	$anglesToSee = areOfATurn ? $anglesToSee - 1 : 0;
+	const beginsAgain = areOfATurn && $angles.count > $MANY_ANGLES && Math.abs(value - before) > 4.7 && !Number.isInteger(value);
+	if (!isPart && !beginsAgain) return;
+	$anglesToSee = 0;
+	const why = isPart ? "a part of π" : `and was ${$rounded(before)}; all angles were between ${$rounded($angles.least)} and ${$rounded($angles.most)}`;
+	$warn(`${name} of ${agent} is ${$rounded(value)}, ${why}. Angles are in degrees: if this is in radians, take ${name} = angle * 180 / Math.PI, here ${$rounded(value * 180 / Math.PI)}`);
 }
 
 /** What an error says about a name that is not known: the name that is probably meant. Of hints the minified module has nothing. */

@@ -23,6 +23,7 @@ package starlogo.libraries
         private var _tree:ModelTree = null;
         private var _revision:int = 0;
         private var _loadingCount:int = 0;
+        private var _loadProblem:String = null;
 
         /** @param table counts replaced and removed data of all shapes */
         public function ModelEntry(table:ModelTable)
@@ -79,6 +80,7 @@ package starlogo.libraries
          */
         public function replace(model:Model, structures:ModelStructures, tree:ModelTree):void
         {
+            _loadProblem = null;
             countChange(_structures);
             _structures = structures;
             setTree(tree);
@@ -101,10 +103,22 @@ package starlogo.libraries
             _tree = tree;
         }
 
+        /** Why the last load of a model of this name failed; null if it did not, or if another one has begun or come. */
+        public function get loadProblem():String
+        {
+            return _loadProblem;
+        }
+
+        public function set loadProblem(value:String):void
+        {
+            _loadProblem = value;
+        }
+
         /** Counts one more model of this name that is loading. */
         public function beginLoading():void
         {
             _loadingCount++;
+            _loadProblem = null;
         }
 
         /** Counts one less, if one is loading. */

@@ -321,6 +321,10 @@ package starlogo.models
             if (!hasMore && remove(load)) // the step may have cancelled its own load
             {
                 _doneCount++;
+                if (problem != null && _receiver is FailedLoads)
+                {
+                    FailedLoads(_receiver).loadFailed(load.name, problem.message);
+                }
                 var isTold:Boolean = tell(load, problem == null ? load.model : null, problem);
                 if (problem == null)
                 {

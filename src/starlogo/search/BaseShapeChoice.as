@@ -101,7 +101,7 @@ package starlogo.search
             }
             if (!greatLand.isLoading(agent.shape))
             {
-                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first"
+                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"" + greatLand.whyMissing(agent.shape)
                         + hintOfName(agent.shape, greatLand.modelNames));
             }
             return true;
@@ -140,7 +140,7 @@ package starlogo.search
         engine function shapeOf(agent:Agent):ModelShape
         {
             var kind:int = kindOf(agent);
-            var index:int = _indices.valueOf(agent.modelNumber, kind);
+            var index:int = _indices.find(agent.modelNumber, kind);
             return index < 0 ? newShape(agent, kind) : _shapes[index];
         }
 

@@ -224,6 +224,17 @@ package starlogo.terrain
         }
 
         /**
+         * Makes the part of the ground at a place a hole, or fills it: the column there, or with slopes the cell. See <code>setHole()</code>.
+         *
+         * @throws RangeError if the place is outside of the terrain
+         */
+        public function setHoleAt(x:Number, y:Number, isHole:Boolean):void
+        {
+            var at:int = indexAt("a hole", x, y, isBlocky);
+            setHole(at % columns, at / columns, isHole);
+        }
+
+        /**
          * Whether a part of the ground is a hole, as <code>setHole()</code> names it.
          *
          * @throws RangeError if there is no such height
@@ -283,14 +294,9 @@ package starlogo.terrain
          */
         public function raiseWall(x:Number, y:Number, height:Number):void
         {
-            requireInWorld("a wall's place", x, y, 0);
-            if (!grid.isWithin(x, y, cellWidth / 2))
-            {
-                throw new RangeError("a wall at (" + x + ", " + y + ") is outside of the terrain");
-            }
-            // in cells, from the outer corner of the first column
-            var column:int = Math.min((x - grid.x) / grid.cellWidth + 0.5, grid.columns - 1);
-            var row:int = Math.min((y - grid.y) / grid.cellWidth + 0.5, grid.rows - 1);
+            var at:int = indexAt("a wall", x, y, true);
+            var column:int = at % columns;
+            var row:int = at / columns;
             setHeight(column, row, getHeight(column, row) + height);
         }
 
@@ -353,6 +359,21 @@ package starlogo.terrain
         {
             requireGiven("agent", agent);
             return heightAt(agent.x, agent.y) > agent.z;
+        }
+
+        // The height whose column is at a place, or whose cell is, by its index in heights. Columns begin half a cell before their heights.
+        private function indexAt(what:String, x:Number, y:Number, isColumn:Boolean):int
+        {
+            requireInWorld(what + "'s place", x, y, 0);
+            var before:Number = isColumn ? 0.5 : 0;
+            if (!grid.isWithin(x, y, before * cellWidth))
+            {
+                throw new RangeError(what + " at (" + x + ", " + y + ") is outside of the terrain");
+            }
+            var beyond:int = isColumn ? 1 : 2;
+            var column:int = Math.min((x - grid.x) / cellWidth + before, columns - beyond);
+            var row:int = Math.min((y - grid.y) / cellWidth + before, rows - beyond);
+            return row * columns + column;
         }
 
         private function requireRegion(column:int, row:int, columns:int, rows:int):void

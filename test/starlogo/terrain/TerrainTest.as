@@ -160,6 +160,36 @@ package starlogo.terrain
         }
 
         [Test]
+        public function aHoleIsMadeAtAPlace():void
+        {
+            var random:SeededRandom = new SeededRandom(74);
+            for each (var isBlocky:Boolean in [false, true])
+            {
+                for (var n:int = 0; n < 200; n++)
+                {
+                    var terrain:Terrain = new Terrain(random.integer(2, 6), random.integer(2, 6), random.between(0.1, 3), random.between(-9, 9), random.between(-9, 9));
+                    terrain.isBlocky = isBlocky;
+                    var border:Number = isBlocky ? terrain.cellWidth / 2 : 0;
+                    var x:Number = random.between(terrain.x - border, terrain.x + (terrain.columns - 1) * terrain.cellWidth + border);
+                    var y:Number = random.between(terrain.y - border, terrain.y + (terrain.rows - 1) * terrain.cellWidth + border);
+                    terrain.setHoleAt(x, y, true);
+                    assertTrue("at (" + x + ", " + y + ")", isNaN(terrain.heightAt(x, y)));
+                    assertEquals("one", 1, countHoles(terrain));
+                    terrain.setHoleAt(x, y, false);
+                    assertEquals("filled", 0, countHoles(terrain));
+                }
+            }
+            _terrain.setHoleAt(2, 2, true);
+            assertTrue("the last place of slopes is in the last cell", _terrain.isHole(1, 1));
+            assertThrows(RangeError, "a hole at (2.5, 0) is outside", _terrain.setHoleAt, 2.5, 0, true);
+            _terrain.isBlocky = true;
+            _terrain.setHoleAt(2.5, 0, true);
+            assertTrue("a column begins before its height and ends after it", _terrain.isHole(2, 1));
+            assertThrows(RangeError, "a hole at (0, -3.5) is outside", _terrain.setHoleAt, 0, -3.5, true);
+            assertThrows(RangeError, "a hole's place", _terrain.setHoleAt, NaN, 0, true);
+        }
+
+        [Test]
         public function boundsKnowTheHoles():void
         {
             var random:SeededRandom = new SeededRandom(733);
@@ -312,6 +342,16 @@ package starlogo.terrain
         }
 
         // The bounds of every square are those of its heights and of the heights around them.
+        private static function countHoles(terrain:Terrain):int
+        {
+            var count:int = 0;
+            for (var at:int = 0; at < terrain.columns * terrain.rows; at++)
+            {
+                count += terrain.isHole(at % terrain.columns, at / terrain.columns) ? 1 : 0;
+            }
+            return count;
+        }
+
         private function checkBounds(terrain:Terrain):void
         {
             var grid:HeightGrid = terrain.grid;

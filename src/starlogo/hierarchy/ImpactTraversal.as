@@ -4,7 +4,7 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
-    import starlogo.intersection.sweep.BoxPairMotion;
+    import starlogo.intersection.sweep.BoxPair;
     import starlogo.intersection.sweep.BoxSweep;
 
     use namespace engine;
@@ -18,7 +18,7 @@ package starlogo.hierarchy
     public final class ImpactTraversal extends BestPairTraversal
     {
         private var _sweep:BoxSweep = new BoxSweep();
-        private var _pair:BoxPairMotion = new BoxPairMotion();
+        private var _pair:BoxPair = new BoxPair();
 
         // The latest time of the motion.
         private var _latest:Number = 1;
@@ -75,7 +75,7 @@ package starlogo.hierarchy
         // If that time is after the least time, sets the bound to RelativeMotion.NEVER.
         private function sweep(relative:Placement, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, withEdges:Boolean, out:BestPair):void
         {
-            var pair:BoxPairMotion = _pair;
+            var pair:BoxPair = _pair;
             var scale:Number = relative.size;
             var at:int = 6 * b;
             var bX:Number = boxesB[at] * scale;

@@ -9,8 +9,8 @@ package starlogo.intersection
 
     /**
      * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
-     * and the radii. A GapFinder for each pair of kinds finds the gap, and tests structures that stand. If the cores overlap, there is no gap, and
-     * the ConvexPairKernel finds the contact.
+     * and the radii. A GapFinder for each pair of kinds finds the gap. If the cores overlap, there is no gap, and the ConvexPairKernel finds the
+     * contact.
      *
      * <p>Two cores have a distance that is a convex function of time if one moves along a straight line. So Newton's method finds the time of
      * impact (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection", 2004). ConvexSweep
@@ -37,12 +37,6 @@ package starlogo.intersection
         {
             _finder = finder;
             _convex = convex;
-        }
-
-        /** @inheritDoc */
-        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
-        {
-            return _finder.areTouching(a, b);
         }
 
         /** @inheritDoc */

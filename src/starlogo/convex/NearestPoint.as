@@ -33,9 +33,9 @@ package starlogo.convex
         public var squaredDistance:Number = 0;
 
         /** The direction from the origin to the point, of any length. It may be more precise than the point itself. */
-        public var alongX:Number = 0;
-        public var alongY:Number = 0;
-        public var alongZ:Number = 0;
+        public var directionX:Number = 0;
+        public var directionY:Number = 0;
+        public var directionZ:Number = 0;
 
         /** For each corner, its share of the point. */
         public var shares:Vector.<Number> = new Vector.<Number>(4, true);
@@ -187,9 +187,9 @@ package starlogo.convex
                 squaredDistance = squared;
                 clearShares();
                 shares[i] = 1;
-                x = alongX = toX;
-                y = alongY = toY;
-                z = alongZ = toZ;
+                x = directionX = toX;
+                y = directionY = toY;
+                z = directionZ = toZ;
             }
         }
 
@@ -229,33 +229,42 @@ package starlogo.convex
                 x = toX;
                 y = toY;
                 z = toZ;
-                // A short vector is not quite perpendicular to the edge.
-                var off:Number = (toX * ux + toY * uy + toZ * uz) / uu;
-                alongX = toX - off * ux;
-                alongY = toY - off * uy;
-                alongZ = toZ - off * uz;
+                setDirectionAcross(from, to);
             }
         }
 
-        // Tries a triangle. The edge between its first two corners becomes the longest one.
+        // Sets the direction to the point, but perpendicular to an edge. A short vector to the point is not quite perpendicular.
+        private function setDirectionAcross(from:int, to:int):void
+        {
+            var w:Vector.<Number> = _corners;
+            var ux:Number = w[to] - w[from];
+            var uy:Number = w[int(to + 1)] - w[int(from + 1)];
+            var uz:Number = w[int(to + 2)] - w[int(from + 2)];
+            var off:Number = (x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
+            directionX = x - off * ux;
+            directionY = y - off * uy;
+            directionZ = z - off * uz;
+        }
+
+        // Tries a triangle. Its longest edge becomes the base.
         private function tryTriangle(i:int, j:int, k:int):void
         {
             if (!isLonger(i, j, j, k) && !isLonger(k, i, j, k))
             {
-                tryOverLongest(j, k, i);
+                tryTriangleOnBase(j, k, i);
             }
             else if (isLonger(k, i, i, j))
             {
-                tryOverLongest(k, i, j);
+                tryTriangleOnBase(k, i, j);
             }
             else
             {
-                tryOverLongest(i, j, k);
+                tryTriangleOnBase(i, j, k);
             }
         }
 
-        // Tries a triangle whose longest edge goes from i to j. If the origin is not over its inside, tries its edges.
-        private function tryOverLongest(i:int, j:int, k:int):void
+        // Tries a triangle on its base, the longest edge, which goes from i to j. If the origin is not over its inside, tries its edges.
+        private function tryTriangleOnBase(i:int, j:int, k:int):void
         {
             var w:Vector.<Number> = _corners;
             var from:int = 3 * i;
@@ -271,7 +280,7 @@ package starlogo.convex
             var hy:Number = w[int(apex + 1)] - toY;
             var hz:Number = w[int(apex + 2)] - toZ;
             var uu:Number = ux * ux + uy * uy + uz * uz;
-            // the height, from its foot on the longest edge
+            // the height, from its foot on the base
             var foot:Number = (hx * ux + hy * uy + hz * uz) / uu;
             hx -= foot * ux;
             hy -= foot * uy;
@@ -305,19 +314,16 @@ package starlogo.convex
                 if (squared < hh)
                 {
                     // the triangle's normal is more precise than the vector
-                    alongX = uy * hz - uz * hy;
-                    alongY = uz * hx - ux * hz;
-                    alongZ = ux * hy - uy * hx;
-                    var side:int = alongX * x + alongY * y + alongZ * z < 0 ? -1 : 1;
-                    alongX *= side;
-                    alongY *= side;
-                    alongZ *= side;
+                    directionX = uy * hz - uz * hy;
+                    directionY = uz * hx - ux * hz;
+                    directionZ = ux * hy - uy * hx;
+                    var side:int = directionX * x + directionY * y + directionZ * z < 0 ? -1 : 1;
+                    directionX *= side;
+                    directionY *= side;
+                    directionZ *= side;
                     return;
                 }
-                var off:Number = (toX * ux + toY * uy + toZ * uz) / uu;
-                alongX = toX - off * ux;
-                alongY = toY - off * uy;
-                alongZ = toZ - off * uz;
+                setDirectionAcross(from, to);
             }
         }
 

@@ -42,22 +42,22 @@ package starlogo.intersection
          */
         public static function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            if (a.kind > b.kind)
+            var kindA:int = a.kind;
+            var kindB:int = b.kind;
+            if (kindA > kindB)
             {
-                var first:BoundingStructure = b;
-                b = a;
-                a = first;
+                return areTouching(b, a);
             }
             // The tests are short, and calls take long in Adobe's VM. So no kernel stands between.
-            switch (b.kind)
+            switch (kindB)
             {
                 case BoundingStructure.SPHERE:
                     return sphereSphere(a as Sphere, b as Sphere);
                 case BoundingStructure.CAPSULE:
-                    return a.kind == BoundingStructure.SPHERE ? sphereCapsule(a as Sphere, b as Capsule) : capsuleCapsule(a as Capsule, b as Capsule);
+                    return kindA == BoundingStructure.SPHERE ? sphereCapsule(a as Sphere, b as Capsule) : capsuleCapsule(a as Capsule, b as Capsule);
                 case BoundingStructure.BOX:
-                    return a.kind == BoundingStructure.SPHERE ? sphereBox(a as Sphere, b as Box)
-                        : a.kind == BoundingStructure.CAPSULE ? capsuleBox(a as Capsule, b as Box) : boxBox(a as Box, b as Box);
+                    return kindA == BoundingStructure.SPHERE ? sphereBox(a as Sphere, b as Box)
+                        : kindA == BoundingStructure.CAPSULE ? capsuleBox(a as Capsule, b as Box) : boxBox(a as Box, b as Box);
                 case BoundingStructure.HULL:
                     return CONVEX.areTouching(a, b);
                 default:

@@ -42,12 +42,12 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            include "../convex/motionMargin.inc";
             var gap:CoreGap = _gap;
             motion.time = 0;
+            motion.measureMargin();
             _finder.find(a, b, motion, gap);
             var radii:Number = gap.radiusA + gap.radiusB;
-            var touchingDistance:Number = radii * Tolerances.TOUCHING + margin;
+            var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin;
             var squared:Number = gap.squaredLength;
             if (squared <= touchingDistance * touchingDistance)
             {
@@ -104,13 +104,12 @@ package starlogo.intersection
         private function findZero(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Boolean
         {
             var gap:CoreGap = _gap;
-            include "../convex/motionMargin.inc";
             var radii:Number = gap.radiusA + gap.radiusB;
             // A gap that is no longer than this has no certain direction.
             var uncertain:Number = Tolerances.DIRECTION * gap.extent;
             // Radii allow for the rounding of the gap at each step. Where there are hardly any, the extent does.
             var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.extent : 0;
-            var touchingDistance:Number = radii * Tolerances.TOUCHING + margin + rounding;
+            var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin + rounding;
             var lastTime:Number = 0;
             var lastDistance:Number = Math.sqrt(gap.squaredLength);
             var hasOvershot:Boolean = false;

@@ -7,7 +7,7 @@ package starlogo.intersection
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
-    import starlogo.convex.findSphereEntry;
+    import starlogo.convex.findTimeOfSpheres;
 
     /**
      * The kernel of two spheres.
@@ -22,7 +22,7 @@ package starlogo.intersection
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             setGap(a as Sphere, b as Sphere, motion);
-            findSphereEntry(_gap, motion);
+            findTimeOfSpheres(_gap, motion);
         }
 
         /** @inheritDoc */

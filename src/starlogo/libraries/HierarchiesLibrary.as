@@ -1,13 +1,13 @@
 package starlogo.libraries
 {
     import starlogo.engine;
-    import starlogo.geometry.VertexData;
+    import starlogo.geometry.vertices.VertexData;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.solid.ModelTree;
-    import starlogo.steps.Steps;
     import starlogo.steps.finish;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 

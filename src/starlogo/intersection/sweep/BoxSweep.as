@@ -146,8 +146,8 @@ package starlogo.intersection.sweep
             pair.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             pair.axes.setTo(a, b);
             pair.setHalves(a, b);
-            include "../../convex/motionMargin.inc";
-            pair.margin = margin;
+            motion.measureMargin();
+            pair.margin = motion.margin;
             pair.latest = motion.latest;
         }
 

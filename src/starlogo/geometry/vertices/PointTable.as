@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.geometry.vertices
 {
     import flash.utils.ByteArray;
 

@@ -46,9 +46,6 @@ package starlogo.convex
         // The simplex's corners.
         private var _corners:Vector.<Number>;
 
-        // The corner that was added last: the point includes it. -1 if any part may be the nearest.
-        private var _newest:int = -1;
-
         /** @param corners of the simplex, x, y, z of each; kept */
         public function NearestPoint(corners:Vector.<Number>)
         {
@@ -72,20 +69,19 @@ package starlogo.convex
         public function find(count:int, newest:int, isApart:Boolean):int
         {
             squaredDistance = Infinity;
-            _newest = newest;
             if (count == 1)
             {
                 tryCorner(0);
             }
             else if (count == 2)
             {
-                tryEdge(0, 1);
+                tryEdge(0, 1, newest);
             }
             else if (count == 3)
             {
-                tryTriangle(0, 1, 2);
+                tryTriangle(0, 1, 2, newest);
             }
-            else if (tryTetrahedron(isApart))
+            else if (tryTetrahedron(isApart, newest))
             {
                 return INSIDE;
             }
@@ -94,7 +90,7 @@ package starlogo.convex
 
         // Returns whether the origin is inside of the tetrahedron. If not, tries the faces that the origin is beyond; the face of the first three
         // corners is none of them, because the fourth corner was nearer. The shares are those of the nearest point in that face until now.
-        private function tryTetrahedron(isApart:Boolean):Boolean
+        private function tryTetrahedron(isApart:Boolean, newest:int):Boolean
         {
             shares[3] = 0;
             var isFlat:Boolean = !moveToOrigin();
@@ -109,15 +105,15 @@ package starlogo.convex
             }
             if (isBeyond01 || isBeyondNone)
             {
-                tryTriangle(3, 0, 1);
+                tryTriangle(3, 0, 1, newest);
             }
             if (isBeyond12 || isBeyondNone)
             {
-                tryTriangle(3, 1, 2);
+                tryTriangle(3, 1, 2, newest);
             }
             if (isBeyond20 || isBeyondNone)
             {
-                tryTriangle(3, 2, 0);
+                tryTriangle(3, 2, 0, newest);
             }
             return false;
         }
@@ -193,7 +189,7 @@ package starlogo.convex
             }
         }
 
-        private function tryEdge(i:int, j:int):void
+        private function tryEdge(i:int, j:int, newest:int):void
         {
             var w:Vector.<Number> = _corners;
             var from:int = 3 * i;
@@ -209,7 +205,7 @@ package starlogo.convex
             if (!(along > 0) || along >= uu)
             {
                 var end:int = along > 0 ? j : i;
-                if (_newest < 0 || _newest == end)
+                if (newest < 0 || newest == end)
                 {
                     tryCorner(end);
                 }
@@ -247,24 +243,24 @@ package starlogo.convex
         }
 
         // Tries a triangle. Its longest edge becomes the base.
-        private function tryTriangle(i:int, j:int, k:int):void
+        private function tryTriangle(i:int, j:int, k:int, newest:int):void
         {
             if (!isLonger(i, j, j, k) && !isLonger(k, i, j, k))
             {
-                tryTriangleOnBase(j, k, i);
+                tryTriangleOnBase(j, k, i, newest);
             }
             else if (isLonger(k, i, i, j))
             {
-                tryTriangleOnBase(k, i, j);
+                tryTriangleOnBase(k, i, j, newest);
             }
             else
             {
-                tryTriangleOnBase(i, j, k);
+                tryTriangleOnBase(i, j, k, newest);
             }
         }
 
         // Tries a triangle on its base, the longest edge, which goes from i to j. If the origin is not over its inside, tries its edges.
-        private function tryTriangleOnBase(i:int, j:int, k:int):void
+        private function tryTriangleOnBase(i:int, j:int, k:int, newest:int):void
         {
             var w:Vector.<Number> = _corners;
             var from:int = 3 * i;
@@ -294,7 +290,7 @@ package starlogo.convex
             var low:Number = along - foot * up;
             if (!(hh > NARROWEST * uu && up > 0 && low > 0 && low < 1 - up))
             {
-                tryEdges(i, j, k);
+                tryEdges(i, j, k, newest);
                 return;
             }
             toX += up * hx;
@@ -328,19 +324,19 @@ package starlogo.convex
         }
 
         // Tries a triangle's edges, but not the one without the newest corner: the simplex before was nearer than that.
-        private function tryEdges(i:int, j:int, k:int):void
+        private function tryEdges(i:int, j:int, k:int, newest:int):void
         {
-            if (_newest != k)
+            if (newest != k)
             {
-                tryEdge(i, j);
+                tryEdge(i, j, newest);
             }
-            if (_newest != i)
+            if (newest != i)
             {
-                tryEdge(j, k);
+                tryEdge(j, k, newest);
             }
-            if (_newest != j)
+            if (newest != j)
             {
-                tryEdge(k, i);
+                tryEdge(k, i, newest);
             }
         }
 

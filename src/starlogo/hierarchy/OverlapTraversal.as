@@ -3,7 +3,7 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.BoxTest;
+    import starlogo.intersection.BoxSeparation;
     import starlogo.intersection.sweep.BoxAxes;
     import starlogo.intersection.sweep.BoxPair;
 
@@ -219,7 +219,7 @@ package starlogo.hierarchy
             pair.bX = boxesB[int(b + 3)] * pose.placement.size;
             pair.bY = boxesB[int(b + 4)] * pose.placement.size;
             pair.bZ = boxesB[int(b + 5)] * pose.placement.size;
-            return BoxTest.overlapAcrossEdges(pair);
+            return BoxSeparation.overlapAcrossEdges(pair);
         }
 
         // Returns the child of a node of the first tree that is nearer to the second one's node. _pair then begins at this child.

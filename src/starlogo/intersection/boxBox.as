@@ -15,6 +15,6 @@ package starlogo.intersection
      */
     public function boxBox(a:Box, b:Box):Boolean
     {
-        return BoxTest.STANDING.areTouching(a, b);
+        return BoxSeparation.STANDING.areTouching(a, b);
     }
 }

@@ -44,7 +44,7 @@ package starlogo.intersection.ray
             var half:Number = radius * radius - (x * x + y * y + z * z);
             if (!(half >= 0))
             {
-                reacrossSquared false;
+                return false;
             }
             half = Math.sqrt(half / acrossSquared);
             near = closest - half;
@@ -55,7 +55,7 @@ package starlogo.intersection.ray
         {
             if (!crossBall(ray, atNear > 1 ? end : start, radius, out))
             {
-                reacrossSquared false;
+                return false;
             }
             near = out.distance;
         }
@@ -64,7 +64,7 @@ package starlogo.intersection.ray
         {
             if (!crossBall(ray, atFar > 1 ? end : start, radius, out))
             {
-                reacrossSquared false;
+                return false;
             }
             far = out.end;
         }

@@ -1,6 +1,5 @@
 package starlogo.intersection.sweep
 {
-    import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
 
     /**
@@ -43,16 +42,5 @@ package starlogo.intersection.sweep
 
         /** The result: the time from which the axes that were tried do not separate the boxes, or RelativeMotion.NEVER. */
         public var time:Number = RelativeMotion.NEVER;
-
-        /** Sets the half-extents. */
-        public function setHalves(a:Box, b:Box):void
-        {
-            aX = a.halfX;
-            aY = a.halfY;
-            aZ = a.halfZ;
-            bX = b.halfX;
-            bY = b.halfY;
-            bZ = b.halfZ;
-        }
     }
 }

@@ -145,7 +145,12 @@ package starlogo.intersection.sweep
             pair.motionZ = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
             pair.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             pair.axes.setTo(a, b);
-            pair.setHalves(a, b);
+            pair.aX = a.halfX;
+            pair.aY = a.halfY;
+            pair.aZ = a.halfZ;
+            pair.bX = b.halfX;
+            pair.bY = b.halfY;
+            pair.bZ = b.halfZ;
             motion.measureMargin();
             pair.margin = motion.margin;
             pair.latest = motion.latest;

@@ -13,10 +13,10 @@ package starlogo.intersection
      *
      * @private
      */
-    public final class BoxTest
+    public final class BoxSeparation
     {
         /** For <code>boxBox()</code>. */
-        internal static const STANDING:BoxTest = new BoxTest();
+        internal static const STANDING:BoxSeparation = new BoxSeparation();
 
         private var _pair:BoxPair = new BoxPair();
 
@@ -67,7 +67,12 @@ package starlogo.intersection
             pair.x = x;
             pair.y = y;
             pair.z = z;
-            pair.setHalves(a, b);
+            pair.aX = halfX;
+            pair.aY = halfY;
+            pair.aZ = halfZ;
+            pair.bX = bX;
+            pair.bY = bY;
+            pair.bZ = bZ;
             pair.axes.setTo(a, b);
             if (!overlapAlongAxes(pair))
             {
@@ -81,7 +86,7 @@ package starlogo.intersection
         }
 
         // Whether two boxes overlap along the normals of their faces: first those of a, then those of b.
-        private static function overlapAlongAxes(pair:BoxPair):Boolean
+        private function overlapAlongAxes(pair:BoxPair):Boolean
         {
             var b:BoxAxes = pair.axes;
             var x:Number = pair.x;
@@ -94,39 +99,24 @@ package starlogo.intersection
             var bY:Number = pair.bY;
             var bZ:Number = pair.bZ;
             var radius:Number = aX + bX * b.abs00 + bY * b.abs01 + bZ * b.abs02;
-            if (x > radius || x < -radius)
-            {
-                return false;
-            }
+            var overlap:Boolean = x <= radius && x >= -radius;
             radius = aY + bX * b.abs10 + bY * b.abs11 + bZ * b.abs12;
-            if (y > radius || y < -radius)
-            {
-                return false;
-            }
+            overlap = overlap && y <= radius && y >= -radius;
             radius = aZ + bX * b.abs20 + bY * b.abs21 + bZ * b.abs22;
-            if (z > radius || z < -radius)
-            {
-                return false;
-            }
+            overlap = overlap && z <= radius && z >= -radius;
             var along:Number = x * b.m00 + y * b.m10 + z * b.m20;
             radius = bX + aX * b.abs00 + aY * b.abs10 + aZ * b.abs20;
-            if (along > radius || along < -radius)
-            {
-                return false;
-            }
+            overlap = overlap && along <= radius && along >= -radius;
             along = x * b.m01 + y * b.m11 + z * b.m21;
             radius = bY + aX * b.abs01 + aY * b.abs11 + aZ * b.abs21;
-            if (along > radius || along < -radius)
-            {
-                return false;
-            }
+            overlap = overlap && along <= radius && along >= -radius;
             along = x * b.m02 + y * b.m12 + z * b.m22;
             radius = bZ + aX * b.abs02 + aY * b.abs12 + aZ * b.abs22;
-            return along <= radius && along >= -radius;
+            return overlap && along <= radius && along >= -radius;
         }
 
         // Whether edges of two boxes are so nearly parallel that their cross product would cancel.
-        private static function haveParallelEdges(b:BoxAxes):Boolean
+        private function haveParallelEdges(b:BoxAxes):Boolean
         {
             var near:Number = 1 - Tolerances.NEARLY_PARALLEL / 2;
             return b.abs22 > near || b.abs21 > near || b.abs20 > near
@@ -135,7 +125,7 @@ package starlogo.intersection
         }
 
         // Whether the z axes of two boxes are parallel. Then their faces are enough: the cross products of other edges are along z or across it.
-        private static function areUpright(b:BoxAxes):Boolean
+        private function areUpright(b:BoxAxes):Boolean
         {
             return b.m02 * b.m02 + b.m12 * b.m12 <= Tolerances.PARALLEL;
         }

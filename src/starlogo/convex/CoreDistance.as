@@ -87,7 +87,10 @@ package starlogo.convex
                     // no step can come nearer
                     return;
                 }
-                stalls += keepNearest(cores, out) ? 0 : 1;
+                if (!keepNearest(cores, out))
+                {
+                    stalls++;
+                }
                 if (origin == NearestPoint.INSIDE || _least <= rounding * rounding)
                 {
                     return;

@@ -2,7 +2,7 @@ package starlogo.away3d
 {
     import away3d.core.base.ISubGeometry;
     import starlogo.geometry.AffineTransform;
-    import starlogo.geometry.PointTable;
+    import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;

@@ -4,11 +4,11 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
-    import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.hull.ConvexHull;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.VertexBounds;
-    import starlogo.geometry.VertexData;
+    import starlogo.geometry.vertices.VertexBounds;
+    import starlogo.geometry.vertices.VertexData;
 
     use namespace engine;
 

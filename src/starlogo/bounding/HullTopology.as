@@ -1,8 +1,8 @@
 package starlogo.bounding
 {
-    import starlogo.geometry.ConvexHull;
-    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.hull.ConvexHull;
     import starlogo.geometry.hull.edgesAcross;
+    import starlogo.geometry.Tolerances;
 
     /**
      * Which corners of a hull make its faces and edges. All copies of a hull share it, because a placement moves only the corners. A corner

@@ -27,9 +27,6 @@ package starlogo.convex
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
 
-        // The normal of a contact, and how far the cores are apart along it.
-        private var _axis:CoreWitness = new CoreWitness();
-
         /** Whether two shapes touch or overlap. */
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
         {
@@ -91,17 +88,17 @@ package starlogo.convex
             _distance.find(_cores, _witness);
             if (_witness.distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
             {
-                _axis.normalX = _witness.gap.x / _witness.distance;
-                _axis.normalY = _witness.gap.y / _witness.distance;
-                _axis.normalZ = _witness.gap.z / _witness.distance;
-                _axis.separation = _witness.distance;
+                _witness.normalX = _witness.gap.x / _witness.distance;
+                _witness.normalY = _witness.gap.y / _witness.distance;
+                _witness.normalZ = _witness.gap.z / _witness.distance;
+                _witness.separation = _witness.distance;
             }
             else
             {
-                _overlap.find(_cores, _axis);
+                _overlap.find(_cores, _witness);
                 if (_witness.distance > 0)
                 {
-                    _overlap.tryGap(_cores, _witness.gap, _axis);
+                    _overlap.tryGap(_cores, _witness.gap, _witness);
                 }
             }
             finishContact(motion, out);
@@ -111,7 +108,7 @@ package starlogo.convex
         public function findOverlap(a:ConvexShape, b:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             beginContact(a, b, motion);
-            _overlap.find(_cores, _axis);
+            _overlap.find(_cores, _witness);
             finishContact(motion, out);
         }
 
@@ -130,8 +127,8 @@ package starlogo.convex
         // Makes the contact of the axis of the cores, by their radii.
         private function finishContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            out.setNormal(_axis.normalX, _axis.normalY, _axis.normalZ);
-            var depth:Number = _cores.first.radius + _cores.second.radius - _axis.separation;
+            out.setNormal(_witness.normalX, _witness.normalY, _witness.normalZ);
+            var depth:Number = _cores.first.radius + _cores.second.radius - _witness.separation;
             out.depth = depth > 0 ? depth : 0;
             _common.find(_cores, out);
             out.x += _cores.second.x;

@@ -165,8 +165,11 @@ package starlogo.convex
             margin = (Tolerances.TOUCHING - 1) * extent / 2;
         }
 
-        /** Returns the index of the first number of the core's point that is farthest along a direction, or against it if the side is -1. */
-        public function farthest(along:Vector3D, side:int):int
+        /**
+         * The support function of the core: returns the index of the first number of the point that is farthest along a direction, or against it if the
+         * side is -1.
+         */
+        public function support(along:Vector3D, side:int):int
         {
             var p:Vector.<Number> = points;
             var alongX:Number = side * along.x;

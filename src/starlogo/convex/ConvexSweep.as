@@ -62,8 +62,8 @@ package starlogo.convex
         {
             motion.time = 0;
             cores.setMotion(motion);
-            include "motionMargin.inc";
-            cores.touchingDistance += margin;
+            motion.measureMargin();
+            cores.touchingDistance += motion.margin;
             skipToBalls(cores, motion);
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
         }
@@ -79,7 +79,7 @@ package starlogo.convex
             balls.z = side * cores.z;
             balls.radiusA = Tolerances.OUTER * (cores.touchingDistance + cores.first.extent + cores.second.extent);
             balls.radiusB = 0;
-            findSphereEntry(balls, motion);
+            findTimeOfSpheres(balls, motion);
         }
 
         // Finds the distance at the motion's time.

@@ -9,17 +9,18 @@ package starlogo.convex
      * drops the corners that the simplex does not need for its point nearest to the origin.
      *
      * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is. The separation proves it, because it is
-     * the same length. If the steps run out, the true distance is between the two. Sweeps go by the separation, so they do not pass through.</p>
+     * the same length. The search ends, because no simplex comes twice: each step finds a nearer one, but for the few that rounding hides. Two hulls of
+     * 40,000 points each need up to 27 steps.</p>
      */
     internal final class CoreDistance
     {
-        // Two hulls of 40,000 points each need up to 27, flat or not.
-        private static const MOST_STEPS:int = 100;
+        // The search ends after so many steps that came no nearer. After one or two of them, a step may still come nearer.
+        private static const MOST_STALLS:int = 8;
 
         private var _simplex:Simplex = new Simplex();
 
-        // The direction in which a corner is looked for: from the origin to the nearest point so far.
-        private var _along:Vector3D = new Vector3D();
+        // The direction of the search: from the origin to the nearest point so far.
+        private var _direction:Vector3D = new Vector3D();
 
         // The least squared distance of all steps.
         private var _least:Number = 0;
@@ -34,13 +35,13 @@ package starlogo.convex
             if (first == ConvexShape.POINT && second == ConvexShape.TRIANGLE || first == ConvexShape.TRIANGLE && second == ConvexShape.POINT)
             {
                 beginAsTriangle(cores);
-                keep(cores, out);
+                keepNearest(cores, out);
             }
             else
             {
-                _along.x = cores.x;
-                _along.y = cores.y;
-                _along.z = cores.z;
+                _direction.x = cores.x;
+                _direction.y = cores.y;
+                _direction.z = cores.z;
             }
             search(cores, out);
         }
@@ -53,7 +54,7 @@ package starlogo.convex
         {
             _simplex.move(cores);
             begin(out);
-            keep(cores, out);
+            keepNearest(cores, out);
             search(cores, out);
         }
 
@@ -76,12 +77,9 @@ package starlogo.convex
 
         private function search(cores:CorePair, out:CoreWitness):void
         {
-            for (var step:int = 0; step < MOST_STEPS; step++)
+            var stalls:int = 0;
+            while (stalls < MOST_STALLS && addSupport(cores, out))
             {
-                if (!addFarthest(cores, out))
-                {
-                    return;
-                }
                 var rounding:Number = _simplex.nearest.rounding;
                 var origin:int = _simplex.reduce(_simplex.count - 1, out.separation > rounding);
                 if (origin == NearestPoint.LOST)
@@ -89,7 +87,10 @@ package starlogo.convex
                     // no step can come nearer
                     return;
                 }
-                keep(cores, out);
+                if (!keepNearest(cores, out))
+                {
+                    stalls++;
+                }
                 if (origin == NearestPoint.INSIDE || _least <= rounding * rounding)
                 {
                     return;
@@ -99,12 +100,12 @@ package starlogo.convex
 
         // Adds the corner that is farthest towards the origin. Returns false if the search ends: the corner does not bring the simplex nearer, or the
         // cores are too far apart.
-        private function addFarthest(cores:CorePair, out:CoreWitness):Boolean
+        private function addSupport(cores:CorePair, out:CoreWitness):Boolean
         {
-            var along:Vector3D = _along;
-            var x:Number = along.x;
-            var y:Number = along.y;
-            var z:Number = along.z;
+            var direction:Vector3D = _direction;
+            var x:Number = direction.x;
+            var y:Number = direction.y;
+            var z:Number = direction.z;
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             if (!(length > 0))
             {
@@ -113,8 +114,8 @@ package starlogo.convex
             x /= length;
             y /= length;
             z /= length;
-            var i:int = cores.first.farthest(along, -1);
-            var k:int = cores.second.farthest(along, 1);
+            var i:int = cores.first.support(direction, -1);
+            var k:int = cores.second.support(direction, 1);
             var p:Vector.<Number> = cores.first.points;
             var q:Vector.<Number> = cores.second.points;
             var separation:Number = x * (p[i] - q[k] + cores.x) + y * (p[int(i + 1)] - q[int(k + 1)] + cores.y) + z * (p[int(i + 2)] - q[int(k + 2)] + cores.z);
@@ -147,27 +148,29 @@ package starlogo.convex
                 && gap > -cores.timeLeft * (witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
         }
 
-        // Keeps the simplex's nearest point as the result if it is nearer than all before. Sets the direction of the next step. The vector between
-        // the points has that direction, which is the more precise one.
-        private function keep(cores:CorePair, out:CoreWitness):void
+        // Keeps the simplex's nearest point as the result if it is nearer than all before. Returns whether it is. Sets the direction of the next step. The
+        // vector between the points has that direction, which is the more precise one.
+        private function keepNearest(cores:CorePair, out:CoreWitness):Boolean
         {
             var nearest:NearestPoint = _simplex.nearest;
-            _along.x = nearest.alongX;
-            _along.y = nearest.alongY;
-            _along.z = nearest.alongZ;
-            if (nearest.squaredDistance < _least)
+            _direction.x = nearest.directionX;
+            _direction.y = nearest.directionY;
+            _direction.z = nearest.directionZ;
+            if (!(nearest.squaredDistance < _least))
             {
-                _least = nearest.squaredDistance;
-                out.distance = Math.sqrt(_least);
-                var squared:Number = _along.x * _along.x + _along.y * _along.y + _along.z * _along.z;
-                // of a vector as short as rounding nothing may be left across an edge
-                var factor:Number = squared > 0 ? Math.sqrt(_least / squared) : 0;
-                var gap:CoreGap = out.gap;
-                gap.x = factor > 0 ? factor * _along.x : nearest.x;
-                gap.y = factor > 0 ? factor * _along.y : nearest.y;
-                gap.z = factor > 0 ? factor * _along.z : nearest.z;
-                _simplex.writePoint(cores, gap);
+                return false;
             }
+            _least = nearest.squaredDistance;
+            out.distance = Math.sqrt(_least);
+            var squared:Number = _direction.x * _direction.x + _direction.y * _direction.y + _direction.z * _direction.z;
+            // of a vector as short as rounding nothing may be left across an edge
+            var factor:Number = squared > 0 ? Math.sqrt(_least / squared) : 0;
+            var gap:CoreGap = out.gap;
+            gap.x = factor > 0 ? factor * _direction.x : nearest.x;
+            gap.y = factor > 0 ? factor * _direction.y : nearest.y;
+            gap.z = factor > 0 ? factor * _direction.z : nearest.z;
+            _simplex.writePoint(cores, gap);
+            return true;
         }
     }
 }

@@ -33,6 +33,15 @@ package starlogo.convex
         public var closing:Number = 0;
         public var extent:Number = 0;
 
+        /** Moves the closest point of a's core, from where a is stored to where it is at its motion's time. */
+        public function movePoint(motion:RelativeMotion):void
+        {
+            var time:Number = motion.time;
+            pointX += motion.startX + time * motion.x;
+            pointY += motion.startY + time * motion.y;
+            pointZ += motion.startZ + time * motion.z;
+        }
+
         /** Computes the squared length, and how a motion of a's core closes the gap. */
         public function measure(motion:RelativeMotion):void
         {

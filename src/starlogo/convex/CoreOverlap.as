@@ -25,12 +25,11 @@ package starlogo.convex
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
 
-        // The direction to try, of any length. How far each core extends along it, and the set of all differences of a point of the first and a point
-        // of the second.
-        private var _along:Vector3D = new Vector3D();
-        private var _ofFirst:Interval = new Interval();
-        private var _ofSecond:Interval = new Interval();
+        // The axis to try, of any length. How far the set of all differences of a point of the first core and a point of the second extends along it, and
+        // how far the second core does.
+        private var _axis:Vector3D = new Vector3D();
         private var _differences:Interval = new Interval();
+        private var _ofSecond:Interval = new Interval();
 
         /** Finds the displacement of the first core. Only the normal and the separation are written. */
         public function find(cores:CorePair, out:CoreWitness):void
@@ -49,14 +48,14 @@ package starlogo.convex
         }
 
         /**
-         * Takes the direction of the gap between the cores, if the displacement is shorter along it. Needles have no face whose normal is precise.
+         * Takes the axis along the gap between the cores, if the displacement is shorter along it. Needles have no face whose normal is precise.
          *
          * @param out has the displacement that find() has found
          */
         public function tryGap(cores:CorePair, gap:CoreGap, out:CoreWitness):void
         {
-            _along.setTo(gap.x, gap.y, gap.z);
-            tryDirection(cores, out);
+            _axis.setTo(gap.x, gap.y, gap.z);
+            tryAxis(cores, out);
         }
 
         private function tryFaces(shape:ConvexShape, cores:CorePair, out:CoreWitness):void
@@ -74,23 +73,23 @@ package starlogo.convex
                 var vx:Number = p[k] - p[i];
                 var vy:Number = p[int(k + 1)] - p[int(i + 1)];
                 var vz:Number = p[int(k + 2)] - p[int(i + 2)];
-                setAcross(ux, uy, uz, vx, vy, vz);
-                tryDirection(cores, out);
+                setAxisAcross(ux, uy, uz, vx, vy, vz);
+                tryAxis(cores, out);
             }
         }
 
-        // Sets the direction to try to the one across two vectors, or to 0 if they are parallel. Then a face has no area, and two edges have no
+        // Sets the axis to the one across two vectors, or to 0 if they are parallel. Then a face has no area, and two edges have no
         // common perpendicular.
-        private function setAcross(ux:Number, uy:Number, uz:Number, vx:Number, vy:Number, vz:Number):void
+        private function setAxisAcross(ux:Number, uy:Number, uz:Number, vx:Number, vy:Number, vz:Number):void
         {
             var x:Number = uy * vz - uz * vy;
             var y:Number = uz * vx - ux * vz;
             var z:Number = ux * vy - uy * vx;
             var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
             var isParallel:Boolean = !(x * x + y * y + z * z > least);
-            _along.x = isParallel ? 0 : x;
-            _along.y = isParallel ? 0 : y;
-            _along.z = isParallel ? 0 : z;
+            _axis.x = isParallel ? 0 : x;
+            _axis.y = isParallel ? 0 : y;
+            _axis.z = isParallel ? 0 : z;
         }
 
         private function tryEdges(cores:CorePair, out:CoreWitness):void
@@ -152,22 +151,22 @@ package starlogo.convex
             var vx:Number = v[k];
             var vy:Number = v[int(k + 1)];
             var vz:Number = v[int(k + 2)];
-            setAcross(ux, uy, uz, vx, vy, vz);
+            setAxisAcross(ux, uy, uz, vx, vy, vz);
             // The cores overlap along it by at least as much as the two edges do. On which side is known unless both cores end at their edges.
             var side:Number = vx * (u[3] + u[6]) + vy * (u[4] + u[7]) + vz * (u[5] + u[8])
                 + ux * (v[int(k + 3)] + v[int(k + 6)]) + uy * (v[int(k + 4)] + v[int(k + 7)]) + uz * (v[int(k + 5)] + v[int(k + 8)]);
             if (side != 0)
             {
-                var along:Vector3D = _along;
-                var least:Number = along.x * (v[int(k + 9)] - u[9] - cores.x) + along.y * (v[int(k + 10)] - u[10] - cores.y)
-                    + along.z * (v[int(k + 11)] - u[11] - cores.z);
+                var axis:Vector3D = _axis;
+                var least:Number = axis.x * (v[int(k + 9)] - u[9] - cores.x) + axis.y * (v[int(k + 10)] - u[10] - cores.y)
+                    + axis.z * (v[int(k + 11)] - u[11] - cores.z);
                 least = side < 0 ? -least : least;
-                if (least > 0 && least * least >= out.separation * out.separation * along.lengthSquared)
+                if (least > 0 && least * least >= out.separation * out.separation * axis.lengthSquared)
                 {
                     return;
                 }
             }
-            tryDirection(cores, out);
+            tryAxis(cores, out);
         }
 
         // Reads all edges of the second core. Returns how many numbers they are.
@@ -213,17 +212,17 @@ package starlogo.convex
             }
         }
 
-        // Tries the direction across two points or parallel segments that points upwards as far as possible, for a.
+        // Tries the axis across two points or parallel segments that points upwards as far as possible, for a.
         private function tryUpwards(cores:CorePair, out:CoreWitness):void
         {
-            _along.setTo(0, 0, 0);
-            setToSegment(cores.second);
-            setToSegment(cores.first);
-            turnUpwards(_along);
+            _axis.setTo(0, 0, 0);
+            setAxisToSegment(cores.second);
+            setAxisToSegment(cores.first);
+            setAxisUpwards();
             var up:int = cores.isSwapped ? -1 : 1;
-            _along.x *= up;
-            _along.y *= up;
-            _along.z *= up;
+            _axis.x *= up;
+            _axis.y *= up;
+            _axis.z *= up;
             projectDifferences(cores, _differences);
             // rounding hides on which side they are
             var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
@@ -231,8 +230,35 @@ package starlogo.convex
             write(isDown ? -1 : 1, out);
         }
 
-        // Sets the direction to the vector from the first point of a core to the farthest other one, unless all are in one place.
-        private function setToSegment(shape:ConvexShape):void
+        // Replaces the axis by a unit vector perpendicular to it that points upwards as far as possible. If the axis is vertical, up to
+        // Tolerances.UPRIGHT, the vector is along x. If it is 0, the vector is along z.
+        private function setAxisUpwards():void
+        {
+            var x:Number = _axis.x;
+            var y:Number = _axis.y;
+            var z:Number = _axis.z;
+            var squared:Number = x * x + y * y + z * z;
+            if (!(squared > 0))
+            {
+                _axis.setTo(0, 0, 1);
+                return;
+            }
+            if (x * x + y * y > Tolerances.UPRIGHT * squared)
+            {
+                _axis.setTo(-x * z / squared, -y * z / squared, 1 - z * z / squared);
+            }
+            else
+            {
+                _axis.setTo(1 - x * x / squared, -x * y / squared, -x * z / squared);
+            }
+            var length:Number = Math.sqrt(_axis.x * _axis.x + _axis.y * _axis.y + _axis.z * _axis.z);
+            _axis.x /= length;
+            _axis.y /= length;
+            _axis.z /= length;
+        }
+
+        // Sets the axis to the vector from the first point of a core to the farthest other one, unless all are in one place.
+        private function setAxisToSegment(shape:ConvexShape):void
         {
             var p:Vector.<Number> = shape.points;
             var most:Number = 0;
@@ -245,23 +271,23 @@ package starlogo.convex
                 if (squared > most)
                 {
                     most = squared;
-                    _along.setTo(x, y, z);
+                    _axis.setTo(x, y, z);
                 }
             }
         }
 
-        // Tries a displacement along the direction, and the one against it. The direction gets a length of 1 unless both are too long. If it is 0,
+        // Tries a displacement along the axis, and the one against it. The axis gets a length of 1 unless both are too long. If it is 0,
         // there is nothing to try.
-        private function tryDirection(cores:CorePair, out:CoreWitness):void
+        private function tryAxis(cores:CorePair, out:CoreWitness):void
         {
-            var along:Vector3D = _along;
-            var squared:Number = along.x * along.x + along.y * along.y + along.z * along.z;
+            var axis:Vector3D = _axis;
+            var squared:Number = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
             if (!(squared > 0))
             {
                 return;
             }
             projectDifferences(cores, _differences);
-            // how long the two displacements are, times the direction's length
+            // how long the two displacements are, times the axis's length
             var forth:Number = -_differences.least;
             var back:Number = _differences.greatest;
             var least:Number = back < forth ? back : forth;
@@ -270,9 +296,9 @@ package starlogo.convex
                 return;
             }
             var length:Number = Math.sqrt(squared);
-            along.x /= length;
-            along.y /= length;
-            along.z /= length;
+            axis.x /= length;
+            axis.y /= length;
+            axis.z /= length;
             back /= length;
             forth /= length;
             var rounding:Number = Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
@@ -280,7 +306,7 @@ package starlogo.convex
             if (back - forth <= rounding && forth - back <= rounding)
             {
                 // rounding hides on which side they are, but not where the first one comes from
-                var speed:Number = along.x * cores.motionX + along.y * cores.motionY + along.z * cores.motionZ;
+                var speed:Number = axis.x * cores.motionX + axis.y * cores.motionY + axis.z * cores.motionZ;
                 side = speed > 0 ? -1 : speed < 0 ? 1 : side;
             }
             var separation:Number = side < 0 ? -back : -forth;
@@ -291,23 +317,23 @@ package starlogo.convex
             }
         }
 
-        // Writes the direction that was tried, or the opposite one if the side is -1.
+        // Writes the axis that was tried, or the opposite one if the side is -1.
         private function write(side:int, out:CoreWitness):void
         {
-            out.normalX = side * _along.x;
-            out.normalY = side * _along.y;
-            out.normalZ = side * _along.z;
+            out.normalX = side * _axis.x;
+            out.normalY = side * _axis.y;
+            out.normalZ = side * _axis.z;
         }
 
-        // Finds how far the differences of the cores' points extend along the direction. The cores are apart if 0 is not between.
+        // Finds how far the differences of the cores' points extend along the axis. The cores are apart if 0 is not between.
         private function projectDifferences(cores:CorePair, out:Interval):void
         {
-            var along:Vector3D = _along;
-            cores.first.project(along, _ofFirst);
-            cores.second.project(along, _ofSecond);
-            var from:Number = along.x * cores.x + along.y * cores.y + along.z * cores.z;
-            out.least = _ofFirst.least - _ofSecond.greatest + from;
-            out.greatest = _ofFirst.greatest - _ofSecond.least + from;
+            var axis:Vector3D = _axis;
+            cores.first.project(axis, out);
+            cores.second.project(axis, _ofSecond);
+            var from:Number = axis.x * cores.x + axis.y * cores.y + axis.z * cores.z;
+            out.least = out.least - _ofSecond.greatest + from;
+            out.greatest = out.greatest - _ofSecond.least + from;
         }
     }
 }

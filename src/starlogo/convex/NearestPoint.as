@@ -33,9 +33,9 @@ package starlogo.convex
         public var squaredDistance:Number = 0;
 
         /** The direction from the origin to the point, of any length. It may be more precise than the point itself. */
-        public var alongX:Number = 0;
-        public var alongY:Number = 0;
-        public var alongZ:Number = 0;
+        public var directionX:Number = 0;
+        public var directionY:Number = 0;
+        public var directionZ:Number = 0;
 
         /** For each corner, its share of the point. */
         public var shares:Vector.<Number> = new Vector.<Number>(4, true);
@@ -45,9 +45,6 @@ package starlogo.convex
 
         // The simplex's corners.
         private var _corners:Vector.<Number>;
-
-        // The corner that was added last: the point includes it. -1 if any part may be the nearest.
-        private var _newest:int = -1;
 
         /** @param corners of the simplex, x, y, z of each; kept */
         public function NearestPoint(corners:Vector.<Number>)
@@ -72,20 +69,19 @@ package starlogo.convex
         public function find(count:int, newest:int, isApart:Boolean):int
         {
             squaredDistance = Infinity;
-            _newest = newest;
             if (count == 1)
             {
                 tryCorner(0);
             }
             else if (count == 2)
             {
-                tryEdge(0, 1);
+                tryEdge(0, 1, newest);
             }
             else if (count == 3)
             {
-                tryTriangle(0, 1, 2);
+                tryTriangle(0, 1, 2, newest);
             }
-            else if (tryTetrahedron(isApart))
+            else if (tryTetrahedron(isApart, newest))
             {
                 return INSIDE;
             }
@@ -94,7 +90,7 @@ package starlogo.convex
 
         // Returns whether the origin is inside of the tetrahedron. If not, tries the faces that the origin is beyond; the face of the first three
         // corners is none of them, because the fourth corner was nearer. The shares are those of the nearest point in that face until now.
-        private function tryTetrahedron(isApart:Boolean):Boolean
+        private function tryTetrahedron(isApart:Boolean, newest:int):Boolean
         {
             shares[3] = 0;
             var isFlat:Boolean = !moveToOrigin();
@@ -109,15 +105,15 @@ package starlogo.convex
             }
             if (isBeyond01 || isBeyondNone)
             {
-                tryTriangle(3, 0, 1);
+                tryTriangle(3, 0, 1, newest);
             }
             if (isBeyond12 || isBeyondNone)
             {
-                tryTriangle(3, 1, 2);
+                tryTriangle(3, 1, 2, newest);
             }
             if (isBeyond20 || isBeyondNone)
             {
-                tryTriangle(3, 2, 0);
+                tryTriangle(3, 2, 0, newest);
             }
             return false;
         }
@@ -187,13 +183,13 @@ package starlogo.convex
                 squaredDistance = squared;
                 clearShares();
                 shares[i] = 1;
-                x = alongX = toX;
-                y = alongY = toY;
-                z = alongZ = toZ;
+                x = directionX = toX;
+                y = directionY = toY;
+                z = directionZ = toZ;
             }
         }
 
-        private function tryEdge(i:int, j:int):void
+        private function tryEdge(i:int, j:int, newest:int):void
         {
             var w:Vector.<Number> = _corners;
             var from:int = 3 * i;
@@ -209,7 +205,7 @@ package starlogo.convex
             if (!(along > 0) || along >= uu)
             {
                 var end:int = along > 0 ? j : i;
-                if (_newest < 0 || _newest == end)
+                if (newest < 0 || newest == end)
                 {
                     tryCorner(end);
                 }
@@ -229,33 +225,42 @@ package starlogo.convex
                 x = toX;
                 y = toY;
                 z = toZ;
-                // A short vector is not quite perpendicular to the edge.
-                var off:Number = (toX * ux + toY * uy + toZ * uz) / uu;
-                alongX = toX - off * ux;
-                alongY = toY - off * uy;
-                alongZ = toZ - off * uz;
+                setDirectionAcross(from, to);
             }
         }
 
-        // Tries a triangle. The edge between its first two corners becomes the longest one.
-        private function tryTriangle(i:int, j:int, k:int):void
+        // Sets the direction to the point, but perpendicular to an edge. A short vector to the point is not quite perpendicular.
+        private function setDirectionAcross(from:int, to:int):void
+        {
+            var w:Vector.<Number> = _corners;
+            var ux:Number = w[to] - w[from];
+            var uy:Number = w[int(to + 1)] - w[int(from + 1)];
+            var uz:Number = w[int(to + 2)] - w[int(from + 2)];
+            var off:Number = (x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
+            directionX = x - off * ux;
+            directionY = y - off * uy;
+            directionZ = z - off * uz;
+        }
+
+        // Tries a triangle. Its longest edge becomes the base.
+        private function tryTriangle(i:int, j:int, k:int, newest:int):void
         {
             if (!isLonger(i, j, j, k) && !isLonger(k, i, j, k))
             {
-                tryOverLongest(j, k, i);
+                tryTriangleOnBase(j, k, i, newest);
             }
             else if (isLonger(k, i, i, j))
             {
-                tryOverLongest(k, i, j);
+                tryTriangleOnBase(k, i, j, newest);
             }
             else
             {
-                tryOverLongest(i, j, k);
+                tryTriangleOnBase(i, j, k, newest);
             }
         }
 
-        // Tries a triangle whose longest edge goes from i to j. If the origin is not over its inside, tries its edges.
-        private function tryOverLongest(i:int, j:int, k:int):void
+        // Tries a triangle on its base, the longest edge, which goes from i to j. If the origin is not over its inside, tries its edges.
+        private function tryTriangleOnBase(i:int, j:int, k:int, newest:int):void
         {
             var w:Vector.<Number> = _corners;
             var from:int = 3 * i;
@@ -271,7 +276,7 @@ package starlogo.convex
             var hy:Number = w[int(apex + 1)] - toY;
             var hz:Number = w[int(apex + 2)] - toZ;
             var uu:Number = ux * ux + uy * uy + uz * uz;
-            // the height, from its foot on the longest edge
+            // the height, from its foot on the base
             var foot:Number = (hx * ux + hy * uy + hz * uz) / uu;
             hx -= foot * ux;
             hy -= foot * uy;
@@ -285,7 +290,7 @@ package starlogo.convex
             var low:Number = along - foot * up;
             if (!(hh > NARROWEST * uu && up > 0 && low > 0 && low < 1 - up))
             {
-                tryEdges(i, j, k);
+                tryEdges(i, j, k, newest);
                 return;
             }
             toX += up * hx;
@@ -305,36 +310,33 @@ package starlogo.convex
                 if (squared < hh)
                 {
                     // the triangle's normal is more precise than the vector
-                    alongX = uy * hz - uz * hy;
-                    alongY = uz * hx - ux * hz;
-                    alongZ = ux * hy - uy * hx;
-                    var side:int = alongX * x + alongY * y + alongZ * z < 0 ? -1 : 1;
-                    alongX *= side;
-                    alongY *= side;
-                    alongZ *= side;
+                    directionX = uy * hz - uz * hy;
+                    directionY = uz * hx - ux * hz;
+                    directionZ = ux * hy - uy * hx;
+                    var side:int = directionX * x + directionY * y + directionZ * z < 0 ? -1 : 1;
+                    directionX *= side;
+                    directionY *= side;
+                    directionZ *= side;
                     return;
                 }
-                var off:Number = (toX * ux + toY * uy + toZ * uz) / uu;
-                alongX = toX - off * ux;
-                alongY = toY - off * uy;
-                alongZ = toZ - off * uz;
+                setDirectionAcross(from, to);
             }
         }
 
         // Tries a triangle's edges, but not the one without the newest corner: the simplex before was nearer than that.
-        private function tryEdges(i:int, j:int, k:int):void
+        private function tryEdges(i:int, j:int, k:int, newest:int):void
         {
-            if (_newest != k)
+            if (newest != k)
             {
-                tryEdge(i, j);
+                tryEdge(i, j, newest);
             }
-            if (_newest != i)
+            if (newest != i)
             {
-                tryEdge(j, k);
+                tryEdge(j, k, newest);
             }
-            if (_newest != j)
+            if (newest != j)
             {
-                tryEdge(k, i);
+                tryEdge(k, i, newest);
             }
         }
 

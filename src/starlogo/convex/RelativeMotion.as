@@ -1,5 +1,7 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Touching;
+
     /**
      * The straight motion of one shape past another that stands still, from time 0 to time 1, without rotation or growth, as a record. If both
      * move, it is the first shape's motion minus the second's.
@@ -37,9 +39,18 @@ package starlogo.convex
         /** When the two first touch, or NEVER. */
         public var time:Number;
 
+        /** The margins of both vectors: see Touching. Whoever needs it calls <code>measureMargin()</code> before. */
+        public var margin:Number = 0;
+
         public function RelativeMotion(time:Number = NEVER)
         {
             this.time = time;
+        }
+
+        /** Computes the margin from the vectors. */
+        public function measureMargin():void
+        {
+            margin = Touching.marginOfMotion(startX, startY, startZ) + Touching.marginOfMotion(x, y, z);
         }
 
         /** Whether the shape does not move. */

@@ -11,7 +11,7 @@ package starlogo.debug
     import starlogo.convex.ConvexShape;
     import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.PointTable;
+    import starlogo.geometry.vertices.PointTable;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.TerrainSurface;

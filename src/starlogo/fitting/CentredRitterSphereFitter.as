@@ -1,7 +1,7 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.geometry.VertexBounds;
+    import starlogo.geometry.vertices.VertexBounds;
 
     /**
      * Finds a bounding sphere whose centre is on the model's z axis, where x and y are 0 (thesis §7.6). It is meant for models that are

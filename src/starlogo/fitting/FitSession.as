@@ -1,9 +1,9 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.geometry.ConvexHull;
-    import starlogo.steps.Steps;
+    import starlogo.geometry.hull.ConvexHull;
     import starlogo.steps.finish;
+    import starlogo.steps.Steps;
 
     /**
      * The vertices of one model while structures are fitted to them. It keeps their convex hull and each fitter's result, so that these are

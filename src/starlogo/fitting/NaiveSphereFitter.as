@@ -1,7 +1,7 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.geometry.VertexBounds;
+    import starlogo.geometry.vertices.VertexBounds;
 
     /**
      * Finds the bounding sphere around the middle of the axis-aligned box (thesis §3.4.1, the naive algorithm), in a pass over the

@@ -2,7 +2,7 @@ package starlogo.fitting
 {
     import starlogo.bounding.Box;
     import starlogo.engine;
-    import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.hull.ConvexHull;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;

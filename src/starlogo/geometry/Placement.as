@@ -12,9 +12,9 @@ package starlogo.geometry
      * <p>A point p of the model is at <code>size R p + (x, y, z)</code>. R's rows are (r00 r01 r02), (r10 r11 r12), (r20 r21 r22). The
      * numbers have double precision in every player. A Matrix3D does not, because Flash Player keeps it in single precision.</p>
      *
-     * <p>This package has the plain maths that all others share: placements, bounds and the ConvexHull of vertices, and functions with the
-     * same results on every machine. Tolerances has the limits for rounding that more than one class needs. Read Touching next, which says when
-     * two shapes touch.</p>
+     * <p>This package has the plain maths that all others share: placements, and functions with the same results on every machine. Tolerances
+     * has the limits for rounding that more than one class needs. Its folders are <code>vertices</code>, for lists of points, and
+     * <code>hull</code>, whose ConvexHull is built of QuickHull. Read Touching next, which says when two shapes touch.</p>
      */
     public final class Placement
     {

@@ -36,7 +36,7 @@ package starlogo.geometry
          */
         public static function sine(angle:Number):Number
         {
-            return sineAhead(angle, 0);
+            return sineOfSum(angle, 0);
         }
 
         /**
@@ -46,7 +46,7 @@ package starlogo.geometry
          */
         public static function cosine(angle:Number):Number
         {
-            return sineAhead(angle, 1);
+            return sineOfSum(angle, 1);
         }
 
         /**
@@ -58,47 +58,47 @@ package starlogo.geometry
          */
         public static function arctangent(y:Number, x:Number):Number
         {
-            var least:Number = y < 0 ? -y : y;
-            var most:Number = x < 0 ? -x : x;
-            var isSteep:Boolean = least > most;
+            var smaller:Number = y < 0 ? -y : y;
+            var larger:Number = x < 0 ? -x : x;
+            var isSteep:Boolean = smaller > larger;
             if (isSteep)
             {
-                var swapped:Number = least;
-                least = most;
-                most = swapped;
+                var swapped:Number = smaller;
+                smaller = larger;
+                larger = swapped;
             }
-            if (most == 0)
+            if (larger == 0)
             {
                 return 0;
             }
             // Scale the coordinates so that nothing overflows and products keep all their bits.
-            if (most > 1e150)
+            if (larger > 1e150)
             {
-                least *= 1e-150;
-                most *= 1e-150;
+                smaller *= 1e-150;
+                larger *= 1e-150;
             }
-            else if (most < 1e-130)
+            else if (larger < 1e-130)
             {
-                least *= 1e150;
-                most *= 1e150;
+                smaller *= 1e150;
+                larger *= 1e150;
             }
             // Start from the nearest known angle: tan (a - b) = (tan a - tan b) / (1 + tan a tan b).
-            var nearest:int = least / most * 16 + 0.5;
-            var product:Number = nearest * most;
-            var across:Number = 16 * least - product;
-            var acrossRest:Number = -roundingOf(nearest, most, product);
-            product = nearest * least;
-            var along:Number = 16 * most + product;
-            var alongRest:Number = roundingOf(nearest, least, product) + (16 * most - along + product);
+            var nearest:int = smaller / larger * 16 + 0.5;
+            var product:Number = nearest * larger;
+            var across:Number = 16 * smaller - product;
+            var acrossRest:Number = -roundingOfProduct(nearest, larger, product);
+            product = nearest * smaller;
+            var along:Number = 16 * larger + product;
+            var alongRest:Number = roundingOfProduct(nearest, smaller, product) + (16 * larger - along + product);
             var tangent:Number = across / along;
             product = tangent * along;
-            var tangentRest:Number = (across - product - roundingOf(tangent, along, product) + acrossRest - tangent * alongRest) / along;
+            var tangentRest:Number = (across - product - roundingOfProduct(tangent, along, product) + acrossRest - tangent * alongRest) / along;
             var squared:Number = tangent * tangent;
             // The series: 1/3, 1/5, ... 1/11.
             tangentRest += tangent * squared * (-0.3333333333333333 + squared * (0.2 + squared * (-0.14285714285714285
                             + squared * (0.1111111111111111 - squared * 0.09090909090909091))));
             var turned:Number = tangent * DEGREES;
-            var rest:Number = roundingOf(tangent, DEGREES, turned) + tangent * DEGREES_REST + tangentRest * DEGREES + RESTS[nearest];
+            var rest:Number = roundingOfProduct(tangent, DEGREES, turned) + tangent * DEGREES_REST + tangentRest * DEGREES + RESTS[nearest];
             var angle:Number = ARCTANGENTS[nearest] + turned;
             if (nearest > 0)
             {
@@ -121,7 +121,7 @@ package starlogo.geometry
         }
 
         // The sine of an angle plus some quarter turns.
-        private static function sineAhead(angle:Number, quarters:int):Number
+        private static function sineOfSum(angle:Number, quarters:int):Number
         {
             if (angle >= 360 || angle <= -360)
             {
@@ -134,18 +134,18 @@ package starlogo.geometry
             {
                 case 0:
                     // The sum is never -0.
-                    return 0 + sineOfFew(angle);
+                    return 0 + sineOfSmall(angle);
                 case 1:
-                    return cosineOfFew(angle);
+                    return cosineOfSmall(angle);
                 case 2:
-                    return 0 - sineOfFew(angle);
+                    return 0 - sineOfSmall(angle);
                 default:
-                    return 0 - cosineOfFew(angle);
+                    return 0 - cosineOfSmall(angle);
             }
         }
 
         // The sine of -45 to 45 degrees. The series: 1/3!, 1/5!, ... 1/17!.
-        private static function sineOfFew(angle:Number):Number
+        private static function sineOfSmall(angle:Number):Number
         {
             var x:Number = angle * RADIANS;
             var squared:Number = x * x;
@@ -156,7 +156,7 @@ package starlogo.geometry
         }
 
         // The cosine of -45 to 45 degrees. The series: 1/4!, 1/6!, ... 1/18!, after 1 - x x / 2.
-        private static function cosineOfFew(angle:Number):Number
+        private static function cosineOfSmall(angle:Number):Number
         {
             var x:Number = angle * RADIANS;
             var squared:Number = x * x;
@@ -171,7 +171,7 @@ package starlogo.geometry
         // The rounding error of an angle that was multiplied by RADIANS.
         private static function roundingOfRadians(angle:Number, radians:Number):Number
         {
-            return roundingOf(angle, RADIANS, radians) + angle * RADIANS_REST;
+            return roundingOfProduct(angle, RADIANS, radians) + angle * RADIANS_REST;
         }
     }
 }

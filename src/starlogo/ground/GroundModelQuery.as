@@ -65,7 +65,7 @@ package starlogo.ground
                 }
                 while (_pairs.nextTriangle())
                 {
-                    if (!_pairs.side.stayApart(RelativeMotion.NONE) && _pairs.kernel.areTouching())
+                    if (!_pairs.side.stayApart(RelativeMotion.NONE) && _pairs.kernel.areTouching(_pairs.triangle.corners, 0))
                     {
                         return true;
                     }
@@ -88,7 +88,7 @@ package starlogo.ground
                 _sweep.time = RelativeMotion.NEVER;
                 if (!_pairs.side.stayApart(_sweep))
                 {
-                    _pairs.kernel.findTime(_sweep);
+                    _pairs.kernel.findTime(_pairs.triangle.corners, 0, _sweep);
                 }
                 if (_sweep.time < first)
                 {
@@ -96,7 +96,7 @@ package starlogo.ground
                     _pairs.search.latest = first;
                     if (out != null)
                     {
-                        _pairs.kernel.findContact(_sweep, out);
+                        _pairs.kernel.findContact(_pairs.triangle.corners, 0, _sweep, out);
                         _pairs.side.leadOutside(_sweep, out);
                     }
                 }
@@ -181,7 +181,7 @@ package starlogo.ground
         {
             while (_pairs.next())
             {
-                if (_pairs.kernel.findCloser(out))
+                if (_pairs.kernel.findCloser(_pairs.triangle.corners, 0, out))
                 {
                     _pairs.search.maxDistance = out.distance;
                 }

@@ -29,7 +29,7 @@ package starlogo.ground
         // In the list of nodes: the structure around the whole model.
         private static const WHOLE:int = -1;
 
-        /** Decides about the current piece and the current triangle. Both are relative to the origin. */
+        /** Decides about the current piece and triangles. Both are relative to the origin. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
         /** Says on which side of the current triangle the current piece is. */
@@ -208,7 +208,6 @@ package starlogo.ground
                 return false;
             }
             kernel.shape.margin = _pieceMargin + triangle.margin;
-            kernel.setTriangle(triangle.corners, 0);
             side.setTriangle(triangle.corners);
             return true;
         }

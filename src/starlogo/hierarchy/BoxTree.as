@@ -4,9 +4,9 @@ package starlogo.hierarchy
     import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.VertexBounds;
-    import starlogo.steps.StepSequence;
+    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.steps.finish;
+    import starlogo.steps.StepSequence;
 
     use namespace engine;
 

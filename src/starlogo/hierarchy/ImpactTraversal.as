@@ -4,7 +4,7 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
-    import starlogo.intersection.sweep.BoxPairMotion;
+    import starlogo.intersection.sweep.BoxPair;
     import starlogo.intersection.sweep.BoxSweep;
 
     use namespace engine;
@@ -18,7 +18,7 @@ package starlogo.hierarchy
     public final class ImpactTraversal extends BestPairTraversal
     {
         private var _sweep:BoxSweep = new BoxSweep();
-        private var _pair:BoxPairMotion = new BoxPairMotion();
+        private var _pair:BoxPair = new BoxPair();
 
         // The latest time of the motion.
         private var _latest:Number = 1;
@@ -77,7 +77,7 @@ package starlogo.hierarchy
         // Reads two boxes. Times after the best one so far do not count.
         private function readPair(relative:Placement, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, best:BestPair):void
         {
-            var pair:BoxPairMotion = _pair;
+            var pair:BoxPair = _pair;
             var scale:Number = relative.size;
             var x:Number = boxesB[b] * scale;
             var y:Number = boxesB[int(b + 1)] * scale;

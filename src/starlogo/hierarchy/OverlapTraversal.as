@@ -1,10 +1,11 @@
 package starlogo.hierarchy
 {
-    import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.BoxSeparation;
     import starlogo.intersection.sweep.BoxAxes;
+    import starlogo.intersection.sweep.BoxPair;
 
     use namespace engine;
 
@@ -39,12 +40,9 @@ package starlogo.hierarchy
         // The pairs of nodes still to visit. The next one is last.
         private var _nodes:Vector.<int> = new Vector.<int>();
 
-        // The vector from the middle of the first tree's node to the middle of the second's, of the pair that is visited.
-        private var _between:Vector3D = new Vector3D();
-
         // The second tree's axes times its scale. Their absolute values are larger by a rounding error, because cross products of nearly parallel
-        // edges cancel.
-        private var _axes:BoxAxes = new BoxAxes();
+        // edges cancel. And the vector from the middle of the first tree's node to the middle of the second's, of the last pair that was tested.
+        private var _pair:BoxPair = new BoxPair();
 
         private var _counts:TreeCounts;
 
@@ -70,11 +68,12 @@ package starlogo.hierarchy
          */
         public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, visitor:OverlapVisitor):int
         {
-            var axes:BoxAxes = _axes;
+            var axes:BoxAxes = _pair.axes;
             var relative:Placement = pose.placement;
             var tolerance:Number = pose.tolerance;
             var boxesA:Vector.<Number> = treeA.boxes;
             var boxesB:Vector.<Number> = treeB.boxes;
+            var pair:BoxPair = _pair;
             var stack:Vector.<int> = _nodes;
             var result:int = APART;
             var visits:int = 0;
@@ -114,9 +113,9 @@ package starlogo.hierarchy
                 {
                     continue;
                 }
-                _between.x = x;
-                _between.y = y;
-                _between.z = z;
+                pair.x = x;
+                pair.y = y;
+                pair.z = z;
                 var overlap:int = overlapBesideFirst(pose, boxesA, atA, boxesB, atB);
                 var aEnds:Boolean = treeA.endsUpToDepth[a] >= depthA;
                 var bEnds:Boolean = treeB.endsUpToDepth[b] >= depthB;
@@ -171,11 +170,11 @@ package starlogo.hierarchy
         // the spheres around b and inside of it; then the axes of b decide.
         private function overlapBesideFirst(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):int
         {
-            var axes:BoxAxes = _axes;
+            var axes:BoxAxes = _pair.axes;
             var scaleSquared:Number = pose.placement.size * pose.placement.size;
-            var x:Number = _between.x;
-            var y:Number = _between.y;
-            var z:Number = _between.z;
+            var x:Number = _pair.x;
+            var y:Number = _pair.y;
+            var z:Number = _pair.z;
             var halfX:Number = boxesA[int(a + 3)] + pose.tolerance;
             var halfY:Number = boxesA[int(a + 4)] + pose.tolerance;
             var halfZ:Number = boxesA[int(a + 5)] + pose.tolerance;
@@ -210,51 +209,26 @@ package starlogo.hierarchy
             return along <= radius && along >= -radius ? SHALLOW : APART;
         }
 
-        // Whether two boxes also overlap along the axes across an edge of each. Reads _between.
+        // Whether two boxes also overlap along the axes across an edge of each. Reads _pair.
         private function overlapAcrossEdges(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):Boolean
         {
-            var axes:BoxAxes = _axes;
-            var m00:Number = axes.m00;
-            var m01:Number = axes.m01;
-            var m02:Number = axes.m02;
-            var m10:Number = axes.m10;
-            var m11:Number = axes.m11;
-            var m12:Number = axes.m12;
-            var m20:Number = axes.m20;
-            var m21:Number = axes.m21;
-            var m22:Number = axes.m22;
-            var abs00:Number = axes.abs00;
-            var abs01:Number = axes.abs01;
-            var abs02:Number = axes.abs02;
-            var abs10:Number = axes.abs10;
-            var abs11:Number = axes.abs11;
-            var abs12:Number = axes.abs12;
-            var abs20:Number = axes.abs20;
-            var abs21:Number = axes.abs21;
-            var abs22:Number = axes.abs22;
-            var x:Number = _between.x;
-            var y:Number = _between.y;
-            var z:Number = _between.z;
-            var halfX:Number = boxesA[int(a + 3)] + pose.tolerance;
-            var halfY:Number = boxesA[int(a + 4)] + pose.tolerance;
-            var halfZ:Number = boxesA[int(a + 5)] + pose.tolerance;
-            var bX:Number = boxesB[int(b + 3)] * pose.placement.size;
-            var bY:Number = boxesB[int(b + 4)] * pose.placement.size;
-            var bZ:Number = boxesB[int(b + 5)] * pose.placement.size;
-            var along:Number;
-            var radius:Number;
-            var overlap:Boolean;
-            include "../intersection/boxEdges.inc";
-            return overlap;
+            var pair:BoxPair = _pair;
+            pair.aX = boxesA[int(a + 3)] + pose.tolerance;
+            pair.aY = boxesA[int(a + 4)] + pose.tolerance;
+            pair.aZ = boxesA[int(a + 5)] + pose.tolerance;
+            pair.bX = boxesB[int(b + 3)] * pose.placement.size;
+            pair.bY = boxesB[int(b + 4)] * pose.placement.size;
+            pair.bZ = boxesB[int(b + 5)] * pose.placement.size;
+            return BoxSeparation.overlapAcrossEdges(pair);
         }
 
-        // Returns the child of a node of the first tree that is nearer to the second one's node. _between then begins at this child.
+        // Returns the child of a node of the first tree that is nearer to the second one's node. _pair then begins at this child.
         private function nearerChildOfA(tree:BoxTree, node:int):int
         {
-            var between:Vector3D = _between;
+            var pair:BoxPair = _pair;
             var axis:int = tree.axisOf(node);
             var child:int = tree.left[node];
-            var along:Number = axis == 0 ? between.x : (axis == 1 ? between.y : between.z);
+            var along:Number = axis == 0 ? pair.x : (axis == 1 ? pair.y : pair.z);
             if (along > 0)
             {
                 child++;
@@ -262,25 +236,25 @@ package starlogo.hierarchy
             var boxes:Vector.<Number> = tree.boxes;
             var from:int = 6 * node;
             var to:int = 6 * child;
-            between.x += boxes[from] - boxes[to];
-            between.y += boxes[int(from + 1)] - boxes[int(to + 1)];
-            between.z += boxes[int(from + 2)] - boxes[int(to + 2)];
+            pair.x += boxes[from] - boxes[to];
+            pair.y += boxes[int(from + 1)] - boxes[int(to + 1)];
+            pair.z += boxes[int(from + 2)] - boxes[int(to + 2)];
             return child;
         }
 
         // Returns the child of a node of the second tree that is nearer to the first one's node.
         private function nearerChildOfB(rotation:Placement, tree:BoxTree, node:int):int
         {
-            var between:Vector3D = _between;
+            var pair:BoxPair = _pair;
             var axis:int = tree.axisOf(node);
-            var along:Number = rotation.r02 * between.x + rotation.r12 * between.y + rotation.r22 * between.z;
+            var along:Number = rotation.r02 * pair.x + rotation.r12 * pair.y + rotation.r22 * pair.z;
             if (axis == 0)
             {
-                along = rotation.r00 * between.x + rotation.r10 * between.y + rotation.r20 * between.z;
+                along = rotation.r00 * pair.x + rotation.r10 * pair.y + rotation.r20 * pair.z;
             }
             else if (axis == 1)
             {
-                along = rotation.r01 * between.x + rotation.r11 * between.y + rotation.r21 * between.z;
+                along = rotation.r01 * pair.x + rotation.r11 * pair.y + rotation.r21 * pair.z;
             }
             return along < 0 ? tree.left[node] + 1 : tree.left[node];
         }

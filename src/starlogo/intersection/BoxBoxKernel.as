@@ -20,12 +20,6 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
-        {
-            return boxBox(a as Box, b as Box);
-        }
-
-        /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             _sweep.findTimeOfBoxes(a as Box, b as Box, motion);

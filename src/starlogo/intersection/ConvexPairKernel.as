@@ -22,8 +22,8 @@ package starlogo.intersection
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
 
-        /** @inheritDoc */
-        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
+        /** Whether two structures touch. If simpler structures stand around them, these are tested first. */
+        public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
             var aroundA:BoundingStructure = a.around;
             var aroundB:BoundingStructure = b.around;

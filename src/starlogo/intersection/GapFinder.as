@@ -6,19 +6,13 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Finds the gap between the cores of two structures, and tests whether two touch where they stand. RoundKernel answers all other questions by
-     * the gap. Abstract: there is a class for each pair of kinds.
+     * Finds the gap between the cores of two structures, by which RoundKernel answers its questions. Abstract: there is a class for each pair of
+     * kinds.
      *
      * @private
      */
     public class GapFinder
     {
-        /** Whether two structures touch where they stand. See PairKernel. */
-        public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
-        {
-            throw new IllegalOperationError(this + " does not implement areTouching");
-        }
-
         /** Whether b comes before a, so that the distance of (b, a) is found in place of that of (a, b). Then rounding is the same for both. */
         public function areSwapped(a:BoundingStructure, b:BoundingStructure):Boolean
         {

@@ -14,18 +14,6 @@ package starlogo.intersection
     public class PairKernel
     {
         /**
-         * Whether two structures touch or overlap. Touching counts: see Touching.
-         *
-         * @param a of the pair's first kind
-         * @param b of the pair's second kind, in the same space
-         * @throws ArgumentError if the pair has no such test
-         */
-        public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
-        {
-            throw missing("intersection test", a, b);
-        }
-
-        /**
          * Finds when a moving structure first touches another one: the first moment at which <code>intersects()</code> would return true, except
          * for rounding. The motion's start and end are included.
          *
@@ -83,7 +71,8 @@ package starlogo.intersection
             throw missing("distance", a, b);
         }
 
-        private static function missing(what:String, a:BoundingStructure, b:BoundingStructure):ArgumentError
+        /** The error that says that a pair has no answer to a question. */
+        public static function missing(what:String, a:BoundingStructure, b:BoundingStructure):ArgumentError
         {
             return new ArgumentError("there is no " + what + " for " + a + " and " + b);
         }

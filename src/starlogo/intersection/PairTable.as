@@ -1,6 +1,9 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -10,9 +13,9 @@ package starlogo.intersection
 
     /**
      * Says how two structures meet: whether they touch, when a moving one first touches the other, how they overlap, and how far apart they are.
-     * Here alone it is decided which kernel answers for two kinds. The package is made of a kernel for each pair of kinds, a TriangleKernel for a
-     * shape and triangles, and the tests of moving boxes (<code>sweep</code>) and of rays (<code>ray</code>). Read PairKernel next, which explains
-     * the questions, then RoundKernel and SphereBoxGapFinder.
+     * Here alone it is decided what answers for two kinds: a function tests whether they touch, and a kernel finds the rest. The package is made of
+     * these, a TriangleKernel for a shape and triangles, and the tests of moving boxes (<code>sweep</code>) and of rays (<code>ray</code>). Read
+     * PairKernel next, which explains the questions, then RoundKernel and SphereBoxGapFinder.
      *
      * <p>Spheres, capsules and boxes have kernels of their own, because the package convex takes two to eleven times as long. That package decides
      * about hulls. It also finds the distance of two boxes and their contact, and the contact of a sphere or capsule whose core overlaps the core of
@@ -24,17 +27,42 @@ package starlogo.intersection
     {
         private static const KINDS:int = BoundingStructure.OTHER + 1;
 
+        private static const CONVEX:ConvexPairKernel = new ConvexPairKernel();
+
         // For each pair of kinds its kernel: a row for each kind of a. Only pairs count whose second kind is not below the first.
-        // areTouching() reads it itself, because its tests are short, and calls take long in Adobe's VM.
         private static const KERNELS:Vector.<PairKernel> = makeKernels();
 
         // For a pair whose second kind is below the first: the kernel is asked about b and a, and this is the motion of b.
         private static const REVERSED:RelativeMotion = new RelativeMotion();
 
-        /** Whether two structures touch or overlap. See PairKernel. Games call it as <code>intersects()</code>. */
+        /**
+         * Whether two structures touch or overlap. Touching counts: see Touching. Games call it as <code>intersects()</code>.
+         *
+         * @throws ArgumentError if the pair has no such test
+         */
         public static function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            return a.kind <= b.kind ? KERNELS[int(KINDS * a.kind + b.kind)].areTouching(a, b) : KERNELS[int(KINDS * b.kind + a.kind)].areTouching(b, a);
+            var kindA:int = a.kind;
+            var kindB:int = b.kind;
+            if (kindA > kindB)
+            {
+                return areTouching(b, a);
+            }
+            // The tests are short, and calls take long in Adobe's VM. So no kernel stands between.
+            switch (kindB)
+            {
+                case BoundingStructure.SPHERE:
+                    return sphereSphere(a as Sphere, b as Sphere);
+                case BoundingStructure.CAPSULE:
+                    return kindA == BoundingStructure.SPHERE ? sphereCapsule(a as Sphere, b as Capsule) : capsuleCapsule(a as Capsule, b as Capsule);
+                case BoundingStructure.BOX:
+                    return kindA == BoundingStructure.SPHERE ? sphereBox(a as Sphere, b as Box)
+                        : kindA == BoundingStructure.CAPSULE ? capsuleBox(a as Capsule, b as Box) : boxBox(a as Box, b as Box);
+                case BoundingStructure.HULL:
+                    return CONVEX.areTouching(a, b);
+                default:
+                    throw PairKernel.missing("intersection test", a, b);
+            }
         }
 
         /** Finds when a moving structure first touches another one. See PairKernel. */
@@ -83,21 +111,20 @@ package starlogo.intersection
         private static function makeKernels():Vector.<PairKernel>
         {
             var kernels:Vector.<PairKernel> = new Vector.<PairKernel>(KINDS * KINDS, true);
-            var convex:ConvexPairKernel = new ConvexPairKernel();
             var missing:PairKernel = new PairKernel();
             for (var kind:int = 0; kind < KINDS; kind++)
             {
-                kernels[KINDS * kind + BoundingStructure.HULL] = convex;
+                kernels[KINDS * kind + BoundingStructure.HULL] = CONVEX;
                 kernels[KINDS * kind + BoundingStructure.OTHER] = missing;
             }
             var ofSphere:int = KINDS * BoundingStructure.SPHERE;
             kernels[ofSphere + BoundingStructure.SPHERE] = new SphereSphereKernel();
-            kernels[ofSphere + BoundingStructure.CAPSULE] = new RoundKernel(new SphereCapsuleGapFinder(), convex);
-            kernels[ofSphere + BoundingStructure.BOX] = new RoundKernel(new SphereBoxGapFinder(), convex);
+            kernels[ofSphere + BoundingStructure.CAPSULE] = new RoundKernel(new SphereCapsuleGapFinder(), CONVEX);
+            kernels[ofSphere + BoundingStructure.BOX] = new RoundKernel(new SphereBoxGapFinder(), CONVEX);
             var ofCapsule:int = KINDS * BoundingStructure.CAPSULE;
-            kernels[ofCapsule + BoundingStructure.CAPSULE] = new RoundKernel(new CapsuleCapsuleGapFinder(), convex);
-            kernels[ofCapsule + BoundingStructure.BOX] = new RoundKernel(new CapsuleBoxGapFinder(), convex);
-            kernels[KINDS * BoundingStructure.BOX + BoundingStructure.BOX] = new BoxBoxKernel(convex);
+            kernels[ofCapsule + BoundingStructure.CAPSULE] = new RoundKernel(new CapsuleCapsuleGapFinder(), CONVEX);
+            kernels[ofCapsule + BoundingStructure.BOX] = new RoundKernel(new CapsuleBoxGapFinder(), CONVEX);
+            kernels[KINDS * BoundingStructure.BOX + BoundingStructure.BOX] = new BoxBoxKernel(CONVEX);
             return kernels;
         }
     }

@@ -9,8 +9,8 @@ package starlogo.intersection
 
     /**
      * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
-     * and the radii. A GapFinder for each pair of kinds finds the gap, and tests structures that stand. If the cores overlap, there is no gap, and
-     * the ConvexPairKernel finds the contact.
+     * and the radii. A GapFinder for each pair of kinds finds the gap. If the cores overlap, there is no gap, and the ConvexPairKernel finds the
+     * contact.
      *
      * <p>Two cores have a distance that is a convex function of time if one moves along a straight line. So Newton's method finds the time of
      * impact (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection", 2004). ConvexSweep
@@ -40,20 +40,14 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
-        {
-            return _finder.areTouching(a, b);
-        }
-
-        /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            include "../convex/motionMargin.inc";
             var gap:CoreGap = _gap;
             motion.time = 0;
+            motion.measureMargin();
             _finder.find(a, b, motion, gap);
             var radii:Number = gap.radiusA + gap.radiusB;
-            var touchingDistance:Number = radii * Tolerances.TOUCHING + margin;
+            var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin;
             var squared:Number = gap.squaredLength;
             if (squared <= touchingDistance * touchingDistance)
             {
@@ -110,13 +104,12 @@ package starlogo.intersection
         private function findZero(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Boolean
         {
             var gap:CoreGap = _gap;
-            include "../convex/motionMargin.inc";
             var radii:Number = gap.radiusA + gap.radiusB;
             // A gap that is no longer than this has no certain direction.
             var uncertain:Number = Tolerances.DIRECTION * gap.extent;
             // Radii allow for the rounding of the gap at each step. Where there are hardly any, the extent does.
             var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.extent : 0;
-            var touchingDistance:Number = radii * Tolerances.TOUCHING + margin + rounding;
+            var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin + rounding;
             var lastTime:Number = 0;
             var lastDistance:Number = Math.sqrt(gap.squaredLength);
             var hasOvershot:Boolean = false;

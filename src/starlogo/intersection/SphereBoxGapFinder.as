@@ -11,12 +11,6 @@ package starlogo.intersection
     internal final class SphereBoxGapFinder extends GapFinder
     {
         /** @inheritDoc */
-        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
-        {
-            return sphereBox(a as Sphere, b as Box);
-        }
-
-        /** @inheritDoc */
         override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;
@@ -34,9 +28,10 @@ package starlogo.intersection
             axis = box.axisZ;
             out.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             measureToBox(box, motion, out);
-            out.pointX = motion.startX + time * motion.x + center.x;
-            out.pointY = motion.startY + time * motion.y + center.y;
-            out.pointZ = motion.startZ + time * motion.z + center.z;
+            out.pointX = center.x;
+            out.pointY = center.y;
+            out.pointZ = center.z;
+            out.movePoint(motion);
             out.radiusA = sphere.radius;
             out.radiusB = 0;
             out.extent = box.halfX + box.halfY + box.halfZ + sphere.radius;

@@ -11,12 +11,6 @@ package starlogo.intersection
     internal final class SphereCapsuleGapFinder extends GapFinder
     {
         /** @inheritDoc */
-        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
-        {
-            return sphereCapsule(a as Sphere, b as Capsule);
-        }
-
-        /** @inheritDoc */
         override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;
@@ -36,9 +30,10 @@ package starlogo.intersection
             out.y = y;
             out.z = z;
             out.measure(motion);
-            out.pointX = motion.startX + time * motion.x + center.x;
-            out.pointY = motion.startY + time * motion.y + center.y;
-            out.pointZ = motion.startZ + time * motion.z + center.z;
+            out.pointX = center.x;
+            out.pointY = center.y;
+            out.pointZ = center.z;
+            out.movePoint(motion);
             out.radiusA = sphere.radius;
             out.radiusB = capsule.radius;
             out.extent = Math.abs(axisX) + Math.abs(axisY) + Math.abs(axisZ) + (sphere.radius + capsule.radius);

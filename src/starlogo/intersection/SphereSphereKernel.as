@@ -7,7 +7,7 @@ package starlogo.intersection
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
-    import starlogo.convex.findSphereEntry;
+    import starlogo.convex.findTimeOfSpheres;
 
     /**
      * The kernel of two spheres.
@@ -19,16 +19,10 @@ package starlogo.intersection
         private var _gap:CoreGap = new CoreGap();
 
         /** @inheritDoc */
-        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
-        {
-            return sphereSphere(a as Sphere, b as Sphere);
-        }
-
-        /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             setGap(a as Sphere, b as Sphere, motion);
-            findSphereEntry(_gap, motion);
+            findTimeOfSpheres(_gap, motion);
         }
 
         /** @inheritDoc */
@@ -39,9 +33,7 @@ package starlogo.intersection
             gap.x += motion.time * motion.x;
             gap.y += motion.time * motion.y;
             gap.z += motion.time * motion.z;
-            gap.pointX += motion.startX + motion.time * motion.x;
-            gap.pointY += motion.startY + motion.time * motion.y;
-            gap.pointZ += motion.startZ + motion.time * motion.z;
+            gap.movePoint(motion);
             // The difference of two points has a direction. Below about 1e-162 its square is 0, and the spheres count as concentric.
             if (!(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > 0))
             {

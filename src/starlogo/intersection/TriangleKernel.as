@@ -12,8 +12,8 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * The kernel of a convex shape and a triangle: whether the two touch, when and how they first touch, and how far they are apart. The shape is set
-     * once, and then one triangle after the other, each a part of a list. ConvexKernel decides.
+     * The kernel of a convex shape and triangles: whether the shape touches a triangle, when and how it first does, and how far the two are apart. The
+     * shape is set once. A question takes the triangle: nine numbers of a list, from an index on. ConvexKernel decides.
      *
      * @private
      */
@@ -23,16 +23,11 @@ package starlogo.intersection
         public var shape:ConvexShape = new ConvexShape();
 
         private var _kernel:ConvexKernel = new ConvexKernel();
+        private var _triangle:ConvexShape = new ConvexShape();
 
         // The shape where it is placed: a structure for each kind, and a triangle's corners.
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
         private var _placed:Vector.<Number> = new Vector.<Number>();
-
-        // The triangle: nine numbers of a list. Its shape is set at the first question.
-        private var _corners:Vector.<Number> = null;
-        private var _at:int = 0;
-        private var _isTriangleSet:Boolean = false;
-        private var _triangle:ConvexShape = new ConvexShape();
 
         /**
          * Sets the shape to a structure.
@@ -55,69 +50,46 @@ package starlogo.intersection
             shape.setTriangle(_placed, 0);
         }
 
-        /**
-         * Sets the triangle.
-         *
-         * @param corners has nine numbers of it; kept
-         * @param at index of the first of them
-         */
-        public function setTriangle(corners:Vector.<Number>, at:int):void
+        /** Whether the shape touches a triangle. */
+        public function areTouching(corners:Vector.<Number>, at:int):Boolean
         {
-            _corners = corners;
-            _at = at;
-            _isTriangleSet = false;
-        }
-
-        /** Whether the two touch. */
-        public function areTouching():Boolean
-        {
-            prepareTriangle();
+            _triangle.setTriangle(corners, at);
             return _kernel.areTouching(shape, _triangle);
         }
 
         /**
-         * Finds when the shape first touches the triangle while it moves.
+         * Finds when the shape first touches a triangle while it moves.
          *
          * @param motion of the shape; receives the time, or RelativeMotion.NEVER
          */
-        public function findTime(motion:RelativeMotion):void
+        public function findTime(corners:Vector.<Number>, at:int, motion:RelativeMotion):void
         {
-            prepareTriangle();
+            _triangle.setTriangle(corners, at);
             _kernel.findTime(shape, _triangle, motion);
         }
 
         /**
-         * Finds how the two touch or overlap.
+         * Finds how the shape and a triangle touch or overlap.
          *
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param out receives the contact, with a normal that points from the triangle to the shape
          */
-        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(corners:Vector.<Number>, at:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            prepareTriangle();
+            _triangle.setTriangle(corners, at);
             _kernel.findContact(shape, _triangle, motion, out);
         }
 
         /**
-         * Finds the closest points of the two, if they are closer than those of a triangle before.
+         * Finds the closest points of the shape and a triangle, if they are closer than those of a triangle before.
          *
          * @param out the distance and the points of the triangle before; overwritten if this one is closer
          * @return whether it is closer
          */
-        public function findCloser(out:ClosestPoints):Boolean
+        public function findCloser(corners:Vector.<Number>, at:int, out:ClosestPoints):Boolean
         {
-            prepareTriangle();
+            _triangle.setTriangle(corners, at);
             return _kernel.findCloser(shape, _triangle, out);
-        }
-
-        // Sets the triangle's shape, unless a question before has set it.
-        private function prepareTriangle():void
-        {
-            if (!_isTriangleSet)
-            {
-                _isTriangleSet = true;
-                _triangle.setTriangle(_corners, _at);
-            }
         }
     }
 }

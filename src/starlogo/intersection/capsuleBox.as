@@ -2,6 +2,7 @@ package starlogo.intersection
 {
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.geometry.Tolerances;
 
     /**
      * Whether a capsule and a box touch or overlap: compares the distance from the capsule's segment to the box with the radius. Touching
@@ -16,6 +17,27 @@ package starlogo.intersection
      */
     public function capsuleBox(capsule:Capsule, box:Box):Boolean
     {
-        return CapsuleBoxGapFinder.STANDING.areTouching(capsule, box);
+        var axis:BoxSegment = BoxSegment.STANDING;
+        axis.setTo(capsule, box);
+        var radius:Number = capsule.radius * Tolerances.TOUCHING;
+        var halfX:Number = box.halfX;
+        var halfY:Number = box.halfY;
+        var halfZ:Number = box.halfZ;
+        if (axis.x > halfX + radius || axis.x + axis.alongX < -halfX - radius || axis.y > halfY + radius || axis.y + axis.alongY < -halfY - radius
+                || axis.z > halfZ + radius || axis.z + axis.alongZ < -halfZ - radius)
+        {
+            return false;
+        }
+        axis.findNearest(box);
+        var share:Number = axis.nearest > 0 ? axis.nearest : 0;
+        share = share < 1 ? share : 1;
+        // The segment is not outside if a part of it is inside of all slabs that it crosses. Then only slabs parallel to it are tested. For
+        // the others no point is computed, because rounding might put it outside, and a radius of 0 allows no error.
+        var isOutside:Boolean = axis.lastIn > axis.firstOut || axis.lastIn > 1 || axis.firstOut < 0;
+        var x:Number = isOutside || axis.alongX == 0 ? axis.x + share * axis.alongX : 0;
+        var y:Number = isOutside || axis.alongY == 0 ? axis.y + share * axis.alongY : 0;
+        var z:Number = isOutside || axis.alongZ == 0 ? axis.z + share * axis.alongZ : 0;
+        include "squaredToBox.inc";
+        return squaredDistance <= radius * radius;
     }
 }

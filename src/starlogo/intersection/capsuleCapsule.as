@@ -1,6 +1,7 @@
 package starlogo.intersection
 {
     import starlogo.bounding.Capsule;
+    import starlogo.geometry.Tolerances;
 
     /**
      * Whether two capsules touch or overlap: compares the distance of their segments with the sum of the radii (thesis §3.6.3). Touching
@@ -16,6 +17,11 @@ package starlogo.intersection
      */
     public function capsuleCapsule(a:Capsule, b:Capsule):Boolean
     {
-        return CapsuleCapsuleGapFinder.STANDING.areTouching(a, b);
+        var axes:SegmentPair = SegmentPair.STANDING;
+        var areSwapped:Boolean = isAfter(a.start, b.start);
+        axes.setTo(areSwapped ? b : a, areSwapped ? a : b);
+        axes.findClosest();
+        var touchingDistance:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
+        return axes.x * axes.x + axes.y * axes.y + axes.z * axes.z <= touchingDistance * touchingDistance;
     }
 }

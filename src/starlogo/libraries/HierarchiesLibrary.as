@@ -1,7 +1,7 @@
 package starlogo.libraries
 {
     import starlogo.engine;
-    import starlogo.geometry.VertexData;
+    import starlogo.geometry.vertices.VertexData;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;

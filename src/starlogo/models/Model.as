@@ -4,8 +4,8 @@
 package starlogo.models
 {
     import starlogo.engine;
-    import starlogo.geometry.VertexBounds;
-    import starlogo.geometry.VertexData;
+    import starlogo.geometry.vertices.VertexBounds;
+    import starlogo.geometry.vertices.VertexData;
 
     use namespace engine;
 

@@ -3,8 +3,8 @@ package starlogo.models
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.AffineTransform;
-    import starlogo.geometry.VertexBounds;
-    import starlogo.geometry.VertexData;
+    import starlogo.geometry.vertices.VertexBounds;
+    import starlogo.geometry.vertices.VertexData;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

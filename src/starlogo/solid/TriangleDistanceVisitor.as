@@ -67,8 +67,7 @@ package starlogo.solid
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < limit * limit)
                 {
                     _counts.triangleTests++;
-                    _kernel.setTriangle(_mesh.corners, 9 * i);
-                    if (_kernel.findCloser(_nearest))
+                    if (_kernel.findCloser(_mesh.corners, 9 * i, _nearest))
                     {
                         limit = _nearest.distance;
                         _slot = i;

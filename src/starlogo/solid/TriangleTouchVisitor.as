@@ -137,14 +137,13 @@ package starlogo.solid
                     continue;
                 }
                 _counts.triangleTests++;
-                _kernel.setTriangle(_mesh.corners, 9 * i);
                 if (isStill)
                 {
-                    _sweep.time = _kernel.areTouching() ? 0 : RelativeMotion.NEVER;
+                    _sweep.time = _kernel.areTouching(_mesh.corners, 9 * i) ? 0 : RelativeMotion.NEVER;
                 }
                 else
                 {
-                    _kernel.findTime(_sweep);
+                    _kernel.findTime(_mesh.corners, 9 * i, _sweep);
                 }
                 if (keepEarlier(_sweep, _motion))
                 {
@@ -162,8 +161,7 @@ package starlogo.solid
          */
         public function findContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _kernel.setTriangle(_mesh.corners, 9 * slot);
-            _kernel.findContact(motion, out);
+            _kernel.findContact(_mesh.corners, 9 * slot, motion, out);
         }
     }
 }

@@ -1,7 +1,7 @@
 package starlogo.solid
 {
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.VertexBounds;
+    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.steps.StepSequence;
 
     /**

@@ -10,7 +10,7 @@ package starlogo.away3d
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
-    import starlogo.geometry.PointTable;
+    import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;

@@ -50,14 +50,13 @@ package starlogo.ground
             var side:TriangleSide = new TriangleSide(kernel.shape);
             var corners:Vector.<Number> = new <Number>[-10, -10, 0, 10, -10, 0, 0, 10, 0];
             kernel.setStructure(new Sphere(new Vector3D(0, 0, -0.5), 1), new Placement());
-            kernel.setTriangle(corners, 0);
             side.setTriangle(corners);
             for (var up:int = -1; up <= 1; up++)
             {
                 var motion:RelativeMotion = new RelativeMotion(0);
                 motion.z = up;
                 var out:ContactPoint = new ContactPoint();
-                kernel.findContact(motion, out);
+                kernel.findContact(corners, 0, motion, out);
                 assertEquals(-1, out.normalZ);
                 side.leadOutside(motion, out);
                 assertEquals("moves by " + up, "1,1.5", [out.normalZ, out.depth].join());

@@ -80,8 +80,7 @@ package starlogo.intersection
                 var sweep:TriangleKernel = new TriangleKernel();
                 closest.distance = Infinity;
                 sweep.setStructure(structure, new Placement());
-                sweep.setTriangle(corners, 0);
-                sweep.findCloser(closest);
+                sweep.findCloser(corners, 0, closest);
                 if (!(closest.distance > 1e-3) || areTouching(structure, corners, 0))
                 {
                     continue;
@@ -135,7 +134,7 @@ package starlogo.intersection
                 for (var k:int = -4; k <= 4 && first > 0 && first < 1; k++)
                 {
                     var time:Number = timeOf(sweep, moved(structure, motion, first - k * _random.logBetween(1e-16, 1e-12)), corners, motion);
-                    apart += sweep.areTouching() ? 0 : 1;
+                    apart += sweep.areTouching(corners, 0) ? 0 : 1;
                     _wrong.addIf(!(time < 1e-9), "not met", structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z]
                             + ", from " + first + ", step " + k + ": " + time);
                 }
@@ -147,13 +146,12 @@ package starlogo.intersection
         private static function timeOf(sweep:TriangleKernel, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
         {
             sweep.setStructure(structure, new Placement());
-            sweep.setTriangle(corners, 0);
             var side:TriangleSide = new TriangleSide(sweep.shape);
             side.setTriangle(corners);
             motion.time = RelativeMotion.NEVER;
             if (!side.stayApart(motion))
             {
-                sweep.findTime(motion);
+                sweep.findTime(corners, 0, motion);
             }
             return motion.time;
         }
@@ -163,7 +161,7 @@ package starlogo.intersection
             var there:BoundingStructure = moved(structure, motion, motion.time);
             _wrong.addIf(!areTouching(there, corners, NEAR), "no touch", message);
             var out:ContactPoint = new ContactPoint();
-            sweep.findContact(motion, out);
+            sweep.findContact(corners, 0, motion, out);
             var point:Vector3D = new Vector3D(out.x, out.y, out.z);
             var normal:Vector3D = new Vector3D(out.normalX, out.normalY, out.normalZ);
             var onStructure:Number = SurfaceDistance.of(there, point);

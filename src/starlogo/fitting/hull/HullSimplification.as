@@ -2,7 +2,7 @@ package starlogo.fitting.hull
 {
     import starlogo.bounding.HullTopology;
     import starlogo.fitting.FitSession;
-    import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.hull.ConvexHull;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

@@ -1,6 +1,6 @@
 package starlogo.fitting.hull
 {
-    import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.hull.ConvexHull;
 
     /**
      * A space in which the hull of vertices is 1 long along each of three axes, around the origin. It is not scaled uniformly, so thin hulls

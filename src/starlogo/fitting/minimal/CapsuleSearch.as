@@ -6,7 +6,7 @@ package starlogo.fitting.minimal
     import starlogo.fitting.EnclosingStructures;
     import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
-    import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.hull.ConvexHull;
     import starlogo.geometry.Trigonometry;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;

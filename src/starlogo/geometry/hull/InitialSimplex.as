@@ -1,8 +1,8 @@
 package starlogo.geometry.hull
 {
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.VertexBounds;
-    import starlogo.geometry.VertexData;
+    import starlogo.geometry.vertices.VertexBounds;
+    import starlogo.geometry.vertices.VertexData;
     import starlogo.steps.StepSequence;
 
     /**

@@ -1,9 +1,11 @@
 package starlogo.intersection.sweep
 {
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Box;
     import starlogo.geometry.Placement;
 
     /**
-     * The axes of box b in the axes of box a, and their absolute values: what all pairs of boxes of two trees have in common.
+     * The axes of box b in the axes of box a, and their absolute values, as a record. All pairs of boxes of two trees have them in common.
      *
      * @private
      */
@@ -33,10 +35,31 @@ package starlogo.intersection.sweep
         public var abs21:Number = 0;
         public var abs22:Number = 1;
 
+        /** Sets the axes of two boxes. They are the cosines of the angles between the axes of b and those of a. */
+        public function setTo(a:Box, b:Box):void
+        {
+            var bX:Vector3D = b.axisX;
+            var bY:Vector3D = b.axisY;
+            var bZ:Vector3D = b.axisZ;
+            var axis:Vector3D = a.axisX;
+            m00 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
+            m01 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
+            m02 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
+            axis = a.axisY;
+            m10 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
+            m11 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
+            m12 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
+            axis = a.axisZ;
+            m20 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
+            m21 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
+            m22 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
+            measureAxes(0);
+        }
+
         /**
          * Reads the axes of b from its rotation in the space of a, whose axes are those of the space, and multiplies them by a length.
          *
-         * @param slack how much larger the absolute values are
+         * @param slack is added to the absolute values
          */
         public function readAxes(rotation:Placement, length:Number, slack:Number = 0):void
         {
@@ -52,8 +75,7 @@ package starlogo.intersection.sweep
             measureAxes(slack);
         }
 
-        /** Computes the absolute values, and adds a slack to them. The axes must be set. */
-        public function measureAxes(slack:Number = 0):void
+        private function measureAxes(slack:Number):void
         {
             abs00 = m00 < 0 ? slack - m00 : slack + m00;
             abs01 = m01 < 0 ? slack - m01 : slack + m01;

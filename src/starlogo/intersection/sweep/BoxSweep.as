@@ -25,7 +25,7 @@ package starlogo.intersection.sweep
         private var _along:AxisMotion = new AxisMotion();
 
         // The pair of two boxes that are given as structures.
-        private var _boxes:BoxPairMotion = new BoxPairMotion();
+        private var _boxes:BoxPair = new BoxPair();
 
         // For boxes that stand.
         private static const STANDING:BoxSweep = new BoxSweep();
@@ -54,7 +54,7 @@ package starlogo.intersection.sweep
         }
 
         /** Sets the pair's time to the first at which the boxes touch. It is NEVER if it is after the latest time. */
-        public function findTime(pair:BoxPairMotion):void
+        public function findTime(pair:BoxPair):void
         {
             findTimeOfFaces(pair);
             if (pair.time != RelativeMotion.NEVER)
@@ -67,7 +67,7 @@ package starlogo.intersection.sweep
          * Sets the pair's time to the first from which no face separates the boxes. The boxes touch at that time or later. It is NEVER if it is
          * after the latest time.
          */
-        public function findTimeOfFaces(pair:BoxPairMotion):void
+        public function findTimeOfFaces(pair:BoxPair):void
         {
             pair.time = RelativeMotion.NEVER;
             var times:ContactInterval = _times;
@@ -128,11 +128,7 @@ package starlogo.intersection.sweep
         // Sets the pair of two boxes. While a moves, b moves in the opposite direction as seen from a.
         private function setBoxes(a:Box, b:Box, motion:RelativeMotion):void
         {
-            var pair:BoxPairMotion = _boxes;
-            var cosines:BoxAxes = pair.axes;
-            var edgeX:Vector3D = b.axisX;
-            var edgeY:Vector3D = b.axisY;
-            var edgeZ:Vector3D = b.axisZ;
+            var pair:BoxPair = _boxes;
             var moveX:Number = motion.x;
             var moveY:Number = motion.y;
             var moveZ:Number = motion.z;
@@ -140,38 +136,29 @@ package starlogo.intersection.sweep
             var fromY:Number = b.center.y - a.center.y - motion.startY;
             var fromZ:Number = b.center.z - a.center.z - motion.startZ;
             var axis:Vector3D = a.axisX;
-            cosines.m00 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
-            cosines.m01 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
-            cosines.m02 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
             pair.motionX = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
             pair.x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             axis = a.axisY;
-            cosines.m10 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
-            cosines.m11 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
-            cosines.m12 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
             pair.motionY = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
             pair.y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             axis = a.axisZ;
-            cosines.m20 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
-            cosines.m21 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
-            cosines.m22 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
             pair.motionZ = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
             pair.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            cosines.measureAxes();
+            pair.axes.setTo(a, b);
             pair.aX = a.halfX;
             pair.aY = a.halfY;
             pair.aZ = a.halfZ;
             pair.bX = b.halfX;
             pair.bY = b.halfY;
             pair.bZ = b.halfZ;
-            include "../../convex/motionMargin.inc";
-            pair.margin = margin;
+            motion.measureMargin();
+            pair.margin = motion.margin;
             pair.latest = motion.latest;
         }
 
         // Goes on from the faces to the edges. The boxes are projected in full on the cross product of an edge of each. So even a short cross product
         // of nearly parallel edges is an axis like any other. The test uses no identity between axes, because rounding would break it.
-        private function addEdges(pair:BoxPairMotion):void
+        private function addEdges(pair:BoxPair):void
         {
             var b:BoxAxes = pair.axes;
             var edges:Vector.<Number> = _edges;
@@ -197,7 +184,7 @@ package starlogo.intersection.sweep
 
         // Narrows the interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is
         // left.
-        private function narrowAcross(pair:BoxPairMotion, p:int, q:int, r:int):Boolean
+        private function narrowAcross(pair:BoxPair, p:int, q:int, r:int):Boolean
         {
             var times:ContactInterval = _times;
             var along:AxisMotion = _along;

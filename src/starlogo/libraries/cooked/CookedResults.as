@@ -10,11 +10,11 @@ package starlogo.libraries.cooked
     import starlogo.data.Fingerprint;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.VertexBounds;
+    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.ModelStructures;
-    import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
+    import starlogo.models.Model;
     import starlogo.solid.ModelTree;
     import starlogo.solid.SurfaceTopology;
 

@@ -2,7 +2,7 @@ package starlogo.models.stl
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.geometry.PointTable;
+    import starlogo.geometry.vertices.PointTable;
     import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;

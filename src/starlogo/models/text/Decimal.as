@@ -1,6 +1,6 @@
 package starlogo.models.text
 {
-    import starlogo.geometry.roundingOf;
+    import starlogo.geometry.roundingOfProduct;
 
     /**
      * Reads decimal numbers with the same result on every machine. The result is the nearest Number. If the decimal is almost halfway
@@ -30,7 +30,7 @@ package starlogo.models.text
         private static const LARGEST_EXPONENT:Number = 99999;
         private static const POWERS:Vector.<Number> = powersOfTen(22);
 
-        // roundingOf() cannot split larger Numbers
+        // roundingOfProduct() cannot split larger Numbers
         private static const LARGEST_TO_SPLIT:Number = 1e290;
 
         /**
@@ -88,7 +88,7 @@ package starlogo.models.text
         private static function scaled(first:Number, second:Number, shift:int, exponent:Number):Number
         {
             var product:Number = first * POWERS[shift];
-            var rest:Number = roundingOf(first, POWERS[shift], product);
+            var rest:Number = roundingOfProduct(first, POWERS[shift], product);
             var high:Number = product + second;
             rest += second - (high - product);
             product = high;
@@ -101,14 +101,14 @@ package starlogo.models.text
                 if (exponent > 0)
                 {
                     product = high * power;
-                    rest = product > LARGEST_TO_SPLIT ? 0 : roundingOf(high, power, product) + low * power;
+                    rest = product > LARGEST_TO_SPLIT ? 0 : roundingOfProduct(high, power, product) + low * power;
                     exponent -= step;
                 }
                 else
                 {
                     product = high / power;
                     var back:Number = product * power;
-                    rest = (high - back - roundingOf(product, power, back) + low) / power;
+                    rest = (high - back - roundingOfProduct(product, power, back) + low) / power;
                     exponent += step;
                 }
                 high = product + rest;

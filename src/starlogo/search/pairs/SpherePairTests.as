@@ -8,7 +8,7 @@ package starlogo.search.pairs
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
-    import starlogo.convex.findSphereEntry;
+    import starlogo.convex.findTimeOfSpheres;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -177,7 +177,7 @@ package starlogo.search.pairs
             _gap.z += motion.startZ;
             // The margin of the motion. Its start is 0 or the reverse of it: see Touching.
             _gap.radiusA += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            findSphereEntry(_gap, motion);
+            findTimeOfSpheres(_gap, motion);
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && areTouchingAtEnd)
             {

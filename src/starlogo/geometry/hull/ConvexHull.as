@@ -1,11 +1,11 @@
-package starlogo.geometry
+package starlogo.geometry.hull
 {
     import starlogo.engine;
-    import starlogo.geometry.hull.InitialSimplex;
-    import starlogo.geometry.hull.QuickHull;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.vertices.VertexBounds;
+    import starlogo.steps.finish;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
-    import starlogo.steps.finish;
 
     use namespace engine;
 

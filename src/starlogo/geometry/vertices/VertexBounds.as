@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.geometry.vertices
 {
     /**
      * The axis-aligned box around vertices, and whether all their coordinates are finite. Vertices can be added a part at a time.

@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.geometry.vertices
 {
     /**
      * Checks vertices and triangles, and describes what is wrong with them. The caller adds the model's name, and throws.

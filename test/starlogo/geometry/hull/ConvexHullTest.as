@@ -1,12 +1,13 @@
-package starlogo.geometry
+package starlogo.geometry.hull
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.asserts.fail;
-    import support.PointSets;
+    import starlogo.geometry.Tolerances;
     import support.assertThrows;
     import support.create;
+    import support.PointSets;
 
     public class ConvexHullTest
     {

@@ -3,12 +3,13 @@ package starlogo.intersection.sweep
     import starlogo.convex.RelativeMotion;
 
     /**
-     * A sweep of two boxes, as a record: where box b is at time 0, how it moves until time 1, and the time of impact that BoxSweep writes. All
-     * numbers are in the axes of box a. Many pairs of boxes may have the same axes and motion. Then these are set once for all of them.
+     * Two boxes, as a record: where box b is at time 0 as seen from box a, how it moves until time 1, and the time of impact that BoxSweep writes. All
+     * numbers are in the axes of a. Many pairs of boxes may have the same axes and motion. Then these are set once for all of them. Tests of boxes
+     * that stand use no more than the axes, the vector and the half-extents.
      *
      * @private
      */
-    public final class BoxPairMotion
+    public final class BoxPair
     {
         /** The axes of b. */
         public var axes:BoxAxes = new BoxAxes();

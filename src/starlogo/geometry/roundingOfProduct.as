@@ -9,7 +9,7 @@ package starlogo.geometry
      * @param product the product of the two, rounded
      * @private
      */
-    public function roundingOf(a:Number, b:Number, product:Number):Number
+    public function roundingOfProduct(a:Number, b:Number, product:Number):Number
     {
         // 2^27 + 1 splits a Number into two halves whose products are exact
         var highA:Number = 134217729 * a;

@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.geometry.vertices
 {
     import flash.utils.ByteArray;
 
@@ -17,7 +17,6 @@ package starlogo.geometry
 
         // For each slot: its point's index plus 1, or 0 if the slot is empty.
         private var _slots:Vector.<int>;
-        private var _count:int = 0;
         private var _bits:ByteArray = new ByteArray();
 
         /**
@@ -50,12 +49,13 @@ package starlogo.geometry
                 slot = (slot + 1) & mask;
                 probes++;
             }
+            var index:int = coordinates.length / 3;
             coordinates.push(x, y, z);
             if (probes < MOST_PROBES)
             {
-                _slots[slot] = _count + 1;
+                _slots[slot] = index + 1;
             }
-            return _count++;
+            return index;
         }
 
         private function isAt(point:int, x:Number, y:Number, z:Number):Boolean

@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.geometry.vertices
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;

@@ -8,7 +8,7 @@ package starlogo.convex
      * @param motion the motion of the one centre; its start is not used. Receives the time
      * @private
      */
-    public function findSphereEntry(gap:CoreGap, motion:RelativeMotion):void
+    public function findTimeOfSpheres(gap:CoreGap, motion:RelativeMotion):void
     {
         var x:Number = gap.x;
         var y:Number = gap.y;

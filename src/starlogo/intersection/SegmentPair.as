@@ -1,0 +1,103 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Capsule;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Tolerances;
+
+    /** The axes of two capsules, and their closest points. */
+    internal final class SegmentPair
+    {
+        /** For <code>capsuleCapsule()</code>. */
+        public static const STANDING:SegmentPair = new SegmentPair();
+
+        /** The axis of a, u, and that of b, v, each from its start to its end. Read only, like all fields. */
+        public var uX:Number = 0;
+        public var uY:Number = 0;
+        public var uZ:Number = 0;
+        public var vX:Number = 0;
+        public var vY:Number = 0;
+        public var vZ:Number = 0;
+
+        /** The vector from v's start to u's. After <code>findClosest()</code> it is the gap, from the closest point of v to that of u. */
+        public var x:Number = 0;
+        public var y:Number = 0;
+        public var z:Number = 0;
+
+        /** Where the closest point is on u: from 0 at the start to 1 at the end. */
+        public var shareOfU:Number = 0;
+
+        /** Sets the axes of two capsules. */
+        public function setTo(a:Capsule, b:Capsule):void
+        {
+            var startA:Vector3D = a.start;
+            var startB:Vector3D = b.start;
+            var end:Vector3D = a.end;
+            uX = end.x - startA.x;
+            uY = end.y - startA.y;
+            uZ = end.z - startA.z;
+            end = b.end;
+            vX = end.x - startB.x;
+            vY = end.y - startB.y;
+            vZ = end.z - startB.z;
+            x = startA.x - startB.x;
+            y = startA.y - startB.y;
+            z = startA.z - startB.z;
+        }
+
+        /** Moves u to where a is at its motion's time. */
+        public function move(motion:RelativeMotion):void
+        {
+            var time:Number = motion.time;
+            x = x + motion.startX + time * motion.x;
+            y = y + motion.startY + time * motion.y;
+            z = z + motion.startZ + time * motion.z;
+        }
+
+        /**
+         * Finds the closest points (Ericson, "Real-Time Collision Detection", §5.1.9), at s on u and at t on v. The squared distance is smallest
+         * where both its derivatives are 0: uu * s - uv * t + alongU = 0 and uv * s - vv * t + alongV = 0. After one of s and t is clamped, the other is
+         * computed again.
+         */
+        public function findClosest():void
+        {
+            var uu:Number = uX * uX + uY * uY + uZ * uZ;
+            var vv:Number = vX * vX + vY * vY + vZ * vZ;
+            var uv:Number = uX * vX + uY * vY + uZ * vZ;
+            var alongU:Number = uX * x + uY * y + uZ * z;
+            var alongV:Number = vX * x + vY * y + vZ * z;
+            var numerator:Number = uv * alongV - vv * alongU;
+            var denominator:Number = uu * vv - uv * uv;
+            if (denominator <= Tolerances.NEARLY_PARALLEL * uu * vv)
+            {
+                // The same values from cross products, which do not cancel.
+                var crossX:Number = uY * vZ - uZ * vY;
+                var crossY:Number = uZ * vX - uX * vZ;
+                var crossZ:Number = uX * vY - uY * vX;
+                numerator = (vY * z - vZ * y) * crossX + (vZ * x - vX * z) * crossY + (vX * y - vY * x) * crossZ;
+                denominator = crossX * crossX + crossY * crossY + crossZ * crossZ;
+            }
+            var s:Number = numerator <= 0 ? 0 : (numerator >= denominator ? 1 : numerator / denominator);
+            var t:Number = uv * s + alongV;
+            if (t <= 0)
+            {
+                t = 0;
+                s = alongU >= 0 ? 0 : (-alongU >= uu ? 1 : -alongU / uu);
+            }
+            else if (t >= vv)
+            {
+                t = 1;
+                s = uv - alongU;
+                s = s <= 0 ? 0 : (s >= uu ? 1 : s / uu);
+            }
+            else
+            {
+                t /= vv;
+            }
+            shareOfU = s;
+            x = x + s * uX - t * vX;
+            y = y + s * uY - t * vY;
+            z = z + s * uZ - t * vZ;
+        }
+    }
+}

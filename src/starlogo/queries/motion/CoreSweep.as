@@ -49,6 +49,7 @@ package starlogo.queries.motion
             aim(from, motion);
             out.row = -1;
             out.time = RelativeMotion.NEVER;
+            out.isNormalFallback = false;
             for (var i:int = 0; i < body.obstacles.count; i++)
             {
                 keepEarlier(body, body.obstacles.numbers[i], from, motion, out);
@@ -121,15 +122,24 @@ package starlogo.queries.motion
             _length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
         }
 
-        // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer.
+        // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer. A contact that does not point against the
+        // motion counts a clearance later. So a corner of the core that enters a floor exactly between two tiles, along the side of one of them, is
+        // stopped by the top of the other.
         private function keepEarlier(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):void
         {
             findStop(body, _seen.table.bodyOf(row), from, motion);
-            if (_motion.time < out.time)
+            if (_motion.time == RelativeMotion.NEVER)
+            {
+                return;
+            }
+            var isNormalFallback:Boolean = _motion.time > 0 && !isAgainst(_contact.along(motion));
+            var delay:Number = body.core.clearance / _length;
+            if (_motion.time + (isNormalFallback ? delay : 0) < out.time + (out.isNormalFallback ? delay : 0))
             {
                 out.row = row;
                 out.time = _motion.time;
                 out.contact.copyFrom(_contact);
+                out.isNormalFallback = isNormalFallback;
             }
         }
 

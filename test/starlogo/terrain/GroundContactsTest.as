@@ -154,7 +154,7 @@ package starlogo.terrain
                 agent.heading = _random.pick([0, 0, 30]);
                 queries.update(new <Agent>[agent]);
                 if (!queries.touchesAny(agent) && queries.moveUntilTouch(agent, _random.pick([-1, 1, 0.1]), _random.pick([0, 0.3]), _random.pick([0, -0.2])) < 1
-                    && collider.areColliding(agent, terrain.agent))
+                        && collider.areColliding(agent, terrain.agent))
                 {
                     touches++;
                     var contact:Contact = collider.contactOf(agent, terrain.agent);

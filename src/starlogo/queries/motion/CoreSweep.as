@@ -133,8 +133,17 @@ package starlogo.queries.motion
                 return;
             }
             var isNormalFallback:Boolean = _motion.time > 0 && !isAgainst(_contact.along(motion));
-            var delay:Number = body.core.clearance / _length;
-            if (_motion.time + (isNormalFallback ? delay : 0) < out.time + (out.isNormalFallback ? delay : 0))
+            var time:Number = _motion.time;
+            var earliest:Number = out.time;
+            if (isNormalFallback)
+            {
+                time += body.core.clearance / _length;
+            }
+            if (out.isNormalFallback)
+            {
+                earliest += body.core.clearance / _length;
+            }
+            if (time < earliest)
             {
                 out.row = row;
                 out.time = _motion.time;

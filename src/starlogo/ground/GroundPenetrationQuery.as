@@ -158,22 +158,38 @@ package starlogo.ground
             }
         }
 
-        // Finds the contact with the triangle that the model overlaps most.
+        // Finds the contact with the triangle that the model overlaps most. Of overlaps that are equally deep, up to rounding, the one with the shorter
+        // way out counts: beside a hole, the way past its side, and not the way to the front of the slope at the top of this side.
         private function findDeepestOverlap(out:ContactPoint):void
         {
             var deepest:Number = 0;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
+                var rounding:Number = roundingHere();
                 // no overlap is deeper than the piece is behind the plane
                 _pairs.side.findBehind(RelativeMotion.NONE, _tried);
-                if (!isNoDeeper(deepest) && findOverlap() && isDeepest(deepest, out))
+                var isLess:Boolean = deepest > 0 && _tried.depth < deepest - rounding;
+                if (!isLess && findOverlap())
                 {
-                    deepest = _tried.depth;
+                    var depth:Number = _tried.depth;
                     _pairs.side.leadOutside(RelativeMotion.NONE, _tried);
-                    keep(out);
+                    var shorter:Number = out.depth - _tried.depth;
+                    var slack:Number = shorter > rounding ? rounding : shorter < -rounding ? -rounding : 0;
+                    if (!out.proof.hasTriangle || depth > deepest - slack)
+                    {
+                        deepest = Math.max(depth, deepest);
+                        keep(out);
+                    }
                 }
             }
+        }
+
+        // How far two shapes that touch here may be apart by rounding.
+        private function roundingHere():Number
+        {
+            var origin:Placement = _pairs.search.origin;
+            return IN_FRONT * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
         // Whether the last contact is not deeper than the deepest one so far by more than rounding. NaN might be deeper.

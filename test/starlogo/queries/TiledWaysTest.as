@@ -107,6 +107,28 @@ package starlogo.queries
                 });
         }
 
+        /** The lowest corner of a cylinder enters a floor exactly between two tiles: along the sides of both. */
+        [Test]
+        public function betweenTiles():void
+        {
+            var places:Array = [[1.9999999992913684, 1], [1.999999999369896, 0.5], [2.999999999369896, 1], [1.9999999992648787, 1], [2.9999999994749134, 0.5]];
+            eachSystem(function(isBins:Boolean):void
+                {
+                    for each (var side:int in isBins ? [] : [-1, 2])
+                    {
+                        var mover:Agent = put("cylinder", 0, 0, 0, 0);
+                        floor(3, side);
+                        for each (var place:Array in places)
+                        {
+                            mover.moveTo(0.5, place[0], 1.0501733078003133e-10);
+                            step(mover, [0, place[1], -place[1]], 1);
+                            expect(mover.y > place[0] + 0.99 * place[1], "stuck", mover, place);
+                            expectShallow(mover);
+                        }
+                    }
+                });
+        }
+
         [Test]
         public function inCorridorsAsWide():void
         {

@@ -9,6 +9,7 @@ package starlogo.terrain
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.queries.AgentQueries;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -128,6 +129,40 @@ package starlogo.terrain
                 var contact:Contact = EachCollider.make(name, _land).contactOf(agentAt("cube", -0.5, -1, 2.5), terrain.agent);
                 assertTrue(name + ": " + contact.depth + " along " + contact.normal, contact.depth < 0.5 + HAIR);
             }
+        }
+
+        /** The slope at the top of a hole's side may rise towards the hole: the way out to its front is long. */
+        [Test]
+        public function aHolesSideThatIsOnlyTouchedThrowsNobody():void
+        {
+            var touches:int = 0;
+            for (var i:int = Effort.choose(300, 4000, 60); i > 0; i--)
+            {
+                var from:Number = _random.pick([0, 100, 1000, 1e5]);
+                var terrain:Terrain = new Terrain(4, 4, 1, from, from);
+                for (var k:int = 0; k < 16; k++)
+                {
+                    terrain.setHeight(k % 4, k / 4, _random.between(-0.3, 0.6));
+                }
+                terrain.setHole(1, 1, true);
+                var name:String = _random.pick(["tightest fits", "hierarchies", "triangles"]);
+                var collider:Collider = EachCollider.make(name, _land);
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.terrain = terrain;
+                var agent:Agent = agentAt(_random.pick(["cube", "sphere", "cylinder"]), from + 1.5, from + 1.5, _random.between(-0.5, 0.5));
+                agent.size = _random.between(0.1, 0.5);
+                agent.heading = _random.pick([0, 0, 30]);
+                queries.update(new <Agent>[agent]);
+                if (!queries.touchesAny(agent) && queries.moveUntilTouch(agent, _random.pick([-1, 1, 0.1]), _random.pick([0, 0.3]), _random.pick([0, -0.2])) < 1
+                        && collider.areColliding(agent, terrain.agent))
+                {
+                    touches++;
+                    var contact:Contact = collider.contactOf(agent, terrain.agent);
+                    _wrong.addIf(contact.depth > 2 * HAIR, name + ", " + agent.shape, [i, contact.depth, "along", contact.normal].join(" "));
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(touches + " touches", touches > 20);
         }
 
         [Test]

@@ -41,6 +41,7 @@ package starlogo.queries.motion
             out.row = -1;
             out.time = RelativeMotion.NEVER;
             out.touchTime = NaN;
+            out.isNormalFallback = false;
             for (var i:int = 0; i < body.obstacles.count; i++)
             {
                 keepEarlier(body, body.obstacles.numbers[i], from, motion, out);
@@ -117,15 +118,33 @@ package starlogo.queries.motion
             _length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
         }
 
-        // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer.
+        // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer. A contact that does not point against the
+        // motion counts a clearance later. So a corner of the core that enters a floor exactly between two tiles, along the side of one of them, is
+        // stopped by the top of the other.
         private function keepEarlier(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):void
         {
             findStop(body, body.bodyOf(row), from, motion);
-            if (_motion.time < out.time)
+            if (_motion.time == RelativeMotion.NEVER)
+            {
+                return;
+            }
+            var isNormalFallback:Boolean = _motion.time > 0 && !isAgainst(_contact.along(motion));
+            var time:Number = _motion.time;
+            var earliest:Number = out.time;
+            if (isNormalFallback)
+            {
+                time += body.core.clearance / _length;
+            }
+            if (out.isNormalFallback)
+            {
+                earliest += body.core.clearance / _length;
+            }
+            if (time < earliest)
             {
                 out.row = row;
                 out.time = _motion.time;
                 out.contact.copyFrom(_contact);
+                out.isNormalFallback = isNormalFallback;
             }
         }
 

@@ -20,9 +20,6 @@ package starlogo.models.collada
         private static const TAGS_PER_STEP:int = 100;
         private static const QUOTE:int = 0x22;
         private static const APOSTROPHE:int = 0x27;
-        private static const QUESTION:int = 0x3F;
-        private static const EXCLAMATION:int = 0x21;
-        private static const SLASH:int = 0x2F;
         private static const LINE_END:RegExp = /\r\n|\r|\n/;
         private static const NAME_END:RegExp = /[\s\/]/;
         private static const ATTRIBUTE:RegExp = /^\s+([^\s=]+)\s*=\s*$/;
@@ -80,15 +77,15 @@ package starlogo.models.collada
 
         private function readTag():void
         {
-            switch (_text.charCodeAt(_at))
+            switch (_text.charAt(_at))
             {
-                case EXCLAMATION:
+                case "!":
                     readDeclaration();
                     break;
-                case QUESTION:
+                case "?":
                     _at = endOf("?>");
                     break;
-                case SLASH:
+                case "/":
                     closeElement();
                     break;
                 default:
@@ -141,7 +138,7 @@ package starlogo.models.collada
             {
                 _document.elementsById[element.name + "#" + element.id] ||= element;
             }
-            if (_text.charCodeAt(end - 1) != SLASH)
+            if (_text.charAt(end - 1) != "/")
             {
                 _names.push(name);
                 _open = element;

@@ -104,21 +104,18 @@ package starlogo.models.gltf
          * Gives the content of a buffer that is in another file.
          *
          * @param uri its address, as the file has it
-         * @param bytes its content; the endianness is set
+         * @param bytes its content; the endianness is set; null if it is missing
+         * @param problem why it is missing
+         * @throws ModelError if it is missing, or shorter than the file says
          */
-        public function setBuffer(uri:String, bytes:ByteArray):void
+        public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
         {
+            json.refuseIf(bytes == null, problem, "buffers[" + _buffersAt["#" + uri][0] + "].uri");
             limits.addBytes(bytes.length);
             for each (var index:int in _buffersAt["#" + uri])
             {
                 keep(index, bytes);
             }
-        }
-
-        /** The error for a buffer in another file that there is not. @param uri its address, as the file has it */
-        public function missingBuffer(uri:String, problem:String):ModelError
-        {
-            return json.error(problem, "buffers[" + _buffersAt["#" + uri][0] + "].uri");
         }
 
         /**

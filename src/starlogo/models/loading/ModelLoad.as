@@ -254,7 +254,7 @@ package starlogo.models.loading
             {
                 if (!FileAddress.hasFolder(_url))
                 {
-                    throw gltf.missingBuffer(uri, "it is in another file, and the address of this file is not known: load() fetches both");
+                    gltf.setBuffer(uri, null, "it is in another file, and the address of this file is not known: load() fetches both");
                 }
                 buffers.push(download(FileAddress.folderOf(_url) + uri));
             }
@@ -268,11 +268,7 @@ package starlogo.models.loading
         {
             for (var i:int = 0; i < buffers.length; i++)
             {
-                if (buffers[i].bytes == null)
-                {
-                    throw gltf.missingBuffer(gltf.otherFiles[i], buffers[i].problem);
-                }
-                gltf.setBuffer(gltf.otherFiles[i], buffers[i].bytes);
+                gltf.setBuffer(gltf.otherFiles[i], buffers[i].bytes, buffers[i].problem);
             }
             setMaker(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
         }

@@ -47,8 +47,7 @@ package starlogo.models.gltf
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
         private var _chunk:ByteArray = null;
 
-        // the buffers that each address is for, with "#" before the address; and the accessors so far, by index
-        private var _buffersAt:Object = {};
+        // the accessors so far, by index
         private var _accessors:Array = [];
 
         /**
@@ -110,12 +109,16 @@ package starlogo.models.gltf
          */
         public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
         {
-            json.refuseIf(bytes == null, problem, "buffers[" + _buffersAt["#" + uri][0] + "].uri");
-            limits.addBytes(bytes.length);
-            for each (var index:int in _buffersAt["#" + uri])
+            var buffers:Array = json.list("buffers");
+            for (var i:int = 0; i < buffers.length; i++)
             {
-                keep(index, bytes);
+                if (buffers[i].uri === uri)
+                {
+                    json.refuseIf(bytes == null, problem, "buffers[" + i + "].uri");
+                    keep(i, bytes);
+                }
             }
+            limits.addBytes(bytes.length);
         }
 
         /**
@@ -272,13 +275,11 @@ package starlogo.models.gltf
             }
             buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
                     TextWords.shorten(uri) + "\"", "uri");
-            if (!_buffersAt.hasOwnProperty("#" + uri))
+            if (otherFiles.indexOf(uri) < 0)
             {
                 limits.count(FileLimits.FILES, 1, buffer.place + ".uri");
                 otherFiles.push(uri);
-                _buffersAt["#" + uri] = [];
             }
-            _buffersAt["#" + uri].push(index);
         }
 
         private function keep(index:int, bytes:ByteArray):void

@@ -167,7 +167,7 @@ package starlogo.models.loading
             call(function():void
                 {
                     _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
-                }).repeat(readCooked).call(takeCooked);
+                }).repeat(readCooked);
         }
 
         // A cooked file that is missing, damaged or made for other arguments is no error. The model's own file is fetched instead.
@@ -175,25 +175,18 @@ package starlogo.models.loading
         {
             try
             {
-                return _maker.step();
+                if (_maker.step())
+                {
+                    return true;
+                }
+                keepModel();
             }
             catch (error:ModelError)
             {
                 _maker = null;
-            }
-            return false;
-        }
-
-        private function takeCooked():void
-        {
-            if (_maker == null)
-            {
                 fetchFile();
             }
-            else
-            {
-                keepModel();
-            }
+            return false;
         }
 
         private function fetchFile():void
@@ -278,12 +271,10 @@ package starlogo.models.loading
             model = _maker.model;
             _maker = null;
             _downloads.length = 0;
-            begin(receiving);
-        }
-
-        private function receiving():Steps
-        {
-            return _receiver.receive(model);
+            begin(function():Steps
+                {
+                    return _receiver.receive(model);
+                });
         }
     }
 }

@@ -27,7 +27,7 @@ package starlogo.models.polygons
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // Counts the work so far: the corners of polygons, single triangles, and CORNERS_PER_POLYGON for each call of a function of addingEach().
+        // Counts the work so far: the corners of polygons, triangles, and CORNERS_PER_POLYGON for each call of a function of addingEach().
         private var _cornerCount:Number = 0;
 
         /**
@@ -100,7 +100,10 @@ package starlogo.models.polygons
             var start:int = rings.addLoop(outline, true);
             if (!hasHoles && isFan(rings))
             {
-                addFan(rings.vertex);
+                for (var i:int = 2; i < outline.length; i++)
+                {
+                    addTriangle(rings.vertex[0], rings.vertex[int(i - 1)], rings.vertex[i]);
+                }
                 return null;
             }
             var nodes:Vector.<int> = new Vector.<int>();
@@ -119,11 +122,6 @@ package starlogo.models.polygons
         public function addTriangle(a:uint, b:uint, c:uint):void
         {
             _cornerCount++;
-            push(a, b, c);
-        }
-
-        private function push(a:uint, b:uint, c:uint):void
-        {
             if (a != b && b != c && c != a)
             {
                 _triangles.push(a, b, c);
@@ -138,19 +136,19 @@ package starlogo.models.polygons
             var c:uint = outline[2];
             if (outline.length == 3)
             {
-                push(a, b, c);
+                addTriangle(a, b, c);
                 return;
             }
             var d:uint = outline[3];
             if (!isDiagonal(a, b, c, d) && isDiagonal(b, c, d, a))
             {
-                push(a, b, d);
-                push(b, c, d);
+                addTriangle(a, b, d);
+                addTriangle(b, c, d);
             }
             else
             {
-                push(a, b, c);
-                push(a, c, d);
+                addTriangle(a, b, c);
+                addTriangle(a, c, d);
             }
         }
 
@@ -189,14 +187,6 @@ package starlogo.models.polygons
                 }
             }
             return true;
-        }
-
-        private function addFan(corners:Vector.<uint>):void
-        {
-            for (var i:int = 2; i < corners.length; i++)
-            {
-                push(corners[0], corners[int(i - 1)], corners[i]);
-            }
         }
     }
 }

@@ -32,7 +32,7 @@ package starlogo.models.collada
 
         private var _text:String;
         private var _at:int = 0;
-        private var _document:ColladaDocument;
+        private var _limits:FileLimits;
 
         // the names of the elements that are not closed yet, with their prefixes
         private var _names:Array = [];
@@ -44,7 +44,7 @@ package starlogo.models.collada
          */
         public function XmlReader(text:String, limits:FileLimits)
         {
-            _document = new ColladaDocument(limits);
+            _limits = limits;
             _text = text;
         }
 
@@ -118,8 +118,8 @@ package starlogo.models.collada
             var quote:int = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
             refuseIf(name == "" || root != null && _open == null);
-            _document.limits.count(FileLimits.THINGS, 1, this);
-            var element:ColladaElement = new ColladaElement(_document, localName(name), _open);
+            _limits.count(FileLimits.THINGS, 1, this);
+            var element:ColladaElement = new ColladaElement(_limits, localName(name), _open);
             root ||= element;
             _at += name.length;
             for (var count:int = 0; quote < end && count < MAX_ATTRIBUTES; count++)
@@ -136,7 +136,7 @@ package starlogo.models.collada
             refuseIf(!TAG_END.test(_text.substring(_at, end)));
             if (element.id != "")
             {
-                _document.elementsById[element.name + "#" + element.id] ||= element;
+                element.elementsById[element.name + "#" + element.id] ||= element;
             }
             if (_text.charAt(end - 1) != "/")
             {
@@ -167,7 +167,7 @@ package starlogo.models.collada
         {
             if (isWrong)
             {
-                throw new ModelError(_document.limits.modelName, String(this), problem);
+                throw new ModelError(_limits.modelName, String(this), problem);
             }
         }
 

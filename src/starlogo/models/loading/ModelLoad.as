@@ -47,7 +47,7 @@ package starlogo.models.loading
         private var _newLoader:Function;
         private var _usesTransforms:Boolean = false;
 
-        // The file's address; null if there is none to fetch. The list of cooked files while the load waits for it.
+        // The file's address; null if there is none to fetch. The list of cooked files; null if there is none for it.
         private var _url:String = null;
         private var _manifest:CookedManifest = null;
 
@@ -157,7 +157,6 @@ package starlogo.models.loading
         private function fetchCooked():void
         {
             var address:String = _manifest.addressFor(_url);
-            _manifest = null;
             if (address == null)
             {
                 fetchFile();

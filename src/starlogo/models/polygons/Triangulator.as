@@ -19,15 +19,15 @@ package starlogo.models.polygons
      */
     public final class Triangulator
     {
-        // A step adds so many corners. Each polygon counts as so many more.
-        private static const CORNERS_PER_STEP:int = 1500;
+        // A step adds so many corners of polygons and of triangles. Each polygon counts as so many more.
+        private static const CORNERS_PER_STEP:int = 2000;
         private static const CORNERS_PER_POLYGON:int = 10;
 
         private var _limits:FileLimits;
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // Counts the work so far: the corners of polygons, triangles, and CORNERS_PER_POLYGON for each call of a function of addingEach().
+        // The corners of polygons so far, and CORNERS_PER_POLYGON for each call of a function of addingEach().
         private var _cornerCount:Number = 0;
 
         /**
@@ -61,8 +61,8 @@ package starlogo.models.polygons
                     }
                     else
                     {
-                        var end:Number = _cornerCount + CORNERS_PER_STEP;
-                        while (rest == null && next < count && _cornerCount < end)
+                        var end:Number = _cornerCount + _triangles.length + CORNERS_PER_STEP;
+                        while (rest == null && next < count && _cornerCount + _triangles.length < end)
                         {
                             rest = add(next++);
                             _cornerCount += CORNERS_PER_POLYGON;
@@ -121,7 +121,6 @@ package starlogo.models.polygons
         /** Adds a triangle, if its three corners are different. */
         public function addTriangle(a:uint, b:uint, c:uint):void
         {
-            _cornerCount++;
             if (a != b && b != c && c != a)
             {
                 _triangles.push(a, b, c);

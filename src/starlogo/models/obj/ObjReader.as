@@ -64,8 +64,7 @@ package starlogo.models.obj
         {
             if (word == "v")
             {
-                _lines.readPoint(data.vertices, data.vertices.length);
-                _lines.skipLine();
+                readVertex();
             }
             else if (word == "f")
             {
@@ -92,6 +91,12 @@ package starlogo.models.obj
         {
             var label:String = _lines.readRest().join(" ");
             return label == "" ? -1 : labels.addKey(label, label);
+        }
+
+        private function readVertex():void
+        {
+            _lines.readPoint(data.vertices, data.vertices.length);
+            _lines.skipLine();
         }
 
         private function readFace():void

@@ -129,7 +129,7 @@ package starlogo.models.text
         private function readUnusualPoint(out:Vector.<Number>, at:int):void
         {
             var statement:Array = [_words[int(_next - 1)]];
-            var place:String = this.place;
+            var start:String = place;
             for (var i:int = 0; i < 3; i++)
             {
                 var word:String = nextWord();
@@ -137,7 +137,7 @@ package starlogo.models.text
                 if (number - number != 0)
                 {
                     var found:String = statement.concat(word == null ? [] : word, readRest()).join(" ");
-                    throw new ModelError(_name, place, "expected a vertex, three finite numbers, but found \"" + TextWords.shorten(found) + "\"");
+                    throw new ModelError(_name, start, "expected a vertex, three finite numbers, but found \"" + TextWords.shorten(found) + "\"");
                 }
                 statement.push(word);
                 out[at + i] = number;

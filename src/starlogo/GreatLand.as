@@ -273,17 +273,7 @@ package starlogo
         /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */
         engine function preparing(model:Model, store:FitStore):ModelPreparation
         {
-            return new ModelPreparation(model, wantedStructures, wantedHierarchies, store);
-        }
-
-        private function get wantedStructures():BoundingStructuresLibrary
-        {
-            return loadTightestFit ? _boundingStructures : null;
-        }
-
-        private function get wantedHierarchies():HierarchiesLibrary
-        {
-            return loadHierarchies ? _hierarchies : null;
+            return new ModelPreparation(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
         }
     }
 }

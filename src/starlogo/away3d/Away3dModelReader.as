@@ -15,9 +15,6 @@ package starlogo.away3d
      */
     public final class Away3dModelReader implements ModelMaker
     {
-        // the progress after reading; normalising is the rest
-        private static const READ:Number = 0.9;
-
         private var _reader:SourceReader;
         private var _work:StepSequence;
         private var _model:Away3dModel = null;
@@ -43,7 +40,7 @@ package starlogo.away3d
         /** @inheritDoc */
         public function get progress():Number
         {
-            return _model == null ? READ * _reader.progress : 1;
+            return _model == null ? _reader.progress : 1;
         }
 
         /** The Away3dModel. Read it when no step is left. */

@@ -95,10 +95,7 @@ package starlogo.blocks
          */
         public function touchPoint(agent:Agent, other:Agent, out:Vector3D = null):Vector3D
         {
-            if (out == null)
-            {
-                out = new Vector3D();
-            }
+            out ||= new Vector3D();
             out.copyFrom(contactOf("touch point", agent, other).point);
             return out;
         }

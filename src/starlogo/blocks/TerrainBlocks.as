@@ -93,14 +93,7 @@ package starlogo.blocks
             {
                 throw new BlockError("build mound", "needs a width of more than 0, but got " + width + ".");
             }
-            try
-            {
-                ground.raiseMound(agent.x, agent.y, width, height);
-            }
-            catch (error:RangeError)
-            {
-                throw cannotBuild("build mound", error);
-            }
+            build("build mound", ground.raiseMound, agent.x, agent.y, width, height);
         }
 
         /**
@@ -275,19 +268,20 @@ package starlogo.blocks
             {
                 throw new BlockError(block, "needs numbers for the place, but got (" + x + ", " + y + ").");
             }
+            build(block, ground.raiseWall, x, y, height);
+        }
+
+        // Changes the ground. @param change a method of Terrain @param numbers its arguments
+        private static function build(block:String, change:Function, ...numbers):void
+        {
             try
             {
-                ground.raiseWall(x, y, height);
+                change.apply(null, numbers);
             }
             catch (error:RangeError)
             {
-                throw cannotBuild(block, error);
+                throw new BlockError(block, "cannot build here: " + error.message + ".");
             }
-        }
-
-        private static function cannotBuild(block:String, error:RangeError):BlockError
-        {
-            return new BlockError(block, "cannot build here: " + error.message + ".");
         }
 
         private function groundOf(block:String):Terrain

@@ -10,7 +10,6 @@ package starlogo.debug
     import starlogo.collision.CollisionSystem;
     import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.models.Model;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.ModelShape;
@@ -69,7 +68,9 @@ package starlogo.debug
                 var radius:Number = agent.size / 2;
                 return Wireframes.ofStructure(new Sphere(new Vector3D(agent.x, agent.y, agent.z + radius), radius), all);
             }
-            return placed(linesOfModel(agent, collider), agent.worldPlacement(), all);
+            // A Matrix3D is not used, because it has single precision.
+            var lines:Vector.<Number> = linesOfModel(agent, collider);
+            return agent.worldPlacement().placePoints(lines, 0, lines.length, all, all.length);
         }
 
         private function linesOfModel(agent:Agent, collider:Collider):Vector.<Number>
@@ -108,17 +109,6 @@ package starlogo.debug
                 return int.MAX_VALUE;
             }
             return agent.traversalDepth > 0 ? agent.traversalDepth : limits.maxDepth;
-        }
-
-        // A Matrix3D is not used, because it has single precision.
-        private static function placed(lines:Vector.<Number>, placement:Placement, out:Vector.<Number>):Vector.<Number>
-        {
-            var moved:Vector.<Number> = placement.placePoints(lines, 0, lines.length, new Vector.<Number>());
-            for (var i:int = 0; i < moved.length; i++)
-            {
-                out.push(moved[i]);
-            }
-            return out;
         }
     }
 }

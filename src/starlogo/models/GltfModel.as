@@ -66,12 +66,8 @@ package starlogo.models
             finish(file);
             for each (var uri:String in file.otherFiles)
             {
-                var buffer:ByteArray = buffers != null && uri in buffers ? buffers[uri] as ByteArray : null;
-                if (buffer == null)
-                {
-                    throw file.missingBuffer(uri, "\"" + TextWords.shorten(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
-                }
-                file.setBuffer(uri, buffer);
+                file.setBuffer(uri, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
+                        "\"" + TextWords.shorten(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
             }
             return file;
         }

@@ -57,12 +57,10 @@ package starlogo.models
                 _data.frame = new SourceFrame();
                 addPlacing(factors);
             }
-            slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners).call(trimLabels);
-            if (factors.x * factors.y * factors.z < 0)
-            {
-                call(reverseTriangles);
-            }
-            call(close);
+            slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners).call(function():void
+                {
+                    close(factors.x * factors.y * factors.z < 0);
+                });
         }
 
         private function addPlacing(factors:Vector3D):void
@@ -195,22 +193,22 @@ package starlogo.models
             refuseIf(problem != null, _data.name, problem);
         }
 
-        private function trimLabels():void
-        {
-            _data.materials.trim(_data.triangles.length / 3);
-            _data.meshes.trim(_data.triangles.length / 3);
-        }
-
         // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.
-        private function reverseTriangles():void
+        private function close(isMirror:Boolean):void
         {
-            _data.triangles.reverse();
-            _data.materials.reverse(_data.triangles.length / 3);
-            _data.meshes.reverse(_data.triangles.length / 3);
-        }
-
-        private function close():void
-        {
+            var count:int = _data.triangles.length / 3;
+            for each (var labels:TriangleLabels in [_data.materials, _data.meshes])
+            {
+                labels.trim(count);
+                if (isMirror)
+                {
+                    labels.reverse(count);
+                }
+            }
+            if (isMirror)
+            {
+                _data.triangles.reverse();
+            }
             _data.vertices.fixed = _data.triangles.fixed = true;
             _data.triangles = _data.triangles.length == 0 ? null : _data.triangles;
         }

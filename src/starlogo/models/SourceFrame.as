@@ -16,8 +16,8 @@ package starlogo.models
      */
     public final class SourceFrame
     {
-        // A point p of the source is at matrix * (p - offset) in the model. The matrix is stored column by column.
-        private var _matrix:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
+        // A point p of the source is at matrix * (p - offset) in the model. The matrix has no translation.
+        private var _matrix:AffineTransform = new AffineTransform();
         private var _offset:Vector.<Number> = new <Number>[0, 0, 0];
 
         // How many units of the source are one of the model.
@@ -43,11 +43,15 @@ package starlogo.models
         /** The matrix that takes the source's points to the model. */
         public function get matrix():Matrix3D
         {
-            var m:Vector.<Number> = _matrix;
-            var columns:Vector.<Number> = new <Number>[m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0];
-            for (var row:int = 0; row < 3; row++)
+            var rows:Vector.<Number> = _matrix.rows;
+            var columns:Vector.<Number> = new Vector.<Number>();
+            for (var column:int = 0; column < 3; column++)
             {
-                columns.push(-m[row] * _offset[0] - m[row + 3] * _offset[1] - m[row + 6] * _offset[2]);
+                columns.push(rows[column], rows[column + 4], rows[column + 8], 0);
+            }
+            for (var row:int = 0; row < 12; row += 4)
+            {
+                columns.push(-rows[row] * _offset[0] - rows[row + 1] * _offset[1] - rows[row + 2] * _offset[2]);
             }
             columns.push(1);
             return new Matrix3D(columns);
@@ -65,7 +69,7 @@ package starlogo.models
             {
                 for (var row:int = 0; row < 3; row++)
                 {
-                    back.push(_matrix[3 * k + row] / squareOf(row));
+                    back.push(_matrix.rows[4 * row + k] / squareOf(row));
                 }
                 back.push(_offset[k]);
             }
@@ -84,7 +88,6 @@ package starlogo.models
          */
         engine function toModel(points:Vector.<Number>, out:Vector.<Number>):void
         {
-            var m:Vector.<Number> = _matrix;
             var x:Number = _offset[0];
             var y:Number = _offset[1];
             var z:Number = _offset[2];
@@ -94,7 +97,7 @@ package starlogo.models
                 out[int(i + 1)] = points[int(i + 1)] - y;
                 out[int(i + 2)] = points[int(i + 2)] - z;
             }
-            new AffineTransform(new <Number>[m[0], m[3], m[6], 0, m[1], m[4], m[7], 0, m[2], m[5], m[8], 0]).transformPoints(out, 0, points.length / 3, out, 0);
+            _matrix.transformPoints(out, 0, points.length / 3, out, 0);
         }
 
         /**
@@ -104,7 +107,7 @@ package starlogo.models
          */
         engine function equals(other:SourceFrame):Boolean
         {
-            return areSameNumbers(_matrix, other._matrix) && areSameNumbers(_offset, other._offset) && _unit == other._unit;
+            return areSameNumbers(_matrix.rows, other._matrix.rows) && areSameNumbers(_offset, other._offset) && _unit == other._unit;
         }
 
         /**
@@ -116,7 +119,7 @@ package starlogo.models
         {
             for (var i:int = 0; i < 9; i++)
             {
-                bytes.writeDouble(_matrix[transposed(i)]);
+                bytes.writeDouble(_matrix.rows[i + int(i / 3)]);
             }
             for (var k:int = 0; k < 3; k++)
             {
@@ -138,7 +141,7 @@ package starlogo.models
             var frame:SourceFrame = new SourceFrame();
             for (var i:int = 0; i < 9; i++)
             {
-                frame._matrix[transposed(i)] = bytes.readDouble();
+                frame._matrix.rows[i + int(i / 3)] = bytes.readDouble();
             }
             for (var k:int = 0; k < 3; k++)
             {
@@ -146,7 +149,7 @@ package starlogo.models
             }
             frame._unit = bytes.readDouble();
             var differences:Number = frame._unit - frame._unit;
-            for each (var number:Number in frame._matrix.concat(frame._offset))
+            for each (var number:Number in frame._matrix.rows.concat(frame._offset))
             {
                 differences += number - number;
             }
@@ -161,14 +164,15 @@ package starlogo.models
          */
         engine function addMove(x:Number, y:Number, z:Number, divisor:Number):void
         {
+            var rows:Vector.<Number> = _matrix.rows;
             // a turn's inverse is its transpose; the factors along the new axes are divided out
             for (var row:int = 0; row < 3; row++)
             {
                 var share:Number = (row == 0 ? x : (row == 1 ? y : z)) / squareOf(row);
                 for (var k:int = 0; k < 3; k++)
                 {
-                    _offset[k] += _matrix[3 * k + row] * share;
-                    _matrix[3 * k + row] /= divisor;
+                    _offset[k] += rows[4 * row + k] * share;
+                    rows[4 * row + k] /= divisor;
                 }
             }
             _unit *= divisor;
@@ -184,19 +188,17 @@ package starlogo.models
          */
         engine function addTransform(by:AffineTransform, factor:Number):void
         {
-            by.transformPoints(_matrix, 0, 3, _matrix, 0);
+            _matrix = by.after(_matrix);
             _unit /= factor;
         }
 
         // The squared length of a row of the matrix.
         private function squareOf(row:int):Number
         {
-            return _matrix[row] * _matrix[row] + _matrix[row + 3] * _matrix[row + 3] + _matrix[row + 6] * _matrix[row + 6];
-        }
-
-        private static function transposed(i:int):int
-        {
-            return i % 3 * 3 + i / 3;
+            var x:Number = _matrix.rows[4 * row];
+            var y:Number = _matrix.rows[4 * row + 1];
+            var z:Number = _matrix.rows[4 * row + 2];
+            return x * x + y * y + z * z;
         }
     }
 }

@@ -42,8 +42,7 @@ package starlogo.models
         /** Adds the next number, without a key. Returns it. @param name its name; null if it has none */
         public function addName(name:String):int
         {
-            names.push(name);
-            return names.length - 1;
+            return names.push(name) - 1;
         }
 
         /** Gives a number to all triangles from one on. It must not be before the last run. */

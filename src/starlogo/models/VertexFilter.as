@@ -1,7 +1,6 @@
 package starlogo.models
 {
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     /**
      * Removes the vertices that no surface uses and closes the gaps, in steps.
@@ -15,70 +14,64 @@ package starlogo.models
 
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
-        private var _isUsed:Vector.<uint>;
+
+        // A mark for each vertex: 1 if it is used. Then the new index of each vertex that is used.
+        private var _marks:Vector.<uint>;
+
+        private var _count:int = 0;
 
         /**
          * @param vertices x, y, z, ...; changed in place
          * @param triangles indices of used vertices; changed to the new indices
-         * @param isUsed a number for each vertex; the steps set it to 1 for all vertices of triangles, and remove the vertices with 0
+         * @param marks 1 for each vertex that is kept although no triangle uses it, 0 for the others; overwritten
          */
-        public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>)
+        public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>, marks:Vector.<uint>)
         {
             _vertices = vertices;
             _triangles = triangles;
-            _isUsed = isUsed;
-            slices(triangles.length, CORNERS_PER_STEP, markUsed).begin(closingGaps);
+            _marks = marks;
+            slices(triangles.length, CORNERS_PER_STEP, markUsed).call(addClosing);
         }
 
         private function markUsed(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                _isUsed[_triangles[i]] = 1;
+                _marks[_triangles[i]] = 1;
             }
         }
 
-        private function closingGaps():Steps
+        private function addClosing():void
         {
-            if (_isUsed.indexOf(0) < 0)
+            if (_marks.indexOf(0) >= 0)
             {
-                return null;
+                slices(_marks.length, VERTICES_PER_STEP, moveVertices).slices(_triangles.length, CORNERS_PER_STEP, renumber);
             }
-            var newIndices:Vector.<uint> = new Vector.<uint>(_isUsed.length, true);
-            var count:int = 0;
-            return new StepSequence().slices(_isUsed.length, VERTICES_PER_STEP, function(first:int, end:int):void
-                {
-                    count = moveVertices(first, end, count, newIndices);
-                }).slices(_triangles.length, CORNERS_PER_STEP, function(first:int, end:int):void
-                {
-                    _vertices.length = 3 * count;
-                    renumber(first, end, newIndices);
-                });
         }
 
-        // Moves used vertices to the first free index, and notes the new indices. Returns the next free index.
-        private function moveVertices(first:int, end:int, free:int, newIndices:Vector.<uint>):int
+        // Moves used vertices to the first free index, and notes their new indices.
+        private function moveVertices(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                if (_isUsed[i] != 0)
+                if (_marks[i] != 0)
                 {
                     var from:int = 3 * i;
-                    var to:int = 3 * free;
+                    var to:int = 3 * _count;
                     _vertices[to] = _vertices[from];
                     _vertices[int(to + 1)] = _vertices[int(from + 1)];
                     _vertices[int(to + 2)] = _vertices[int(from + 2)];
-                    newIndices[i] = free++;
+                    _marks[i] = _count++;
                 }
             }
-            return free;
         }
 
-        private function renumber(first:int, end:int, newIndices:Vector.<uint>):void
+        private function renumber(first:int, end:int):void
         {
+            _vertices.length = 3 * _count;
             for (var i:int = first; i < end; i++)
             {
-                _triangles[i] = newIndices[_triangles[i]];
+                _triangles[i] = _marks[_triangles[i]];
             }
         }
     }

@@ -76,9 +76,9 @@ package starlogo.models
         {
             refuses("", "the file is empty", "");
             refuses("", "no vertices", textOf([]));
-            refuses("line 4", "expected a vertex, three finite numbers, but found \"0 0\"", "solid\nfacet\nouter loop\nvertex 0 0\n");
-            refuses("line 4", "but found \"a b c\"", "solid\nfacet\nouter loop\nvertex a b c\n");
-            refuses("line 4", "but found \"1 2 Infinity\"", "solid\nfacet\nouter loop\nvertex 1 2 Infinity\n");
+            refuses("line 4", "expected a vertex, three finite numbers, but found \"vertex 0 0\"", "solid\nfacet\nouter loop\nvertex 0 0\n");
+            refuses("line 4", "but found \"vertex a b c\"", "solid\nfacet\nouter loop\nvertex a b c\n");
+            refuses("line 4", "but found \"vertex 1 2 Infinity\"", "solid\nfacet\nouter loop\nvertex 1 2 Infinity\n");
             refuses("line 4", "expected a facet of three vertices, but found 1", "solid\nouter loop\nvertex 1 2 3\nendloop\n");
             refuses("line 5", "a facet has more than three vertices", "solid\nvertex 1 2 3\nvertex 1 2 3\nvertex 1 2 3\nvertex 1 2 3\n");
             refuses("line 3", "a loop begins before", "solid\nvertex 1 2 3\nouter loop\n");

@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
+    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
@@ -14,8 +15,14 @@ package starlogo.models.collada
         /** The element's name. */
         public var name:String;
 
-        /** What all elements of the document share. */
-        public var document:ColladaDocument;
+        /** What the document may have and cost. */
+        public var limits:FileLimits;
+
+        /**
+         * The first element of each name and id in the document, by name, "#" and id. All elements share it. The "#" keeps a key different
+         * from every property of an Object.
+         */
+        public var elementsById:Object;
 
         /** The element around this one; null for the root. */
         public var parent:ColladaElement;
@@ -36,15 +43,16 @@ package starlogo.models.collada
         private var _transform:AffineTransform = null;
 
         /**
-         * @param document what all elements of the document share
+         * @param limits what the document may have and cost
          * @param name the element's name
          * @param parent the element around it, which takes it as a child; null for the root
          */
-        public function ColladaElement(document:ColladaDocument, name:String, parent:ColladaElement)
+        public function ColladaElement(limits:FileLimits, name:String, parent:ColladaElement)
         {
-            this.document = document;
+            this.limits = limits;
             this.name = name;
             this.parent = parent;
+            elementsById = parent == null ? {} : parent.elementsById;
             if (parent != null)
             {
                 parent.children.push(this);
@@ -141,7 +149,7 @@ package starlogo.models.collada
                     TextWords.shorten(url) + "\"");
             for each (var targetName:String in names)
             {
-                var found:ColladaElement = (scope == null ? null : scope.first("<" + targetName + url)) || document.elementsById[targetName + url];
+                var found:ColladaElement = (scope == null ? null : scope.first("<" + targetName + url)) || elementsById[targetName + url];
                 if (found != null)
                 {
                     return found;
@@ -216,7 +224,7 @@ package starlogo.models.collada
         /** The error for something that is wrong with the element. */
         public function error(problem:String):ModelError
         {
-            return new ModelError(document.limits.modelName, String(this), problem);
+            return new ModelError(limits.modelName, String(this), problem);
         }
 
         /** The path from the root: names, with ids. Elements without an id that have siblings of the same name get numbers from 1. */

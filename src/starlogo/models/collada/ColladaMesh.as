@@ -32,7 +32,7 @@ package starlogo.models.collada
         {
             this.geometry = geometry;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
-            addSteps(new Triangulator(geometry.document.limits, vertices, triangles));
+            addSteps(new Triangulator(geometry.limits, vertices, triangles));
         }
 
         private function addSteps(triangulator:Triangulator):void

@@ -23,9 +23,6 @@ package starlogo.models.collada
         private static const VERTICES_PER_STEP:int = 3000;
         private static const TRIANGLES_PER_STEP:int = 5000;
 
-        // whether the caller has named the up axis
-        private var _isAxisNamed:Boolean;
-
         private var _limits:FileLimits;
 
         /**
@@ -38,26 +35,25 @@ package starlogo.models.collada
         {
             super(name, upAxis == null ? "z" : upAxis, scaling);
             refuseIf(text == null, name, "there is no text to read");
-            _isAxisNamed = upAxis != null;
             _limits = new FileLimits(name, text.length);
-            addSteps(new XmlReader(text, _limits));
+            addSteps(new XmlReader(text, _limits), upAxis != null);
         }
 
-        private function addSteps(xml:XmlReader):void
+        private function addSteps(xml:XmlReader, isAxisNamed:Boolean):void
         {
             add(xml).begin(function():Steps
                 {
-                    return readingDocument(xml.root);
+                    return readingDocument(xml.root, isAxisNamed);
                 }).begin(normalising);
         }
 
-        private function readingDocument(root:ColladaElement):Steps
+        private function readingDocument(root:ColladaElement, isAxisNamed:Boolean):Steps
         {
             refuseIf(root == null, name, "this is not XML: expected a COLLADA document");
             root.refuseIf(root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + root.name + ">");
             var asset:ColladaElement = root.child("asset");
             data.unit = unitOf(asset);
-            var scene:ColladaScene = new ColladaScene(root, turnToZUp(_isAxisNamed ? upAxis : upAxisOf(asset)));
+            var scene:ColladaScene = new ColladaScene(root, turnToZUp(isAxisNamed ? upAxis : upAxisOf(asset)));
             return new StepSequence().add(scene).begin(function():Steps
                 {
                     return readingInstances(scene.instances);
@@ -138,7 +134,7 @@ package starlogo.models.collada
             {
                 if (bound.attribute("symbol") == symbol)
                 {
-                    return instance.document.elementsById["material" + bound.attribute("target")];
+                    return instance.elementsById["material" + bound.attribute("target")];
                 }
             }
             return null;

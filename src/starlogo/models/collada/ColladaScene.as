@@ -18,7 +18,6 @@ package starlogo.models.collada
         /** The geometries in the document's order, when no step is left. */
         public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
-        private var _limits:FileLimits;
         private var _meshes:Object = {}; // of geometries in the scene; the key is "#" and the geometry's id
 
         // The elements that are to be visited, the next one last, and the node that each is in.
@@ -31,7 +30,6 @@ package starlogo.models.collada
          */
         public function ColladaScene(root:ColladaElement, up:AffineTransform)
         {
-            _limits = root.document.limits;
             var scene:ColladaElement = root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
@@ -70,7 +68,7 @@ package starlogo.models.collada
         {
             var children:Vector.<ColladaElement> = node.element.children;
             node.element.refuseIf(node.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
-            _limits.count(FileLimits.THINGS, THINGS_PER_ELEMENT * (1 + children.length), node.element);
+            node.element.limits.count(FileLimits.THINGS, THINGS_PER_ELEMENT * (1 + children.length), node.element);
             for (var i:int = children.length - 1; i >= 0; i--)
             {
                 _pending.push(children[i]);
@@ -116,7 +114,7 @@ package starlogo.models.collada
             var target:ColladaElement = element.target("url", ["controller"]);
             for (var i:int = 0; target.name == "controller"; i++)
             {
-                _limits.count(FileLimits.THINGS, THINGS_PER_ELEMENT, element);
+                element.limits.count(FileLimits.THINGS, THINGS_PER_ELEMENT, element);
                 var skin:ColladaElement = target.child("skin");
                 var deformer:ColladaElement = skin || target.requiredChild("morph");
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");

@@ -32,8 +32,8 @@ package starlogo.models.collada
         private function addSteps(accessor:ColladaElement, array:ColladaElement):void
         {
             var text:ColladaWords = new ColladaWords(new <ColladaElement>[array]);
-            accessor.document.limits.count(FileLimits.NUMBERS, text.length / 2, accessor);
-            accessor.document.limits.count(FileLimits.THINGS, accessor.children.length, accessor);
+            accessor.limits.count(FileLimits.NUMBERS, text.length / 2, accessor);
+            accessor.limits.count(FileLimits.THINGS, accessor.children.length, accessor);
             add(text).begin(function():Steps
                 {
                     return readingPoints(accessor, array, text.words);
@@ -50,7 +50,7 @@ package starlogo.models.collada
             var last:Number = offset + stride * (wanted - 1) + Math.max(columns[0], columns[1], columns[2]);
             accessor.refuseIf(wanted > 0 && last >= words.length, "its count of " + wanted + " with a stride of " + stride +
                     " reaches beyond the " + words.length + " numbers of its array");
-            accessor.document.limits.count(FileLimits.NUMBERS, 3 * wanted, accessor);
+            accessor.limits.count(FileLimits.NUMBERS, 3 * wanted, accessor);
             count = wanted;
             first = _points.length / 3;
             return new StepSequence().slices(count, POINTS_PER_STEP, function(from:int, end:int):void

@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import flash.geom.Vector3D;
     import starlogo.geometry.Trigonometry;
     import starlogo.geometry.AffineTransform;
 
@@ -75,28 +76,27 @@ package starlogo.models.collada
         private static function lookAt(element:ColladaElement):AffineTransform
         {
             var v:Vector.<Number> = element.numbers(9);
-            var back:Vector.<Number> = normalise(new <Number>[v[0] - v[3], v[1] - v[4], v[2] - v[5]]);
-            var right:Vector.<Number> = normalise(cross(v.slice(6), back));
-            var up:Vector.<Number> = cross(back, right);
-            element.refuseIf(!(dot(back, back) > 0 && dot(right, right) > 0),
+            var back:Vector3D = unitVector(v[0] - v[3], v[1] - v[4], v[2] - v[5]);
+            var across:Vector3D = new Vector3D(v[6], v[7], v[8]).crossProduct(back);
+            var right:Vector3D = unitVector(across.x, across.y, across.z);
+            var up:Vector3D = back.crossProduct(right);
+            element.refuseIf(!(back.lengthSquared > 0 && right.lengthSquared > 0),
                     "expected two different points and a direction up that is not along their line");
             return new AffineTransform(new <Number>[
-                        right[0], up[0], back[0], v[0],
-                        right[1], up[1], back[1], v[1],
-                        right[2], up[2], back[2], v[2]]);
+                        right.x, up.x, back.x, v[0],
+                        right.y, up.y, back.y, v[1],
+                        right.z, up.z, back.z, v[2]]);
         }
 
         // A skew: an angle, the axis that is turned by it, and the axis along which all points shift.
         private static function skew(element:ColladaElement):AffineTransform
         {
             var v:Vector.<Number> = element.numbers(7);
-            var turning:Vector.<Number> = normalise(v.slice(1, 4));
-            var shift:Vector.<Number> = normalise(v.slice(4, 7));
-            var along:Number = dot(turning, shift);
-            var across:Vector.<Number> = normalise(new <Number>[turning[0] - along * shift[0],
-                        turning[1] - along * shift[1],
-                        turning[2] - along * shift[2]]);
-            var height:Number = dot(turning, across);
+            var turning:Vector3D = unitVector(v[1], v[2], v[3]);
+            var shift:Vector3D = unitVector(v[4], v[5], v[6]);
+            var along:Number = turning.dotProduct(shift);
+            var across:Vector3D = unitVector(turning.x - along * shift.x, turning.y - along * shift.y, turning.z - along * shift.z);
+            var height:Number = turning.dotProduct(across);
             var angle:Number = v[0];
             // the turned axis in the plane of the two axes: its parts across the shift and along it
             var turnedHeight:Number = height * Trigonometry.cosine(angle) - along * Trigonometry.sine(angle);
@@ -104,32 +104,18 @@ package starlogo.models.collada
             element.refuseIf(!(height > 1e-9 && turnedHeight > 1e-9),
                     "expected two different axes and an angle that leaves the first on its side of the second");
             var amount:Number = turnedAlong / turnedHeight - along / height;
-            var rows:Vector.<Number> = new Vector.<Number>(12);
-            for (var row:int = 0; row < 3; row++)
-            {
-                for (var column:int = 0; column < 3; column++)
-                {
-                    rows[4 * row + column] = (row == column ? 1 : 0) + amount * shift[row] * across[column];
-                }
-            }
-            return new AffineTransform(rows);
+            shift.scaleBy(amount);
+            return new AffineTransform(new <Number>[
+                        1 + shift.x * across.x, shift.x * across.y, shift.x * across.z, 0,
+                        shift.y * across.x, 1 + shift.y * across.y, shift.y * across.z, 0,
+                        shift.z * across.x, shift.z * across.y, 1 + shift.z * across.z, 0]);
         }
 
-        private static function dot(a:Vector.<Number>, b:Vector.<Number>):Number
+        // The direction of a vector, as a vector of length 1; of length 0 if the vector has no length.
+        private static function unitVector(x:Number, y:Number, z:Number):Vector3D
         {
-            return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        }
-
-        private static function cross(a:Vector.<Number>, b:Vector.<Number>):Vector.<Number>
-        {
-            return new <Number>[a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-        }
-
-        // The vector scaled to length 1. A vector of length 0 stays 0.
-        private static function normalise(v:Vector.<Number>):Vector.<Number>
-        {
-            var length:Number = Math.sqrt(dot(v, v));
-            return length > 1e-12 ? new <Number>[v[0] / length, v[1] / length, v[2] / length] : new <Number>[0, 0, 0];
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            return length > 1e-12 ? new Vector3D(x / length, y / length, z / length) : new Vector3D();
         }
     }
 }

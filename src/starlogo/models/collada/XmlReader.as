@@ -20,9 +20,6 @@ package starlogo.models.collada
         private static const TAGS_PER_STEP:int = 100;
         private static const QUOTE:int = 0x22;
         private static const APOSTROPHE:int = 0x27;
-        private static const QUESTION:int = 0x3F;
-        private static const EXCLAMATION:int = 0x21;
-        private static const SLASH:int = 0x2F;
         private static const LINE_END:RegExp = /\r\n|\r|\n/;
         private static const NAME_END:RegExp = /[\s\/]/;
         private static const ATTRIBUTE:RegExp = /^\s+([^\s=]+)\s*=\s*$/;
@@ -35,7 +32,7 @@ package starlogo.models.collada
 
         private var _text:String;
         private var _at:int = 0;
-        private var _document:ColladaDocument;
+        private var _limits:FileLimits;
 
         // the names of the elements that are not closed yet, with their prefixes
         private var _names:Array = [];
@@ -47,7 +44,7 @@ package starlogo.models.collada
          */
         public function XmlReader(text:String, limits:FileLimits)
         {
-            _document = new ColladaDocument(limits);
+            _limits = limits;
             _text = text;
         }
 
@@ -80,15 +77,15 @@ package starlogo.models.collada
 
         private function readTag():void
         {
-            switch (_text.charCodeAt(_at))
+            switch (_text.charAt(_at))
             {
-                case EXCLAMATION:
+                case "!":
                     readDeclaration();
                     break;
-                case QUESTION:
+                case "?":
                     _at = endOf("?>");
                     break;
-                case SLASH:
+                case "/":
                     closeElement();
                     break;
                 default:
@@ -121,8 +118,8 @@ package starlogo.models.collada
             var quote:int = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
             refuseIf(name == "" || root != null && _open == null);
-            _document.limits.count(FileLimits.THINGS, 1, this);
-            var element:ColladaElement = new ColladaElement(_document, localName(name), _open);
+            _limits.count(FileLimits.THINGS, 1, this);
+            var element:ColladaElement = new ColladaElement(_limits, localName(name), _open);
             root ||= element;
             _at += name.length;
             for (var count:int = 0; quote < end && count < MAX_ATTRIBUTES; count++)
@@ -139,9 +136,9 @@ package starlogo.models.collada
             refuseIf(!TAG_END.test(_text.substring(_at, end)));
             if (element.id != "")
             {
-                _document.elementsById[element.name + "#" + element.id] ||= element;
+                element.elementsById[element.name + "#" + element.id] ||= element;
             }
-            if (_text.charCodeAt(end - 1) != SLASH)
+            if (_text.charAt(end - 1) != "/")
             {
                 _names.push(name);
                 _open = element;
@@ -170,7 +167,7 @@ package starlogo.models.collada
         {
             if (isWrong)
             {
-                throw new ModelError(_document.limits.modelName, String(this), problem);
+                throw new ModelError(_limits.modelName, String(this), problem);
             }
         }
 

@@ -47,8 +47,7 @@ package starlogo.models.gltf
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
         private var _chunk:ByteArray = null;
 
-        // the buffers that each address is for, with "#" before the address; and the accessors so far, by index
-        private var _buffersAt:Object = {};
+        // the accessors so far, by index
         private var _accessors:Array = [];
 
         /**
@@ -104,21 +103,22 @@ package starlogo.models.gltf
          * Gives the content of a buffer that is in another file.
          *
          * @param uri its address, as the file has it
-         * @param bytes its content; the endianness is set
+         * @param bytes its content; the endianness is set; null if it is missing
+         * @param problem why it is missing
+         * @throws ModelError if it is missing, or shorter than the file says
          */
-        public function setBuffer(uri:String, bytes:ByteArray):void
+        public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
         {
-            limits.addBytes(bytes.length);
-            for each (var index:int in _buffersAt["#" + uri])
+            var buffers:Array = json.list("buffers");
+            for (var i:int = 0; i < buffers.length; i++)
             {
-                keep(index, bytes);
+                if (buffers[i].uri === uri)
+                {
+                    json.refuseIf(bytes == null, problem, "buffers[" + i + "].uri");
+                    keep(i, bytes);
+                }
             }
-        }
-
-        /** The error for a buffer in another file that there is not. @param uri its address, as the file has it */
-        public function missingBuffer(uri:String, problem:String):ModelError
-        {
-            return json.error(problem, "buffers[" + _buffersAt["#" + uri][0] + "].uri");
+            limits.addBytes(bytes.length);
         }
 
         /**
@@ -275,13 +275,11 @@ package starlogo.models.gltf
             }
             buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
                     TextWords.shorten(uri) + "\"", "uri");
-            if (!_buffersAt.hasOwnProperty("#" + uri))
+            if (otherFiles.indexOf(uri) < 0)
             {
                 limits.count(FileLimits.FILES, 1, buffer.place + ".uri");
                 otherFiles.push(uri);
-                _buffersAt["#" + uri] = [];
             }
-            _buffersAt["#" + uri].push(index);
         }
 
         private function keep(index:int, bytes:ByteArray):void

@@ -17,8 +17,7 @@ package starlogo.models.gltf
     public final class GltfReader extends ModelReader
     {
         private var _file:GltfFile;
-        private var _animation:GltfAnimation;
-        private var _time:Number;
+        private var _scene:GltfScene;
 
         /**
          * @param name the model's name
@@ -33,57 +32,52 @@ package starlogo.models.gltf
         {
             super(name, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
-            _animation = animation;
-            _time = time;
-            begin(readingScene).begin(droppingUnused);
+            _scene = new GltfScene(file.json, turnToZUp(this.upAxis), animation, time);
+            add(_scene).begin(readingNodes).begin(droppingUnused);
             if (animation == null)
             {
                 begin(normalising);
             }
         }
 
-        private function readingScene():Steps
+        private function readingNodes():Steps
         {
             var json:GltfJson = _file.json;
             for (var i:int = 0; i < json.count("materials"); i++)
             {
                 data.materials.addName(json.fileEntry("materials", i).text("name"));
             }
-            var scene:GltfScene = new GltfScene(json, turnToZUp(upAxis), _animation, _time);
             var next:int = 0;
-            return new StepSequence().add(scene).beginEach(function():Steps
+            return new StepSequence().beginEach(function():Steps
                 {
-                    if (next == scene.nodes.length)
-                    {
-                        return null;
-                    }
-                    setReadShare(next / scene.nodes.length);
-                    return readingNode(scene, scene.nodes[next++]);
+                    return next == _scene.nodes.length ? null : readingNode(next++);
                 });
         }
 
-        // The work on the mesh of a node.
-        private function readingNode(scene:GltfScene, nodeIndex:int):Steps
+        // The work on the mesh of one of the scene's nodes.
+        private function readingNode(index:int):Steps
         {
+            var nodeIndex:int = _scene.nodes[index];
             var node:GltfJson = _file.json.fileEntry("nodes", nodeIndex);
             var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
             var count:int = mesh.count("primitives");
-            var weights:Vector.<Number> = scene.animated(nodeIndex, "weights") || node.numbers("weights", -1)
+            var weights:Vector.<Number> = _scene.animated(nodeIndex, "weights") || node.numbers("weights", -1)
                 || mesh.numbers("weights", -1, new Vector.<Number>());
             var label:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
             var next:int = 0;
+            setReadShare(index / _scene.nodes.length);
             return new StepSequence().beginEach(function():Steps
                 {
                     _file.limits.count(FileLimits.THINGS, 1 + weights.length, mesh.place);
-                    return next == count ? null : readingPrimitive(scene, nodeIndex, label, mesh.element("primitives", next++), weights, placed);
+                    return next == count ? null : readingPrimitive(nodeIndex, label, mesh.element("primitives", next++), weights, placed);
                 });
         }
 
         // The steps that read a primitive of a node's mesh: its vertices, where the node puts them, and its triangles, which all have one material.
         // No steps if it has no vertices.
-        private function readingPrimitive(scene:GltfScene, node:int, label:String, primitive:GltfJson, weights:Vector.<Number>, placed:Object):Steps
+        private function readingPrimitive(node:int, label:String, primitive:GltfJson, weights:Vector.<Number>, placed:Object):Steps
         {
             var work:StepSequence = new StepSequence();
             GltfFile.refuseDraco(primitive);
@@ -98,7 +92,7 @@ package starlogo.models.gltf
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
             var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + primitive.place);
-            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, scene, node, primitive, weights, positions, verticesFor(hasSurface));
+            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, weights, positions, verticesFor(hasSurface));
             work.add(points);
             if (hasSurface)
             {

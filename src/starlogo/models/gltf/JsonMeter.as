@@ -4,14 +4,14 @@ package starlogo.models.gltf
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
     import starlogo.models.text.Decimal;
-    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     /**
      * Checks the size and the brackets of JSON before the player parses it, in steps. Parsers are recursive, so deep nesting could overflow the
      * stack, and they create an object for every value. Players parse some numbers differently. Such numbers are marked as strings, and restored()
      * gives their values.
      */
-    internal final class JsonMeter extends StepSequence
+    internal final class JsonMeter implements Steps
     {
         internal static const MAX_DEPTH:int = 100;
 
@@ -47,7 +47,6 @@ package starlogo.models.gltf
         {
             _limits = limits;
             _text = text;
-            repeat(measure);
         }
 
         /** The text with its marked numbers, when no step is left. */
@@ -62,7 +61,8 @@ package starlogo.models.gltf
             return value is String && value.charAt(0) == MARK ? Decimal.of(value.substr(1)) : value;
         }
 
-        private function measure():Boolean
+        /** @inheritDoc Checks a part of the text. */
+        public function step():Boolean
         {
             var text:String = _text;
             var length:int = text.length;
@@ -78,29 +78,27 @@ package starlogo.models.gltf
                     continue;
                 }
                 i = code == QUOTE ? endOfString(i + 1) : i + 1;
-                if (code == 0x7B || code == 0x5B)
+                var isOpening:Boolean = code == 0x7B || code == 0x5B;
+                if (isOpening || code == 0x7D || code == 0x5D)
                 {
-                    _depth++;
-                    values++;
-                    refuseIf(_depth > MAX_DEPTH, _limits.modelName, "its JSON is nested deeper than " + MAX_DEPTH, "character " + i);
+                    changeDepth(isOpening ? 1 : -1, i);
                 }
-                else if (code == 0x7D || code == 0x5D)
-                {
-                    _depth--;
-                    if (_depth < 0)
-                    {
-                        throw new ModelError(_limits.modelName, "character " + i, "its JSON can't be read: a bracket closes nothing");
-                    }
-                }
-                else if (code == COMMA)
-                {
-                    values++;
-                }
+                values += isOpening || code == COMMA ? 1 : 0;
             }
             _next = i;
             _limits.count(FileLimits.THINGS, THINGS_PER_VALUE * values, "character " + i);
             refuseIf(_next == length && _depth > 0, _limits.modelName, "its JSON can't be read: it is cut off", "character " + length);
             return _next < length;
+        }
+
+        private function changeDepth(more:int, at:int):void
+        {
+            _depth += more;
+            if (_depth < 0 || _depth > MAX_DEPTH)
+            {
+                throw new ModelError(_limits.modelName, "character " + at, _depth < 0 ? "its JSON can't be read: a bracket closes nothing"
+                        : "its JSON is nested deeper than " + MAX_DEPTH);
+            }
         }
 
         // Digits, "-" and ".". The "e" of true and false begins no number.

@@ -47,7 +47,7 @@ package starlogo.models.loading
         private var _newLoader:Function;
         private var _usesTransforms:Boolean = false;
 
-        // The file's address; null if there is none to fetch. The list of cooked files while the load waits for it.
+        // The file's address; null if there is none to fetch. The list of cooked files; null if there is none for it.
         private var _url:String = null;
         private var _manifest:CookedManifest = null;
 
@@ -157,7 +157,6 @@ package starlogo.models.loading
         private function fetchCooked():void
         {
             var address:String = _manifest.addressFor(_url);
-            _manifest = null;
             if (address == null)
             {
                 fetchFile();
@@ -167,7 +166,7 @@ package starlogo.models.loading
             call(function():void
                 {
                     _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
-                }).repeat(readCooked).call(takeCooked);
+                }).repeat(readCooked);
         }
 
         // A cooked file that is missing, damaged or made for other arguments is no error. The model's own file is fetched instead.
@@ -175,25 +174,18 @@ package starlogo.models.loading
         {
             try
             {
-                return _maker.step();
+                if (_maker.step())
+                {
+                    return true;
+                }
+                keepModel();
             }
             catch (error:ModelError)
             {
                 _maker = null;
-            }
-            return false;
-        }
-
-        private function takeCooked():void
-        {
-            if (_maker == null)
-            {
                 fetchFile();
             }
-            else
-            {
-                keepModel();
-            }
+            return false;
         }
 
         private function fetchFile():void
@@ -254,7 +246,7 @@ package starlogo.models.loading
             {
                 if (!FileAddress.hasFolder(_url))
                 {
-                    throw gltf.missingBuffer(uri, "it is in another file, and the address of this file is not known: load() fetches both");
+                    gltf.setBuffer(uri, null, "it is in another file, and the address of this file is not known: load() fetches both");
                 }
                 buffers.push(download(FileAddress.folderOf(_url) + uri));
             }
@@ -268,11 +260,7 @@ package starlogo.models.loading
         {
             for (var i:int = 0; i < buffers.length; i++)
             {
-                if (buffers[i].bytes == null)
-                {
-                    throw gltf.missingBuffer(gltf.otherFiles[i], buffers[i].problem);
-                }
-                gltf.setBuffer(gltf.otherFiles[i], buffers[i].bytes);
+                gltf.setBuffer(gltf.otherFiles[i], buffers[i].bytes, buffers[i].problem);
             }
             setMaker(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
         }
@@ -282,12 +270,10 @@ package starlogo.models.loading
             model = _maker.model;
             _maker = null;
             _downloads.length = 0;
-            begin(receiving);
-        }
-
-        private function receiving():Steps
-        {
-            return _receiver.receive(model);
+            begin(function():Steps
+                {
+                    return _receiver.receive(model);
+                });
         }
     }
 }

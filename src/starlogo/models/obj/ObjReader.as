@@ -95,29 +95,8 @@ package starlogo.models.obj
 
         private function readVertex():void
         {
-            if (_lines.readPoint(data.vertices, data.vertices.length))
-            {
-                _lines.skipLine();
-            }
-            else
-            {
-                readUnusualVertex();
-            }
-        }
-
-        private function readUnusualVertex():void
-        {
-            var first:int = _lines.line;
-            var rest:Array = _lines.readRest();
-            for (var i:int = 0; i < 3; i++)
-            {
-                var coordinate:Number = i < rest.length ? TextWords.toNumber(rest[i]) : NaN;
-                if (coordinate - coordinate != 0)
-                {
-                    throw errorAt(first, LineReader.vertexProblem("v " + rest.join(" ")));
-                }
-                data.vertices.push(coordinate);
-            }
+            _lines.readPoint(data.vertices, data.vertices.length);
+            _lines.skipLine();
         }
 
         private function readFace():void
@@ -147,13 +126,13 @@ package starlogo.models.obj
             var index:int = int(value);
             if (index != value || index == 0)
             {
-                throw errorAt(_lines.line, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
+                throw new ModelError(name, _lines.place, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
                         TextWords.shorten(word) + "\"");
             }
             index = index > 0 ? index - 1 : data.vertices.length / 3 + index;
             if (index < 0)
             {
-                throw errorAt(_lines.line, "the corner \"" + TextWords.shorten(word) +
+                throw new ModelError(name, _lines.place, "the corner \"" + TextWords.shorten(word) +
                         "\" counts back beyond the first vertex: there are " + data.vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)
@@ -195,11 +174,6 @@ package starlogo.models.obj
                 isUsed[corner] = 1; // also if the polygon has no triangle
             }
             return triangulator.addPolygon(_polygons[index]);
-        }
-
-        private function errorAt(line:int, problem:String):ModelError
-        {
-            return new ModelError(name, LineReader.placeOf(line), problem);
         }
     }
 }

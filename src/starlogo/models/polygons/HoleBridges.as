@@ -143,13 +143,11 @@ package starlogo.models.polygons
             var y:Number = _rings.y[node];
             var holeX:Number = _rings.x[hole];
             var holeY:Number = _rings.y[hole];
-            // counter-clockwise after the hole's node
-            var isAbove:Boolean = _rings.y[corner] > holeY;
-            var secondX:Number = isAbove ? hitX : _rings.x[corner];
-            var secondY:Number = isAbove ? holeY : _rings.y[corner];
-            var thirdX:Number = isAbove ? _rings.x[corner] : hitX;
-            var thirdY:Number = isAbove ? _rings.y[corner] : holeY;
-            return isLeft(holeX, holeY, secondX, secondY, x, y) && isLeft(secondX, secondY, thirdX, thirdY, x, y) && isLeft(thirdX, thirdY, holeX, holeY, x, y);
+            var cornerX:Number = _rings.x[corner];
+            var cornerY:Number = _rings.y[corner];
+            // the corner is on the left of the ray if it is above it, otherwise the triangle is clockwise
+            return cornerY > holeY ? isLeft(holeX, holeY, hitX, holeY, x, y) && isLeft(hitX, holeY, cornerX, cornerY, x, y) && isLeft(cornerX, cornerY, holeX, holeY, x, y)
+                : isLeft(holeX, holeY, cornerX, cornerY, x, y) && isLeft(cornerX, cornerY, hitX, holeY, x, y) && isLeft(hitX, holeY, holeX, holeY, x, y);
         }
 
         // Whether a point is on the left of the line from a to b, or on it.

@@ -19,15 +19,15 @@ package starlogo.models.polygons
      */
     public final class Triangulator
     {
-        // A step adds so many corners. Each polygon counts as so many more.
-        private static const CORNERS_PER_STEP:int = 1500;
+        // A step adds so many corners of polygons and of triangles. Each polygon counts as so many more.
+        private static const CORNERS_PER_STEP:int = 2000;
         private static const CORNERS_PER_POLYGON:int = 10;
 
         private var _limits:FileLimits;
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // Counts the work so far: the corners of polygons, single triangles, and CORNERS_PER_POLYGON for each call of a function of addingEach().
+        // The corners of polygons so far, and CORNERS_PER_POLYGON for each call of a function of addingEach().
         private var _cornerCount:Number = 0;
 
         /**
@@ -61,8 +61,8 @@ package starlogo.models.polygons
                     }
                     else
                     {
-                        var end:Number = _cornerCount + CORNERS_PER_STEP;
-                        while (rest == null && next < count && _cornerCount < end)
+                        var end:Number = _cornerCount + _triangles.length + CORNERS_PER_STEP;
+                        while (rest == null && next < count && _cornerCount + _triangles.length < end)
                         {
                             rest = add(next++);
                             _cornerCount += CORNERS_PER_POLYGON;
@@ -100,7 +100,10 @@ package starlogo.models.polygons
             var start:int = rings.addLoop(outline, true);
             if (!hasHoles && isFan(rings))
             {
-                addFan(rings.vertex);
+                for (var i:int = 2; i < outline.length; i++)
+                {
+                    addTriangle(rings.vertex[0], rings.vertex[int(i - 1)], rings.vertex[i]);
+                }
                 return null;
             }
             var nodes:Vector.<int> = new Vector.<int>();
@@ -118,12 +121,6 @@ package starlogo.models.polygons
         /** Adds a triangle, if its three corners are different. */
         public function addTriangle(a:uint, b:uint, c:uint):void
         {
-            _cornerCount++;
-            push(a, b, c);
-        }
-
-        private function push(a:uint, b:uint, c:uint):void
-        {
             if (a != b && b != c && c != a)
             {
                 _triangles.push(a, b, c);
@@ -138,19 +135,19 @@ package starlogo.models.polygons
             var c:uint = outline[2];
             if (outline.length == 3)
             {
-                push(a, b, c);
+                addTriangle(a, b, c);
                 return;
             }
             var d:uint = outline[3];
             if (!isDiagonal(a, b, c, d) && isDiagonal(b, c, d, a))
             {
-                push(a, b, d);
-                push(b, c, d);
+                addTriangle(a, b, d);
+                addTriangle(b, c, d);
             }
             else
             {
-                push(a, b, c);
-                push(a, c, d);
+                addTriangle(a, b, c);
+                addTriangle(a, c, d);
             }
         }
 
@@ -189,14 +186,6 @@ package starlogo.models.polygons
                 }
             }
             return true;
-        }
-
-        private function addFan(corners:Vector.<uint>):void
-        {
-            for (var i:int = 2; i < corners.length; i++)
-            {
-                push(corners[0], corners[int(i - 1)], corners[i]);
-            }
         }
     }
 }

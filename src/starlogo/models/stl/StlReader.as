@@ -34,32 +34,38 @@ package starlogo.models.stl
 
         /**
          * @param name the model's name
-         * @param bytes a binary file; its endianness is set; null for text
-         * @param text the text; null for a binary file
+         * @param bytes a binary file, or the bytes of the text; their endianness is set; null if there is only text
+         * @param text the text; null to use the bytes
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
          * @param scaling as for Model's constructor
          */
         public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String)
         {
             super(name, upAxis, scaling);
-            _limits = new FileLimits(name, bytes == null ? text.length : bytes.length);
-            if (bytes != null)
+            if (text == null && bytes != null && isBinary(bytes))
             {
                 addBinary(bytes);
             }
             else
             {
-                _points = new PointTable(Math.min(text.length / 20, FileLimits.MOST_VERTICES));
-                _lines = new LineReader(name, text);
-                repeat(readSome);
+                addText(text == null ? FileText.decode(name, bytes, "STL") : text);
             }
             data.vertices = _points.coordinates;
             call(checkEnd).begin(turningToZUp).begin(normalising);
         }
 
+        private function addText(text:String):void
+        {
+            _limits = new FileLimits(name, text.length);
+            _points = new PointTable(Math.min(text.length / 20, FileLimits.MOST_VERTICES));
+            _lines = new LineReader(name, text);
+            repeat(readSome);
+        }
+
         private function addBinary(bytes:ByteArray):void
         {
             FileText.checkSize(name, bytes);
+            _limits = new FileLimits(name, bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);
             _limits.require(FileLimits.TRIANGLES, count);
@@ -70,13 +76,6 @@ package starlogo.models.stl
                     _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3, "triangle " + end);
                     setReadShare(end / Math.max(1, count));
                 });
-        }
-
-        /** The reader of a file's bytes. */
-        public static function of(name:String, bytes:ByteArray, upAxis:Object, scaling:String):StlReader
-        {
-            return bytes != null && isBinary(bytes) ? new StlReader(name, bytes, null, upAxis, scaling)
-                : new StlReader(name, null, FileText.decode(name, bytes, "STL"), upAxis, scaling);
         }
 
         /**
@@ -149,11 +148,11 @@ package starlogo.models.stl
         private function readVertex():void
         {
             var point:Vector.<Number> = new Vector.<Number>(3, true);
-            if (_corners == 3 || !_lines.readPoint(point, 0))
+            if (_corners == 3)
             {
-                throw new ModelError(name, _lines.place, _corners == 3 ? "a facet has more than three vertices"
-                        : LineReader.vertexProblem(_lines.readRest().join(" ")));
+                throw new ModelError(name, _lines.place, "a facet has more than three vertices");
             }
+            _lines.readPoint(point, 0);
             data.triangles.push(_points.add(point[0], point[1], point[2]));
             _corners++;
         }

@@ -28,7 +28,8 @@ package starlogo.models.text
         private static const LONGEST:int = 10000;
         private static const MOST_DIGITS:int = 30;
         private static const LARGEST_EXPONENT:Number = 99999;
-        private static const POWERS:Vector.<Number> = powersOfTen(22);
+        private static const POWERS:Vector.<Number> = new <Number>[1, 10, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+                1e17, 1e18, 1e19, 1e20, 1e21, 1e22];
 
         // roundingOfProduct() cannot split larger Numbers
         private static const LARGEST_TO_SPLIT:Number = 1e290;
@@ -115,16 +116,6 @@ package starlogo.models.text
                 low = rest - (high - product);
             }
             return high;
-        }
-
-        private static function powersOfTen(most:int):Vector.<Number>
-        {
-            var powers:Vector.<Number> = new <Number>[1];
-            for (var i:int = 1; i <= most; i++)
-            {
-                powers[i] = 10 * powers[i - 1];
-            }
-            return powers;
         }
     }
 }

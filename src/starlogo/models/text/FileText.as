@@ -54,9 +54,7 @@ package starlogo.models.text
             bytes.position = 0;
             var text:String = bytes.readUTFBytes(bytes.length);
             checkText(name, bytes, text.length == bytes.length, format);
-            bytes.position = 0;
-            var start:String = bytes.readUTFBytes(Math.min(bytes.length, DECLARATION_LENGTH));
-            var declaration:Array = start.match(/^<\?xml[^>]*encoding=["'](iso-8859-1|windows-1252)["']/i);
+            var declaration:Array = text.substr(0, DECLARATION_LENGTH).match(/^<\?xml[^>]*encoding=["'](iso-8859-1|windows-1252)["']/i);
             return declaration == null ? text : latin(bytes, declaration[1].toLowerCase() == "windows-1252");
         }
 

@@ -1,5 +1,6 @@
 package starlogo.models.text
 {
+    import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
 
     /**
@@ -49,12 +50,6 @@ package starlogo.models.text
         public static function placeOf(line:int):String
         {
             return "line " + line;
-        }
-
-        /** What is wrong with words that should be a vertex. */
-        public static function vertexProblem(found:String):String
-        {
-            return "expected a vertex, three finite numbers, but found \"" + TextWords.shorten(found) + "\"";
         }
 
         /** The number of the next word's line, from 1. */
@@ -108,26 +103,45 @@ package starlogo.models.text
         }
 
         /**
-         * Reads the next three words as decimals, and moves on. If one is not a finite number, it stays where it is.
+         * Reads the next three words of the statement as a vertex, and moves on.
          *
          * @param out receives the three numbers
          * @param at the index of the first in out
-         * @return whether they are finite
+         * @throws ModelError if they are not three finite numbers
          */
-        public function readPoint(out:Vector.<Number>, at:int):Boolean
+        public function readPoint(out:Vector.<Number>, at:int):void
         {
             var x:Number = Decimal.of(_words[_next]);
             var y:Number = Decimal.of(_words[int(_next + 1)]);
             var z:Number = Decimal.of(_words[int(_next + 2)]);
             if (x - x + y - y + z - z != 0)
             {
-                return false;
+                readUnusualPoint(out, at);
+                return;
             }
             out[at] = x;
             out[at + 1] = y;
             out[at + 2] = z;
             _next += 3;
-            return true;
+        }
+
+        // Reads a vertex with decimal commas, or over continued lines.
+        private function readUnusualPoint(out:Vector.<Number>, at:int):void
+        {
+            var statement:Array = [_words[int(_next - 1)]];
+            var start:String = place;
+            for (var i:int = 0; i < 3; i++)
+            {
+                var word:String = nextWord();
+                var number:Number = word == null ? NaN : TextWords.toNumber(word);
+                if (number - number != 0)
+                {
+                    var found:String = statement.concat(word == null ? [] : word, readRest()).join(" ");
+                    throw new ModelError(_name, start, "expected a vertex, three finite numbers, but found \"" + TextWords.shorten(found) + "\"");
+                }
+                statement.push(word);
+                out[at + i] = number;
+            }
         }
 
         /** Moves on to the end of the line. */

@@ -93,8 +93,8 @@ package starlogo.collision.snapshots
             for (i = 0; i < links.length; i++)
             {
                 var link:PlatformLink = links[i];
-                link.platformRevision = link.platform.revision;
                 link.agent.platformLink = link;
+                link.platformRevision = link.platform.revision;
             }
         }
 

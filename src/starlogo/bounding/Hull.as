@@ -389,7 +389,6 @@ package starlogo.bounding
         private function setTopology(value:HullTopology):void
         {
             topology = value;
-            // V8 would make a new store for an empty list
             if (_halfSpaces.length > 0)
             {
                 _halfSpaces.length = 0;

@@ -2,7 +2,6 @@ package starlogo.away3d
 {
     import starlogo.models.Model;
     import starlogo.models.ModelMaker;
-    import starlogo.steps.StepSequence;
 
     /**
      * Makes an Away3dModel in steps, while a game runs. Give it to a ModelLoader.
@@ -16,7 +15,6 @@ package starlogo.away3d
     public final class Away3dModelReader implements ModelMaker
     {
         private var _reader:SourceReader;
-        private var _work:StepSequence;
         private var _model:Away3dModel = null;
 
         /**
@@ -28,7 +26,6 @@ package starlogo.away3d
         public function Away3dModelReader(name:String, object:Object)
         {
             _reader = new SourceReader(name, object);
-            _work = new StepSequence().add(_reader).call(makeModel);
         }
 
         /** @inheritDoc */
@@ -56,12 +53,12 @@ package starlogo.away3d
          */
         public function step():Boolean
         {
-            return _work.step();
-        }
-
-        private function makeModel():void
-        {
-            _model = new Away3dModel(name, _reader.data);
+            var hasMore:Boolean = _reader.step();
+            if (!hasMore)
+            {
+                _model ||= new Away3dModel(name, _reader.data);
+            }
+            return hasMore;
         }
     }
 }

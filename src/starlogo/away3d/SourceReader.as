@@ -45,14 +45,9 @@ package starlogo.away3d
             }
             var points:PointTable = new PointTable(vertexCount);
             data.vertices = points.coordinates;
-            var next:int = 0;
-            return new StepSequence().beginEach(function():Steps
+            return new StepSequence().beginEach(_parts.length, function(index:int):Steps
                 {
-                    if (next == _parts.length)
-                    {
-                        return null;
-                    }
-                    return readingPart(next++, hasTriangles, points);
+                    return readingPart(index, hasTriangles, points);
                 });
         }
 

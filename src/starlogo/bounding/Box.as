@@ -122,11 +122,7 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
-            var placed:Box = out as Box;
-            if (placed == null)
-            {
-                placed = newFor(out) as Box;
-            }
+            var placed:Box = out as Box || newFor(out) as Box;
             var size:Number = placement.size;
             placed.halfX = halfX * size;
             placed.halfY = halfY * size;

@@ -158,8 +158,7 @@ package starlogo.bounding
             super.rotate(rotation);
             if (rotation.determinant < 0)
             {
-                topology = topology.mirrored();
-                _halfSpaces.length = 0;
+                setTopology(topology.mirrored());
             }
             return this;
         }
@@ -194,11 +193,7 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
-            var placed:Hull = out as Hull;
-            if (placed == null)
-            {
-                placed = newFor(out) as Hull;
-            }
+            var placed:Hull = out as Hull || newFor(out) as Hull;
             if (placed.points.length != points.length)
             {
                 placed.points.length = points.length;
@@ -207,11 +202,7 @@ package starlogo.bounding
             placement.place(center, placed.center);
             _box.place(placement, placed._box);
             placed.radius = radius * placement.size;
-            placed.topology = topology;
-            if (placed._halfSpaces.length > 0)
-            {
-                placed._halfSpaces.length = 0;
-            }
+            placed.setTopology(topology);
             return placed;
         }
 
@@ -391,8 +382,17 @@ package starlogo.bounding
                 hull = new ConvexHull(corners);
             }
             points = corners;
-            topology = HullTopology.of(hull);
-            _halfSpaces.length = 0;
+            setTopology(HullTopology.of(hull));
+        }
+
+        // Sets which corners make the faces, after the corners have changed. The half-spaces are then void.
+        private function setTopology(value:HullTopology):void
+        {
+            topology = value;
+            if (_halfSpaces.length > 0)
+            {
+                _halfSpaces.length = 0;
+            }
         }
 
         private function setBox():void

@@ -67,11 +67,7 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
-            var placed:Sphere = out as Sphere;
-            if (placed == null)
-            {
-                placed = newFor(out) as Sphere;
-            }
+            var placed:Sphere = out as Sphere || newFor(out) as Sphere;
             // This repeats Placement.place(), because the call alone would take a fifth of the time.
             var size:Number = placement.size;
             var x:Number = center.x * size;

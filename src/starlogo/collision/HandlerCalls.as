@@ -1,7 +1,7 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
@@ -34,7 +34,7 @@ package starlogo.collision
         private var _tracker:TouchTracker = null;
 
         // The pairs whose handlers are called, by their indices; null for all pairs. Whether each pair has got its touch, with calls both ways.
-        private var _chosen:NumberList;
+        private var _chosen:IntList;
         private var _areTouchesComplete:Boolean;
 
         // Where the calls are, because they go on from here if a handler throws: the number of touches and pairs whose calls are made, the handlers of
@@ -64,7 +64,7 @@ package starlogo.collision
             _chosen = null;
             _areTouchesComplete = true;
             _contacts.begin(system);
-            var compared:NumberList = tracker.pairsToCompare(pairs);
+            var compared:IntList = tracker.pairsToCompare(pairs);
             if (table.contactKinds != 0)
             {
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
@@ -93,7 +93,7 @@ package starlogo.collision
         }
 
         // Computes the contacts that handlers take, before a handler moves an agent. Null stands for all pairs.
-        private function findContacts(some:NumberList):void
+        private function findContacts(some:IntList):void
         {
             var end:int = some == null ? _pairs.count : some.count;
             for (var i:int = 0; i < end; i++)

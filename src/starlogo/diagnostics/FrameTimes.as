@@ -58,7 +58,7 @@ package starlogo.diagnostics
         /** The median in milliseconds; 0 without frames. It sorts the times, so do not read it every frame. */
         public function get median():Number
         {
-            var sorted:Vector.<Number> = _times.concat().sort(compare);
+            var sorted:Vector.<Number> = _times.concat().sort(Array.NUMERIC);
             var middle:int = sorted.length >> 1;
             if (sorted.length % 2 == 1)
             {
@@ -82,11 +82,6 @@ package starlogo.diagnostics
         public function toString():String
         {
             return "mean " + mean.toFixed(2) + " ms, median " + median.toFixed(2) + " ms, most " + most.toFixed(2) + " ms";
-        }
-
-        private static function compare(a:Number, b:Number):Number
-        {
-            return a - b;
         }
     }
 }

@@ -2,8 +2,8 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.data.HashTable;
-    import starlogo.data.KeyedList;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
+    import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.search.FoundPairs;
 
@@ -35,19 +35,19 @@ package starlogo.handlers
         private var _indices:HashTable = new HashTable();
 
         // The indices of the objects for later touches.
-        private var _free:NumberList = new NumberList();
+        private var _free:IntList = new IntList();
 
         // The number of touches that ever began.
         private var _begun:Number = 0;
 
         // The indices of the touches that ended in this frame, in the order in which they began.
-        private var _ended:KeyedList = new KeyedList();
+        private var _ended:SortableIntList = new SortableIntList();
 
         /**
          * The pairs whose touches may be others than in the last frame: the added ones if all others go on. Null stands for all pairs. Ask before
          * <code>begin()</code>.
          */
-        public function pairsToCompare(pairs:FoundPairs):NumberList
+        public function pairsToCompare(pairs:FoundPairs):IntList
         {
             return pairs.basis == _pairsRevision ? pairs.added : null;
         }
@@ -58,7 +58,7 @@ package starlogo.handlers
          * @param compared the answer of <code>pairsToCompare()</code>
          * @param table the handlers. A pair without handlers for starts or ends has no touch
          */
-        public function begin(pairs:FoundPairs, compared:NumberList, table:HandlerTable):void
+        public function begin(pairs:FoundPairs, compared:IntList, table:HandlerTable):void
         {
             frame++;
             _pairsRevision = 0;
@@ -136,7 +136,7 @@ package starlogo.handlers
         /** Returns all touches, in the order in which they began. Call it between two frames. */
         public function inOrder():Vector.<Touch>
         {
-            var order:KeyedList = new KeyedList();
+            var order:SortableIntList = new SortableIntList();
             for (var i:int = 0; i < _all.length; i++)
             {
                 if (_all[i].first != null)
@@ -166,13 +166,13 @@ package starlogo.handlers
             }
         }
 
-        private function compareSome(pairs:FoundPairs, added:NumberList, table:HandlerTable):void
+        private function compareSome(pairs:FoundPairs, added:IntList, table:HandlerTable):void
         {
             for (var i:int = 0; i < added.count; i++)
             {
                 renew(pairs, added.numbers[i], table);
             }
-            var dropped:NumberList = pairs.droppedTouches;
+            var dropped:IntList = pairs.droppedTouches;
             for (i = 0; i < dropped.count; i++)
             {
                 endUnlessSeen(_all[dropped.numbers[i]]);

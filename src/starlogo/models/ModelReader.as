@@ -102,25 +102,21 @@ package starlogo.models
             return new Normalisation(data);
         }
 
-        /** The axis that points up in the file, as the caller has named it: "x", "y" or "z". */
-        protected final function get upAxis():String
-        {
-            return _upAxis;
-        }
-
         /** The steps that turn the vertices to z up. */
         protected final function turningToZUp():Steps
         {
-            return _upAxis == "z" ? null : turnToZUp(_upAxis).transformingPoints(data.vertices);
+            return _upAxis == "z" ? null : turnToZUp().transformingPoints(data.vertices);
         }
 
         /**
          * The turn to z up. If y is up, the file's -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA specification's
          * table for up_axis gives the right and inward axes.)
+         *
+         * @param fileAxis the axis that the file names; null for the one that the caller has named
          */
-        protected static function turnToZUp(upAxis:String):AffineTransform
+        protected final function turnToZUp(fileAxis:String = null):AffineTransform
         {
-            switch (upAxis)
+            switch (fileAxis || _upAxis)
             {
                 case "x":
                     return new AffineTransform(new <Number>[0, -1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 0]);

@@ -8,7 +8,7 @@ package starlogo.models
      *
      * <p>The file's length decides whether it is binary or text, because some binary files begin with the word "solid" too. All solids of a
      * file together make the model. Vertices at equal positions become one, because the format repeats each vertex for every triangle.
-     * Normals and attributes are ignored. Cost: linear in the file.</p>
+     * Normals and attributes are ignored. Text may have decimal commas. Cost: linear in the file.</p>
      */
     public class StlModel extends Model
     {

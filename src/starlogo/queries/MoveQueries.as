@@ -5,7 +5,7 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.convex.ContactPoint;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
@@ -49,7 +49,7 @@ package starlogo.queries
         private var _slid:SlideResult = new SlideResult();
 
         // One of the rows near the way, and the lift out of all of them, with which the body begins.
-        private var _one:NumberList = new NumberList();
+        private var _one:IntList = new IntList();
         private var _lift:StartLift = new StartLift();
 
         // Where the row that is met first stops the body.
@@ -214,7 +214,7 @@ package starlogo.queries
         // Finds the rows that stop the body if it begins with the lift. Returns whether a common lift of all rows could change the answer.
         private function collectLifted(wanted:int, end:Vector3D):Boolean
         {
-            var rows:NumberList = _body.rows;
+            var rows:IntList = _body.rows;
             var mayLift:Boolean = false;
             _found.begin(wanted, Infinity, null, null);
             _hits.begin();

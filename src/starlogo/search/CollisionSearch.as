@@ -10,7 +10,7 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
@@ -49,7 +49,7 @@ package starlogo.search
         private var _bodyB:Body = new Body();
 
         // The members of a search in which some rows may be none.
-        private var _members:NumberList = new NumberList();
+        private var _members:IntList = new IntList();
 
         /**
          * @param narrowPhase has the choice of the agents' shapes, and tests which of them touch
@@ -108,7 +108,7 @@ package starlogo.search
             }
             // also if the search throws, because the table has been read
             _keptPairs.forget();
-            var members:NumberList = findAll(input);
+            var members:IntList = findAll(input);
             if (mayKeep)
             {
                 _keptPairs.keep(members, input, _hasMotions, _narrowPhase.treeLimits);
@@ -117,9 +117,9 @@ package starlogo.search
         }
 
         // Searches all members, and returns them.
-        private function findAll(input:FrameInput):NumberList
+        private function findAll(input:FrameInput):IntList
         {
-            var members:NumberList = findMembers(input);
+            var members:IntList = findMembers(input);
             var extents:Extents = table.extents;
             if (_hasMotions)
             {
@@ -188,9 +188,9 @@ package starlogo.search
         }
 
         // The rows that the bins get, called members: those with a shape that take part and whose breeds are of interest.
-        private function findMembers(input:FrameInput):NumberList
+        private function findMembers(input:FrameInput):IntList
         {
-            var all:NumberList = table.list.rows;
+            var all:IntList = table.list.rows;
             if (table.loadingCount == 0 && input.admitted == null && (input.interests == null || input.interests.isNamed(Breeds.ANY)))
             {
                 return all;

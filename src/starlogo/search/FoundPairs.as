@@ -1,7 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.ListedAgents;
 
@@ -50,10 +50,10 @@ package starlogo.search
         public var touches:Vector.<int> = new Vector.<int>();
 
         /** The indices of the touches that the dropped pairs had. */
-        public var droppedTouches:NumberList = new NumberList();
+        public var droppedTouches:IntList = new IntList();
 
         /** The indices of the added pairs among these pairs, in ascending order. */
-        public var added:NumberList = new NumberList();
+        public var added:IntList = new IntList();
 
         /**
          * Begins to write other pairs.

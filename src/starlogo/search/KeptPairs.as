@@ -2,7 +2,7 @@ package starlogo.search
 {
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.CellLists;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
@@ -51,7 +51,7 @@ package starlogo.search
         // By row: the mark of the last search that has found it changed. The mark of this search, and the rows that have it.
         private var _marks:Vector.<int> = new Vector.<int>();
         private var _mark:int = 0;
-        private var _changed:NumberList = new NumberList();
+        private var _changed:IntList = new IntList();
 
         /**
          * @param table has the rows
@@ -108,7 +108,7 @@ package starlogo.search
          * @param anySweeps as in find
          * @param limits as in find
          */
-        public function keep(members:NumberList, input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
+        public function keep(members:IntList, input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
         {
             if (!isLikeLast(input, anySweeps, limits) || !areFew(_changed.count))
             {
@@ -205,7 +205,7 @@ package starlogo.search
             }
         }
 
-        private function addAll(rows:NumberList):void
+        private function addAll(rows:IntList):void
         {
             for (var i:int = 0; i < rows.count; i++)
             {
@@ -225,7 +225,7 @@ package starlogo.search
         // Adds the rows that become members, or cease to be members. The other rows have their breeds of the last search.
         private function addFiltered(input:FrameInput):void
         {
-            var rows:NumberList = _table.list.rows;
+            var rows:IntList = _table.list.rows;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];

@@ -3,7 +3,7 @@ package starlogo.search
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.PairSink;
     import starlogo.convex.RelativeMotion;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
 
@@ -89,7 +89,7 @@ package starlogo.search
          * @param worldRow the row of the ground or of the edges
          * @param rows the rows
          */
-        public function findPairsOfWorldAgent(worldRow:int, rows:NumberList):void
+        public function findPairsOfWorldAgent(worldRow:int, rows:IntList):void
         {
             if (_table.list.agents[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
             {

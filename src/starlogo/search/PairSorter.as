@@ -1,6 +1,6 @@
 package starlogo.search
 {
-    import starlogo.data.KeyedList;
+    import starlogo.data.SortableIntList;
     import starlogo.search.table.ListedAgents;
 
     /**
@@ -18,7 +18,7 @@ package starlogo.search
         private static const RANK_FACTOR:Number = 1 << 26;
 
         // The indices of the pairs in their new order, and their keys.
-        private var _indices:KeyedList = new KeyedList();
+        private var _indices:SortableIntList = new SortableIntList();
 
         // By rank: where the next pair goes whose first row has it, and where the next one goes whose second row has it.
         private var _firsts:Vector.<int> = new Vector.<int>();

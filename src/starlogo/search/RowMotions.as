@@ -8,7 +8,7 @@ package starlogo.search
     import starlogo.broadphase.Points;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.intersection.sweep.AxisMotion;
     import starlogo.intersection.sweep.ContactInterval;
@@ -59,7 +59,7 @@ package starlogo.search
          *
          * @param rows the rows; those without a shape are left out, because they are members of no search
          */
-        public function findMotions(rows:NumberList):void
+        public function findMotions(rows:IntList):void
         {
             if (_table.list.agents.length > _sweeps.length)
             {

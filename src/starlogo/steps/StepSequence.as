@@ -8,6 +8,11 @@ package starlogo.steps
      * var loading:StepSequence = new StepSequence().call(parse).begin(newReader).call(store);
      * </listing>
      *
+     * <p>A part is one call (<code>call()</code>), other work (<code>add()</code>), work that is created when its turn comes
+     * (<code>begin()</code>), or a loop: over many small things (<code>slices()</code>), over things that take several steps each
+     * (<code>beginEach()</code>), or as long as a function wants (<code>repeat()</code>). In a class of the engine, the size of slices is
+     * a constant <code>THINGS_PER_STEP</code>.</p>
+     *
      * <p>Most methods that return work have names like reading() or cutting(). A method that does some of it has a name like readSome() or
      * cut().</p>
      *
@@ -15,27 +20,14 @@ package starlogo.steps
      * steps again.</p>
      *
      * <p>Use it in every class of the engine that works in phases. An internal class extends this one and adds its parts in the
-     * constructor. A class that clients name keeps a sequence in a field, and its <code>step()</code> calls the sequence's. Use
-     * <code>slices()</code> for a loop over many things, with a constant <code>THINGS_PER_STEP</code> for the size. Use
-     * <code>repeat()</code> for a loop whose end only the work itself knows. To do the work again, add its parts again.</p>
+     * constructor. A class that clients name keeps a sequence in a field, and its <code>step()</code> calls the sequence's. To do the work
+     * again, add its parts again.</p>
      */
     public class StepSequence implements Steps
     {
-        // how a part is done: one call, calls until it returns false, one call that returns the work to do, or such calls until one
-        // returns null
-        private static const ONCE:int = 0;
-        private static const AGAIN:int = 1;
-        private static const MAKES_WORK:int = 2;
-        private static const MAKES_EACH:int = 3;
-
-        // The parts, how each is done, and the index of the present part. Only slices() wraps its part in a closure, because creating one
-        // costs as much as a small part.
+        // Each part is a function whose calls are steps, until it returns false. The present one is _parts[_next].
         private var _parts:Vector.<Function> = new Vector.<Function>();
-        private var _kinds:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;
-
-        // the work that the present part returned
-        private var _made:Steps = null;
 
         /** Creates a sequence without parts. It has one step, which does nothing. */
         public function StepSequence()
@@ -51,7 +43,11 @@ package starlogo.steps
         /** Adds a step. Returns the sequence. @param action <code>():void</code> */
         public function call(action:Function):StepSequence
         {
-            return addPart(action, ONCE);
+            return repeat(function():Boolean
+                {
+                    action();
+                    return false;
+                });
         }
 
         /**
@@ -81,17 +77,33 @@ package starlogo.steps
          */
         public function begin(make:Function):StepSequence
         {
-            return addPart(make, MAKES_WORK);
+            var made:Steps = null;
+            return repeat(function():Boolean
+                {
+                    made = made == null ? make() : (made.step() ? made : null);
+                    return made != null;
+                });
         }
 
         /**
-         * Adds pieces of work that a function creates, each when the one before is done. Returns the sequence.
+         * Adds work on things that are numbered from 0, each of which takes several steps. A function creates the work on one thing when the
+         * work on the one before is done. Returns the sequence.
          *
-         * @param make <code>():Steps</code>; null ends the part
+         * @param count the number of things
+         * @param make <code>(index:int):Steps</code>; the work on one of them
          */
-        public function beginEach(make:Function):StepSequence
+        public function beginEach(count:int, make:Function):StepSequence
         {
-            return addPart(make, MAKES_EACH);
+            var next:int = 0;
+            var made:Steps = null;
+            return repeat(function():Boolean
+                {
+                    if (made == null || !made.step())
+                    {
+                        made = next < count ? make(next++) : null;
+                    }
+                    return made != null;
+                });
         }
 
         /**
@@ -101,43 +113,22 @@ package starlogo.steps
          */
         public function repeat(advance:Function):StepSequence
         {
-            return addPart(advance, AGAIN);
+            _parts.push(advance);
+            return this;
         }
 
         /** @inheritDoc */
         public function step():Boolean
         {
-            if (_next < _parts.length && !advancePart(_parts[_next], _kinds[_next]))
+            if (_next < _parts.length)
             {
-                _parts[_next++] = null;
+                var advance:Function = _parts[_next];
+                if (!advance())
+                {
+                    _parts[_next++] = null;
+                }
             }
             return _next < _parts.length;
-        }
-
-        private function addPart(part:Function, kind:int):StepSequence
-        {
-            _parts.push(part);
-            _kinds.push(kind);
-            return this;
-        }
-
-        // Does a step of a part. Returns whether the part has more steps.
-        private function advancePart(part:Function, kind:int):Boolean
-        {
-            switch (kind)
-            {
-                case ONCE:
-                    part();
-                    return false;
-                case AGAIN:
-                    return part();
-                case MAKES_EACH:
-                    _made = _made != null && _made.step() ? _made : part();
-                    return _made != null;
-                default:
-                    _made = _made == null ? part() : (_made.step() ? _made : null);
-                    return _made != null;
-            }
         }
     }
 }

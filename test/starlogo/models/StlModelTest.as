@@ -68,6 +68,8 @@ package starlogo.models
             }
             var two:String = textOf(TETRAHEDRON.slice(0, 2)) + textOf([]) + textOf(TETRAHEDRON.slice(2));
             assertEquals("several solids make one model", 12, StlModel.fromBytes("a", encoded(two)).triangles.length);
+            var comma:String = facet.replace("vertex 1 0 0", "vertex 2,5 0 0");
+            assertEquals("a decimal comma", 2.5, StlModel.fromBytes("a", encoded("solid\n" + comma), "z", Model.AS_GIVEN).vertices[3]);
             assertEquals("all in one line", 6, StlModel.fromBytes("a", encoded("solid a\n" + facet + " " + facet)).triangles.length);
         }
 
@@ -78,6 +80,7 @@ package starlogo.models
             refuses("", "no vertices", textOf([]));
             refuses("line 4", "expected a vertex, three finite numbers, but found \"vertex 0 0\"", "solid\nfacet\nouter loop\nvertex 0 0\n");
             refuses("line 4", "but found \"vertex a b c\"", "solid\nfacet\nouter loop\nvertex a b c\n");
+            refuses("line 4", "but found \"vertex 1,000.5 2 3\"", "solid\nfacet\nouter loop\nvertex 1,000.5 2 3\n");
             refuses("line 4", "but found \"vertex 1 2 Infinity\"", "solid\nfacet\nouter loop\nvertex 1 2 Infinity\n");
             refuses("line 4", "expected a facet of three vertices, but found 1", "solid\nouter loop\nvertex 1 2 3\nendloop\n");
             refuses("line 5", "a facet has more than three vertices", "solid\nvertex 1 2 3\nvertex 1 2 3\nvertex 1 2 3\nvertex 1 2 3\n");

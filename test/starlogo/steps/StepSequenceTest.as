@@ -57,6 +57,18 @@ package starlogo.steps
         }
 
         [Test]
+        public function makesTheWorkOnEachThingWhenTheOneBeforeIsDone():void
+        {
+            var work:StepSequence = new StepSequence().beginEach(3, function(index:int):Steps
+                {
+                    _log.push("make " + index);
+                    return new StepSequence().call(note("one")).call(note("two"));
+                }).call(note("end"));
+            assertEquals("make 0|one|two,make 1|one|two,make 2|one|two|end.", trail(work));
+            assertEquals("|end.", trail(new StepSequence().beginEach(0, makeTwo).call(note("end"))));
+        }
+
+        [Test]
         public function doesNothingWhenNoStepIsLeft():void
         {
             for each (var count:int in [0, 2, 3])

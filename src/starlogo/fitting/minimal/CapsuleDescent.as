@@ -1,7 +1,7 @@
 package starlogo.fitting.minimal
 {
     import starlogo.bounding.Capsule;
-    import starlogo.steps.Steps;
+    import starlogo.steps.StepSequence;
 
     /**
      * Descends from a capsule to a smaller one: it moves the ends until no small move makes the capsule smaller while it encloses all points.
@@ -16,7 +16,7 @@ package starlogo.fitting.minimal
      *
      * @private
      */
-    public final class CapsuleDescent implements Steps
+    public final class CapsuleDescent extends StepSequence
     {
         private static const STEPS:int = 60;
         private static const SMALLEST_STEP:Number = 1e-7;
@@ -50,25 +50,11 @@ package starlogo.fitting.minimal
             ends = new <Number>[start.start.x, start.start.y, start.start.z, start.end.x, start.end.y, start.end.z];
             _squares = squaresFrom(ends);
             radius = radiusOf(_squares);
+            repeat(move);
         }
 
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            if (hasMore)
-            {
-                move();
-                _stepCount++;
-            }
-            return hasMore;
-        }
-
-        private function get hasMore():Boolean
-        {
-            return _stepCount < STEPS && _stepSize > SMALLEST_STEP;
-        }
-
-        private function move():void
+        // Returns whether there is another move.
+        private function move():Boolean
         {
             var trial:Vector.<Number> = solve(ends, radius, tangents(), _stepSize);
             for (var i:int = 0; i < 6; i++)
@@ -90,6 +76,8 @@ package starlogo.fitting.minimal
             {
                 _stepSize *= 0.3;
             }
+            _stepCount++;
+            return _stepCount < STEPS && _stepSize > SMALLEST_STEP;
         }
 
         private static function volumeOf(ends:Vector.<Number>, radius:Number):Number

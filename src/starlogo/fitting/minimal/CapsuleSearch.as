@@ -55,17 +55,17 @@ package starlogo.fitting.minimal
         {
             var directions:Vector.<Vector3D> = directionsFor(_session.hull);
             var volumes:Array = [];
-            var starts:Vector.<Vector3D>;
             best = new Capsule(sphere.center, sphere.center, sphere.radius);
             slices(directions.length, 1, function(index:int, end:int):void
                 {
                     volumes.push(capsuleAlong(directions[index]).volume);
-                }).call(function():void
+                }).begin(function():Steps
                 {
-                    starts = startsAmong(directions, volumes);
-                }).beginEach(function():Steps
-                {
-                    return starts.length == 0 ? null : descending(starts.shift());
+                    var starts:Vector.<Vector3D> = startsAmong(directions, volumes);
+                    return new StepSequence().beginEach(starts.length, function(index:int):Steps
+                        {
+                            return descending(starts[index]);
+                        });
                 });
         }
 

@@ -110,10 +110,15 @@ package starlogo.libraries.cooked
             }
             catch (error:EOFError)
             {
-                isRefused = true;
-                _tree.clear();
+                refuse();
             }
             return false;
+        }
+
+        private function refuse():void
+        {
+            isRefused = true;
+            _tree.clear();
         }
 
         // Every item must come exactly once.
@@ -128,7 +133,7 @@ package starlogo.libraries.cooked
                 var item:int = width == 1 ? bytes.readUnsignedByte() : (width == 2 ? bytes.readUnsignedShort() : bytes.readInt());
                 if (item < 0 || item >= count || isListed[item])
                 {
-                    isRefused = true;
+                    refuse();
                     return;
                 }
                 isListed[item] = true;
@@ -148,8 +153,7 @@ package starlogo.libraries.cooked
             {
                 if (!readNode(_waiting.pop(), VarInt.read(_bytes)))
                 {
-                    isRefused = true;
-                    _tree.clear();
+                    refuse();
                     return false;
                 }
             }

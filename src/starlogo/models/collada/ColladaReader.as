@@ -53,7 +53,7 @@ package starlogo.models.collada
             root.refuseIf(root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + root.name + ">");
             var asset:ColladaElement = root.child("asset");
             data.unit = unitOf(asset);
-            var scene:ColladaScene = new ColladaScene(root, turnToZUp(isAxisNamed ? upAxis : upAxisOf(asset)));
+            var scene:ColladaScene = new ColladaScene(root, turnToZUp(isAxisNamed ? null : upAxisOf(asset)));
             return new StepSequence().add(scene).begin(function():Steps
                 {
                     return readingInstances(scene.instances);
@@ -62,20 +62,16 @@ package starlogo.models.collada
 
         private function readingInstances(instances:Vector.<ColladaInstance>):Steps
         {
-            var next:int = 0;
-            return new StepSequence().beginEach(function():Steps
+            return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
-                    if (next == instances.length)
-                    {
-                        takeVertices("a scene or a library with a geometry in it");
-                        return null;
-                    }
-                    var instance:ColladaInstance = instances[next++];
-                    return new StepSequence().add(instance.mesh).begin(function():Steps
+                    return new StepSequence().add(instances[index].mesh).begin(function():Steps
                         {
-                            setReadShare(next / instances.length);
-                            return placing(instance);
+                            setReadShare((index + 1) / instances.length);
+                            return placing(instances[index]);
                         });
+                }).call(function():void
+                {
+                    takeVertices("a scene or a library with a geometry in it");
                 });
         }
 

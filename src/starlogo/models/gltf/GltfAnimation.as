@@ -59,11 +59,15 @@ package starlogo.models.gltf
             return most;
         }
 
-        /** The numbers of a node's property at a time in seconds; null if it is not animated. */
-        internal function valueAt(node:int, path:String, time:Number):Vector.<Number>
+        /** What is animated at a time in seconds: the numbers of each property, by the node's index, a space and the path. */
+        public function valuesAt(time:Number):Object
         {
-            var sampler:GltfSampler = _samplers[node + " " + path];
-            return sampler == null ? null : sampler.valueAt(time);
+            var values:Object = {};
+            for (var property:String in _samplers)
+            {
+                values[property] = _samplers[property].valueAt(time);
+            }
+            return values;
         }
     }
 }

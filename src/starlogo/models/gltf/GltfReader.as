@@ -24,17 +24,16 @@ package starlogo.models.gltf
          * @param file the file; all its steps must be done and all buffers set
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor
-         * @param animation an animation of the file: the vertices are read as they are at a time of it, and are not normalised. If it is null, they
-         * are read at rest, and normalised
-         * @param time in seconds
+         * @param pose what an animation gives at a time: see <code>GltfAnimation.valuesAt()</code>. The vertices are not normalised then. If it is
+         * null, they are read at rest, and normalised
          */
-        public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, animation:GltfAnimation = null, time:Number = 0)
+        public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, pose:Object = null)
         {
             super(name, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
-            _scene = new GltfScene(file.json, turnToZUp(this.upAxis), animation, time);
+            _scene = new GltfScene(file.json, turnToZUp(), pose);
             add(_scene).begin(readingNodes).begin(droppingUnused);
-            if (animation == null)
+            if (pose == null)
             {
                 begin(normalising);
             }
@@ -47,11 +46,7 @@ package starlogo.models.gltf
             {
                 data.materials.addName(json.fileEntry("materials", i).text("name"));
             }
-            var next:int = 0;
-            return new StepSequence().beginEach(function():Steps
-                {
-                    return next == _scene.nodes.length ? null : readingNode(next++);
-                });
+            return new StepSequence().beginEach(_scene.nodes.length, readingNode);
         }
 
         // The work on the mesh of one of the scene's nodes.
@@ -60,18 +55,17 @@ package starlogo.models.gltf
             var nodeIndex:int = _scene.nodes[index];
             var node:GltfJson = _file.json.fileEntry("nodes", nodeIndex);
             var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
-            var count:int = mesh.count("primitives");
             var weights:Vector.<Number> = _scene.animated(nodeIndex, "weights") || node.numbers("weights", -1)
                 || mesh.numbers("weights", -1, new Vector.<Number>());
             var label:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
-            var next:int = 0;
             setReadShare(index / _scene.nodes.length);
-            return new StepSequence().beginEach(function():Steps
+            _file.limits.count(FileLimits.THINGS, 1 + weights.length, mesh.place);
+            return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
                 {
                     _file.limits.count(FileLimits.THINGS, 1 + weights.length, mesh.place);
-                    return next == count ? null : readingPrimitive(nodeIndex, label, mesh.element("primitives", next++), weights, placed);
+                    return readingPrimitive(nodeIndex, label, mesh.element("primitives", primitive), weights, placed);
                 });
         }
 

@@ -45,7 +45,6 @@ package starlogo.models.loading
         private var _scaling:String;
         private var _receiver:ModelReceiver;
         private var _newLoader:Function;
-        private var _usesTransforms:Boolean = false;
 
         // The file's address; null if there is none to fetch. The list of cooked files; null if there is none for it.
         private var _url:String = null;
@@ -105,15 +104,18 @@ package starlogo.models.loading
         public function fetch(url:String, usesTransforms:Boolean, manifest:CookedManifest):void
         {
             _url = url || "";
-            _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
+            usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
             if (manifest == null || !FileAddress.hasFolder(_url))
             {
-                fetchFile();
+                fetchFile(usesTransforms);
                 return;
             }
             _manifest = manifest;
             manifest.fetch(_newLoader);
-            call(fetchCooked);
+            call(function():void
+                {
+                    fetchCooked(usesTransforms);
+                });
         }
 
         /** Sets the file to read, as bytes or as text. The other is null. */
@@ -154,23 +156,26 @@ package starlogo.models.loading
             return download.isUnderWay;
         }
 
-        private function fetchCooked():void
+        private function fetchCooked(usesTransforms:Boolean):void
         {
             var address:String = _manifest.addressFor(_url);
             if (address == null)
             {
-                fetchFile();
+                fetchFile(usesTransforms);
                 return;
             }
             var file:FileDownload = download(address);
             call(function():void
                 {
-                    _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
-                }).repeat(readCooked);
+                    _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, usesTransforms));
+                }).repeat(function():Boolean
+                {
+                    return readCooked(usesTransforms);
+                });
         }
 
         // A cooked file that is missing, damaged or made for other arguments is no error. The model's own file is fetched instead.
-        private function readCooked():Boolean
+        private function readCooked(usesTransforms:Boolean):Boolean
         {
             try
             {
@@ -183,16 +188,16 @@ package starlogo.models.loading
             catch (error:ModelError)
             {
                 _maker = null;
-                fetchFile();
+                fetchFile(usesTransforms);
             }
             return false;
         }
 
-        private function fetchFile():void
+        private function fetchFile(usesTransforms:Boolean):void
         {
             _downloads.length = 0;
             var file:FileDownload = _url == "" ? null : download(_url);
-            var address:String = _usesTransforms && FileAddress.hasFolder(_url) ? FileAddress.besideOf(_url, ".slb") : null;
+            var address:String = usesTransforms && FileAddress.hasFolder(_url) ? FileAddress.besideOf(_url, ".slb") : null;
             var transformFile:FileDownload = address == null ? null : download(address);
             call(function():void
                 {

@@ -27,9 +27,7 @@ package starlogo.models.obj
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
         private var _polygonTriangles:int = 0;
 
-        // The material and the mesh of the faces that are read; and of each polygon.
-        private var _material:int = -1;
-        private var _mesh:int = -1;
+        // The material and the mesh of each polygon.
         private var _polygonLabels:Vector.<int> = new Vector.<int>();
 
         private var _highestIndex:int = -1;
@@ -72,13 +70,11 @@ package starlogo.models.obj
             }
             else if (word == "usemtl")
             {
-                _material = readLabel(data.materials);
-                data.materials.beginRun(_material, data.triangles.length / 3);
+                readLabel(data.materials);
             }
             else if (word == "o" || word == "g")
             {
-                _mesh = readLabel(data.meshes);
-                data.meshes.beginRun(_mesh, data.triangles.length / 3);
+                readLabel(data.meshes);
             }
             else
             {
@@ -86,11 +82,11 @@ package starlogo.models.obj
             }
         }
 
-        // The number of the name in the rest of a statement; -1 if there is no name.
-        private function readLabel(labels:TriangleLabels):int
+        // Gives the name in the rest of a statement to the triangles that follow. If there is no name, they have none.
+        private function readLabel(labels:TriangleLabels):void
         {
             var label:String = _lines.readRest().join(" ");
-            return label == "" ? -1 : labels.addKey(label, label);
+            labels.beginRun(label == "" ? -1 : labels.addKey(label, label), data.triangles.length / 3);
         }
 
         private function readVertex():void
@@ -113,7 +109,8 @@ package starlogo.models.obj
             else if (corners.length > 3)
             {
                 _polygons.push(corners);
-                _polygonLabels.push(_material, _mesh);
+                var next:int = data.triangles.length / 3;
+                _polygonLabels.push(data.materials.numberOf(next), data.meshes.numberOf(next));
                 _polygonTriangles += corners.length - 2;
             }
         }

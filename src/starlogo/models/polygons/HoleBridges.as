@@ -145,9 +145,15 @@ package starlogo.models.polygons
             var holeY:Number = _rings.y[hole];
             var cornerX:Number = _rings.x[corner];
             var cornerY:Number = _rings.y[corner];
-            // the corner is on the left of the ray if it is above it, otherwise the triangle is clockwise
-            return cornerY > holeY ? isLeft(holeX, holeY, hitX, holeY, x, y) && isLeft(hitX, holeY, cornerX, cornerY, x, y) && isLeft(cornerX, cornerY, holeX, holeY, x, y)
-                : isLeft(holeX, holeY, cornerX, cornerY, x, y) && isLeft(cornerX, cornerY, hitX, holeY, x, y) && isLeft(hitX, holeY, holeX, holeY, x, y);
+            // counter-clockwise: a corner above the ray is on its left
+            return cornerY > holeY ? isInTriangle(holeX, holeY, hitX, holeY, cornerX, cornerY, x, y)
+                : isInTriangle(holeX, holeY, cornerX, cornerY, hitX, holeY, x, y);
+        }
+
+        // Whether a point is inside a counter-clockwise triangle, or on its edge.
+        private static function isInTriangle(aX:Number, aY:Number, bX:Number, bY:Number, cX:Number, cY:Number, x:Number, y:Number):Boolean
+        {
+            return isLeft(aX, aY, bX, bY, x, y) && isLeft(bX, bY, cX, cY, x, y) && isLeft(cX, cY, aX, aY, x, y);
         }
 
         // Whether a point is on the left of the line from a to b, or on it.

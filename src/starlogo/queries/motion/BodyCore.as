@@ -1,7 +1,7 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
@@ -79,7 +79,7 @@ package starlogo.queries.motion
          * @param from where the motion begins
          * @param motion the whole motion
          */
-        public function begin(table:AgentTable, rows:NumberList, from:Vector3D, motion:Vector3D):void
+        public function begin(table:AgentTable, rows:IntList, from:Vector3D, motion:Vector3D):void
         {
             var extent:Number = 2 * _source.largestHalf;
             var largest:Number = extent;

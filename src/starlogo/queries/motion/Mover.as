@@ -1,7 +1,7 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
 
     /**
      * Moves a body straight on among rows of a table, until it touches one of them. A row that it would go into stops it. A row that it only
@@ -32,7 +32,7 @@ package starlogo.queries.motion
          * @param out receives the lift: 0 if the body overlaps nothing, or does not get free
          * @return whether there is a lift
          */
-        public function findLift(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, out:StartLift):Boolean
+        public function findLift(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:StartLift):Boolean
         {
             out.clear();
             body.beginMotion(rows, from, motion);
@@ -52,7 +52,7 @@ package starlogo.queries.motion
          * @param lift the lift of <code>findLift()</code> with which it begins
          * @param out receives the answer. Rounding may hide the touch at its place: see <code>goIntoTouch()</code>
          */
-        public function findTouch(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
+        public function findTouch(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
         {
             _lift.copyFrom(lift);
             findFirstTouch(body, rows, from, motion, _lift, out);
@@ -94,7 +94,7 @@ package starlogo.queries.motion
          * @param out receives the answer of <code>findTouch()</code> without a lift, but its place is the clearance before the touch. Its fraction
          *     is that of the touch
          */
-        public function goBeforeTouch(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, out:MotionResult):void
+        public function goBeforeTouch(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
             _lift.clear();
             findFirstTouch(body, rows, from, motion, _lift, out);
@@ -111,7 +111,7 @@ package starlogo.queries.motion
 
         // Finds where a straight motion that begins with a lift first touches a row. The lift receives what else the body is lifted out of. The
         // result receives all but its place.
-        private function findFirstTouch(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
+        private function findFirstTouch(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
         {
             out.row = -1;
             out.fraction = 1;

@@ -5,7 +5,7 @@ package starlogo.queries.motion
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.queries.AgentFilter;
@@ -36,10 +36,10 @@ package starlogo.queries.motion
         public var source:Body = new Body();
 
         /** The rows that count and are near its way, in the order of the list. Read only. */
-        public var rows:NumberList = new NumberList();
+        public var rows:IntList = new IntList();
 
         /** The rows that stop the motion. A row that a plane has taken the place of is not one of them, nor a one-way row that the body passed. */
-        public var obstacles:NumberList = new NumberList();
+        public var obstacles:IntList = new IntList();
 
         /** Its core, and the tolerances of its present motion. Read only. */
         public var core:BodyCore;
@@ -198,7 +198,7 @@ package starlogo.queries.motion
          *
          * @param among the rows that may be in its way. They become the obstacles
          */
-        public function beginMotion(among:NumberList, from:Vector3D, motion:Vector3D):void
+        public function beginMotion(among:IntList, from:Vector3D, motion:Vector3D):void
         {
             obstacles.copyFrom(among);
             core.begin(_seen.table, among, from, motion);

@@ -3,7 +3,7 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.agents.warnOfInside;
     import starlogo.convex.ContactPoint;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -125,7 +125,7 @@ package starlogo.queries.motion
          * @param out receives the contact. A push along its normal by its depth leads a clearance out of the row
          * @return the sum of the depths of all overlaps; 0 if there is none
          */
-        public function findDeepest(body:MovingBody, rows:NumberList, place:Vector3D, out:ContactPoint):Number
+        public function findDeepest(body:MovingBody, rows:IntList, place:Vector3D, out:ContactPoint):Number
         {
             var sum:Number = 0;
             out.depth = 0;
@@ -187,7 +187,7 @@ package starlogo.queries.motion
         // more. Returns whether rows are left that the core overlapped.
         private function replaceDeep(body:MovingBody, place:Vector3D, planes:SlidePlanes, isOfAll:Boolean):Boolean
         {
-            var obstacles:NumberList = body.obstacles;
+            var obstacles:IntList = body.obstacles;
             var isLeft:Boolean = false;
             var kept:int = 0;
             for (var i:int = 0; i < obstacles.count; i++)

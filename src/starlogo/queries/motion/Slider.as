@@ -2,7 +2,7 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
 
     /**
      * Moves a body among rows of a table, along the rows that it meets. It begins like a motion of the Mover.
@@ -40,7 +40,7 @@ package starlogo.queries.motion
          * @param limits how it may go
          * @param out receives the answer
          */
-        public function slide(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
+        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
         {
             var place:Vector3D = out.place;
             out.fraction = 1;

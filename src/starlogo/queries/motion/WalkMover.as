@@ -3,7 +3,7 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.convex.ContactPoint;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.queries.SeenAgents;
 
     /**
@@ -38,7 +38,7 @@ package starlogo.queries.motion
         private var _vector:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
         private var _fallen:Vector3D = new Vector3D();
-        private var _others:NumberList = new NumberList();
+        private var _others:IntList = new IntList();
         private var _carried:Vector3D = new Vector3D();
         private var _overlap:ContactPoint = new ContactPoint();
 

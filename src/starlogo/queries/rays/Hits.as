@@ -1,7 +1,7 @@
 package starlogo.queries.rays
 {
     import starlogo.convex.ContactPoint;
-    import starlogo.data.KeyedList;
+    import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
@@ -25,7 +25,7 @@ package starlogo.queries.rays
         private var _spare:Array = [];
 
         // The hits: the row of each, with the distance or time as its key. The hits of a row stand side by side.
-        private var _hits:KeyedList = new KeyedList();
+        private var _hits:SortableIntList = new SortableIntList();
 
         // By hit: the rank of its row, its triangle or -1, and its contact.
         private var _ranks:Vector.<int> = new Vector.<int>();
@@ -36,7 +36,7 @@ package starlogo.queries.rays
         private var _firsts:Vector.<int> = new Vector.<int>();
 
         // The hits of the answer, in their order.
-        private var _answer:KeyedList = new KeyedList();
+        private var _answer:SortableIntList = new SortableIntList();
 
         private var _triangle:TriangleOfHit = new TriangleOfHit();
 

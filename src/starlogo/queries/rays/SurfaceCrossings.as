@@ -1,7 +1,7 @@
 package starlogo.queries.rays
 {
-    import starlogo.data.KeyedList;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
+    import starlogo.data.SortableIntList;
     import starlogo.intersection.ray.RayCrossings;
 
     /**
@@ -13,10 +13,10 @@ package starlogo.queries.rays
     public final class SurfaceCrossings
     {
         /** The indices of the crossings that are surfaces. */
-        public var indices:NumberList = new NumberList();
+        public var indices:IntList = new IntList();
 
         // The indices of all crossings, in the order of the ray.
-        private var _all:KeyedList = new KeyedList();
+        private var _all:SortableIntList = new SortableIntList();
 
         // By surface: the side from which the ray comes.
         private var _sides:Vector.<int> = new Vector.<int>();

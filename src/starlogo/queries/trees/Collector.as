@@ -1,7 +1,7 @@
 package starlogo.queries.trees
 {
     import starlogo.agents.Agent;
-    import starlogo.data.KeyedList;
+    import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
@@ -36,7 +36,7 @@ package starlogo.queries.trees
         private var _seen:SeenAgents;
 
         // The rows that were found, unsorted, and their keys. If accepts decides, the rows that it has admitted come first.
-        private var _rows:KeyedList = new KeyedList();
+        private var _rows:SortableIntList = new SortableIntList();
 
         // When this number of rows is found, the rows that are not wanted are dropped.
         private var _dropAt:int = ALL;

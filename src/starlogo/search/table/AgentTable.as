@@ -3,7 +3,7 @@ package starlogo.search.table
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.search.BaseShapeChoice;
@@ -61,7 +61,7 @@ package starlogo.search.table
         private var _isWorldHeld:Boolean = false;
 
         // The rows that are being read whose bodies have changed, and their new shapes.
-        private var _reshaped:NumberList = new NumberList();
+        private var _reshaped:IntList = new IntList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         // Has the shape of each model. The revision of all models up to which rows of replaced models are marked.
@@ -232,20 +232,20 @@ package starlogo.search.table
 
         // Reads the places of the rows whose agents have changed since the last search, and finds those whose bodies have changed (_reshaped).
         // Nothing of the last search changes. Returns false if the rows do not belong to the agents.
-        private function readChanged(agents:Vector.<Agent>, listed:NumberList):Boolean
+        private function readChanged(agents:Vector.<Agent>, listed:IntList):Boolean
         {
             var rows:Vector.<int> = listed.numbers;
             var byRow:Vector.<Agent> = list.agents;
             var seen:Vector.<int> = places.last.revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var end:int = agents.length;
-            var changed:NumberList = places.proposed;
+            var changed:IntList = places.proposed;
             var next:RowPlaces = places.next;
             var xs:Vector.<Number> = next.x;
             var ys:Vector.<Number> = next.y;
             var zs:Vector.<Number> = next.z;
             var revisions:Vector.<int> = next.revisions;
-            var reshaped:NumberList = _reshaped;
+            var reshaped:IntList = _reshaped;
             changed.count = reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
             {
@@ -364,7 +364,7 @@ package starlogo.search.table
         }
 
         // Finds the shapes of rows. All shapes are found before any row changes, because an error must change no row.
-        private function findShapes(reshaped:NumberList, out:Vector.<ModelShape>):void
+        private function findShapes(reshaped:IntList, out:Vector.<ModelShape>):void
         {
             if (reshaped.count > out.length)
             {
@@ -378,7 +378,7 @@ package starlogo.search.table
 
         // Gives rows the shapes that findShapes has found, and reads their bodies. Returns the number of rows whose models are loading. These
         // are read again in every search.
-        private function takeShapes(reshaped:NumberList, found:Vector.<ModelShape>):int
+        private function takeShapes(reshaped:IntList, found:Vector.<ModelShape>):int
         {
             var loading:int = 0;
             for (var i:int = 0; i < reshaped.count; i++)

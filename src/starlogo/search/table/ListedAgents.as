@@ -2,7 +2,7 @@ package starlogo.search.table
 {
     import starlogo.agents.Agent;
     import starlogo.data.HashTable;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.data.textOf;
     import starlogo.data.warnOfUnknownProperties;
     import starlogo.engine;
@@ -33,7 +33,7 @@ package starlogo.search.table
         private static const UNLISTED:int = -1;
 
         /** The rows of the agents, in the order of the list. */
-        public var rows:NumberList = new NumberList();
+        public var rows:IntList = new IntList();
 
         /** By row: the index of its agent in the list. The ground and the edges of the world have the indices after the agents. */
         public var ranks:Vector.<int> = new <int>[0, 1];
@@ -42,7 +42,7 @@ package starlogo.search.table
         public var agents:Vector.<Agent> = new <Agent>[null, null];
 
         /** The rows of the agents of the list that was proposed last. */
-        internal var proposed:NumberList = new NumberList();
+        internal var proposed:IntList = new IntList();
 
         /** Whether the list that was proposed last was accepted. */
         internal var isAccepted:Boolean = true;
@@ -51,12 +51,12 @@ package starlogo.search.table
          * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
          * same order in both lists.
          */
-        engine var leftOrReordered:NumberList = new NumberList();
+        engine var leftOrReordered:IntList = new IntList();
 
         /** The rows that agents have got in the list that was proposed last. */
-        internal var arrived:NumberList = new NumberList();
+        internal var arrived:IntList = new IntList();
 
-        private var _free:NumberList = new NumberList();
+        private var _free:IntList = new IntList();
         private var _inOrder:Vector.<int> = new Vector.<int>();
         private var _rowsById:HashTable = new HashTable();
 
@@ -163,7 +163,7 @@ package starlogo.search.table
             {
                 ranks[rows.numbers[i]] = UNLISTED;
             }
-            var before:NumberList = rows;
+            var before:IntList = rows;
             rows = proposed;
             proposed = before;
             for (i = 0; i < rows.count; i++)

@@ -4,7 +4,7 @@ package starlogo.search.table
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.Body;
 
@@ -28,13 +28,13 @@ package starlogo.search.table
         public var previous:RowPlaces = new RowPlaces();
 
         /** The rows that the last search has read again, because their agents had changed. */
-        public var changed:NumberList = new NumberList();
+        public var changed:IntList = new IntList();
 
         /** The rows that the search before has read again. */
-        public var previouslyChanged:NumberList = new NumberList();
+        public var previouslyChanged:IntList = new IntList();
 
         /** The rows that the next search has read again, before it is accepted. */
-        internal var proposed:NumberList = new NumberList();
+        internal var proposed:IntList = new IntList();
 
         // By row: the way from the agent's place to the middle of its extents.
         private var _offsets:Points = new Points();
@@ -71,7 +71,7 @@ package starlogo.search.table
             var older:RowPlaces = previous;
             previous = last;
             last = older;
-            var spare:NumberList = previouslyChanged;
+            var spare:IntList = previouslyChanged;
             previouslyChanged = changed;
             changed = proposed;
             proposed = spare;

@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
-    import starlogo.data.NumberList;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
     import support.Complaints;
@@ -29,7 +29,7 @@ package starlogo.queries.motion
             var sweep:CoreSweep = new CoreSweep();
             var from:Vector3D = new Vector3D();
             var motion:Vector3D = new Vector3D();
-            var row:NumberList = new NumberList();
+            var row:IntList = new IntList();
             var ofBuilding:int = 0;
             var ofThing:int = 0;
             for (var i:int = Effort.choose(200, 5000); i > 0; i--)

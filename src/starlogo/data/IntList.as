@@ -5,7 +5,7 @@ package starlogo.data
      *
      * @private
      */
-    public final class NumberList
+    public final class IntList
     {
         /** The numbers. After the last one, numbers may be left over from earlier lists. */
         public var numbers:Vector.<int> = new Vector.<int>();
@@ -14,7 +14,7 @@ package starlogo.data
         public var count:int = 0;
 
         /** Takes the numbers of another list, except for one; -1 takes all. */
-        public function copyFrom(other:NumberList, except:int = -1):void
+        public function copyFrom(other:IntList, except:int = -1):void
         {
             count = 0;
             for (var i:int = 0; i < other.count; i++)

@@ -8,7 +8,7 @@ package starlogo.data
      *
      * @private
      */
-    public final class KeyedList
+    public final class SortableIntList
     {
         private static const RUN:int = 8;
 

@@ -23,6 +23,12 @@ const LISTED = /"\w+"(?:, "\w+")* or "\w+"/;
 /** What the documentation says of a handler. Its types are the two agents', which may be of different classes. */
 const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
 
+/** The type parameters of methods: the agents of a list, those of a handler, the agent of a footing, and what a question finds. */
+const PICKING = "<A extends Agent>";
+const HANDLING = "<C extends A, D extends A>";
+const FILLING = "<O extends Agent = A>";
+const FINDING = "<F extends A = A>";
+
 /** Sentences with these words do not concern a JavaScript developer. */
 const OF_PLAYERS = /Ruffle|Adobe|Flash|Away3D|SWF|SWC|avmshell|mxmlc|ASDoc|E4X/;
 const HEAD = `/** What is taken wherever numbers are listed. */
@@ -181,19 +187,15 @@ class Writer {
 			const priority = member.name === "addEventListener" ? ", priority?: number" : "";
 			return `${text}\t${member.name}(type: string, listener: Listener, options?: boolean | ListenerOptions${priority}): void;`;
 		}
+		const generic = this.#genericOf(member, said);
 		// agents from a list of a client's agents have the client's class
-		const isPicking = this.#agent === "Agent" && member.kind === "method" && member.result === "Vector.<Agent>" && member.parameters.some((each) => each.type === "Vector.<Agent>" && each.name !== "out");
-		const isFilling = this.#agent === "A" && member.kind === "method" && member.parameters.some((each) => each.type === "Footing");
-		const isHandling = this.#agent === "A" && member.kind === "method" && HANDLER.test(said);
-		const generic = isHandling ? "<C extends A, D extends A>" : isPicking ? "<A extends Agent>" : isFilling ? "<O extends Agent = A>" : "";
-		if (isPicking) this.#agent = "A";
-		const isNull = this.#mayBeNull({ ...member, doc: said });
-		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#resultType(member, said) + (isNull ? " | null" : "");
+		if (generic === PICKING) this.#agent = "A";
+		const result = this.#resultOf(type, member, said, generic === FINDING);
 		switch (member.kind) {
 			case "constructor":
 				return `${text}\tconstructor(${this.#parameters(member, type)});`;
 			case "method":
-				return `${text}\t${visible}${isStatic}${member.name}${generic}(${this.#parameters(member, type)}): ${result};`;
+				return `${text}\t${visible}${isStatic}${member.name}${generic}(${this.#parameters(member, type, generic)}): ${result};`;
 			case "get": {
 				const isReadOnly = !type.members.some((other) => other.kind === "set" && other.name === member.name);
 				if (type.kind === "interface") return `${text}\t${isReadOnly ? "readonly " : ""}${member.name}: ${result};`;
@@ -213,6 +215,31 @@ class Writer {
 				}
 				return `${text}\t${visible}${isStatic}${member.kind === "const" ? "readonly " : ""}${member.name}: ${result};`;
 		}
+	}
+
+	/** The type parameters of a method itself. */
+	#genericOf({ kind, parameters, result }, said) {
+		if (kind !== "method") return "";
+		const hasList = parameters.some(({ name, type }) => type === "Vector.<Agent>" && name !== "out");
+		if (this.#agent === "Agent") return result === "Vector.<Agent>" && hasList ? PICKING : "";
+		if (HANDLER.test(said)) return HANDLING;
+		const takes = (wanted) => parameters.some(({ type }) => type === wanted);
+		if (takes("Footing")) return FILLING;
+		return takes("AgentFilter") && /^(?:Vector\.<)?Agent>?$/.test(result) ? FINDING : "";
+	}
+
+	/** The type of what a member has or returns. */
+	#resultOf(type, member, said, isFinding) {
+		if (PLAIN_BYTES.has(`${type.qname}.${member.name}`)) return "Uint8Array";
+		const known = BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said);
+		if (known) return known;
+		const orNull = this.#mayBeNull({ ...member, doc: said }) ? " | null" : "";
+		return (isFinding ? this.#foundType(member.result) : this.#resultType(member, said)) + orNull;
+	}
+
+	/** Agents that a question finds. */
+	#foundType(type) {
+		return type === "Agent" ? "F" : "F[]";
 	}
 
 	// "null for a mesh without a name" makes null an element
@@ -260,13 +287,15 @@ class Writer {
 		return member.doc.replace("@inheritDoc", "").trim();
 	}
 
-	#parameters(member, owner) {
+	#parameters(member, owner, generic = "") {
+		const booleans = owner ? endingBooleans(owner, member) : [];
+		const literal = ` | { ${booleans.map(({ name }) => `${name}?: boolean | undefined`).join("; ")} }`;
 		return member.parameters.map((parameter) => {
-			if (parameter.isRest) return `...${parameter.name}: string[]`;
-			const optional = parameter.value === null ? "" : "?";
-			const booleans = owner ? endingBooleans(owner, member) : [];
-			const literal = parameter === booleans[0] ? ` | { ${booleans.map(({ name }) => `${name}?: boolean | undefined`).join("; ")} }` : "";
-			return `${parameter.name}${optional}: ${this.#parameterType(parameter, this.#said(member, parameter, owner))}${literal}`;
+			const { name, type, value, isRest } = parameter;
+			if (isRest) return `...${name}: string[]`;
+			if (generic === FINDING && name === "out") return `out?: ${this.#foundType(type)} | null`;
+			const text = this.#parameterType(parameter, this.#said(member, parameter, owner));
+			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");
 	}
 

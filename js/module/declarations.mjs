@@ -1,7 +1,7 @@
 /** Writes index.d.ts: the TypeScript declarations of the public classes, with their documentation. */
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
-import { endingBooleans, isWritten, mayHaveNull } from "./checks.mjs";
 import { PLATFORM_NAMES } from "./names.mjs";
+import { docOf, docOfParameter, endingBooleans, isShown, isWritten, mayHaveNull } from "./signatures.mjs";
 
 const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
 
@@ -173,7 +173,7 @@ class Writer {
 	#membersOf(type) {
 		// constants of a class that cannot be imported are out of reach
 		const isReached = (member) => !(PLATFORM_NAMES.has(type.name) && member.isStatic);
-		const isSeen = (member) => isReached(member) && (member.isPublic || member.isProtected) && !member.isPrivate && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
+		const isSeen = (member) => isReached(member) && isShown(member) && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
 		return type.members.filter(isSeen);
 	}
 
@@ -181,7 +181,7 @@ class Writer {
 		const isStatic = member.isStatic ? "static " : "";
 		const visible = member.isProtected ? "protected " : "";
 		this.#agent = this.#isGeneric(type) && !member.isStatic ? "A" : "Agent";
-		const said = this.#docOf(type, member);
+		const said = docOf(type, member, this.#exported);
 		const text = doc(said, "\t");
 		if (/^(add|remove)EventListener$/.test(member.name)) {
 			const priority = member.name === "addEventListener" ? ", priority?: number" : "";
@@ -204,8 +204,8 @@ class Writer {
 			case "set":
 			{
 				const getter = type.members.find((other) => other.kind === "get" && other.name === member.name);
-				const orNull = getter && this.#mayBeNull({ ...getter, doc: this.#docOf(type, getter) }) ? " | null" : "";
-				const union = getter && this.#unionOf(type, getter.result, this.#docOf(type, getter));
+				const orNull = getter && this.#mayBeNull({ ...getter, doc: docOf(type, getter, this.#exported) }) ? " | null" : "";
+				const union = getter && this.#unionOf(type, getter.result, docOf(type, getter, this.#exported));
 				return `${visible}\t${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
 			}
 			default:
@@ -275,18 +275,6 @@ class Writer {
 		return constants.length > 1 ? constants.map((each) => each.initial).join(" | ") : null;
 	}
 
-	#docOf(type, member) {
-		if (!/@inheritDoc|@copy/.test(member.doc)) return member.doc;
-		const [, owner, copied] = /@copy (\w*)#(\w+)/.exec(member.doc) ?? [];
-		if (copied) return (owner ? this.#exported.get(owner) : type)?.members.find((other) => other.name === copied)?.doc ?? "";
-		for (const name of [...type.bases, ...type.interfaces]) {
-			const base = this.#exported.get(name);
-			const found = base?.members.find((other) => other.name === member.name && other.kind === member.kind);
-			if (found) return member.doc.replace("@inheritDoc", this.#docOf(base, found));
-		}
-		return member.doc.replace("@inheritDoc", "").trim();
-	}
-
 	#parameters(member, owner, generic = "") {
 		const booleans = owner ? endingBooleans(owner, member) : [];
 		const literal = ` | { ${booleans.map(({ name }) => `${name}?: boolean | undefined`).join("; ")} }`;
@@ -301,8 +289,8 @@ class Writer {
 
 	/** The documentation of a parameter. "as in moveTo" is replaced by the documentation of that parameter in moveTo. */
 	#said({ doc: text }, { name }, owner) {
-		const own = new RegExp(String.raw`@param ${name}\s+((?:(?!\n@)[\s\S])*)`).exec(text)?.[0] ?? "";
-		const other = /^@param \w+\s+as in (?:the )?(\w+)/.exec(own)?.[1];
+		const own = docOfParameter(name, text);
+		const other = /^as in (?:the )?(\w+)/.exec(own)?.[1];
 		const member = owner?.members.find((each) => each.name === other || other === "constructor" && each.kind === other);
 		return member ? this.#said(member, { name }, owner) : own;
 	}
@@ -322,14 +310,14 @@ class Writer {
 		const orNull = value === "null" || /\bnull\b/.test(said) ? " | null" : "";
 		if (BY_NAME.has(name)) return BY_NAME.get(name) + orNull;
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
-		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(name, { doc: said }) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;
+		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(said) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
 		if (type === "ByteArray") return `Bytes${orNull}`;
 		if (type === "String" && LISTED.test(said)) return LISTED.exec(said)[0].match(/"\w+"/g).join(" | ") + orNull;
 		if (/^(?:AgentFilter|WalkOptions)$/.test(type)) return `${type}Init${this.#agent === "A" ? "<A>" : ""}${orNull}`;
-		if (type === "Vector3D") return `${isWritten({ name }, { doc: said }) ? "PointTaker" : "Point"}${orNull}`;
+		if (type === "Vector3D") return `${isWritten(said) ? "PointTaker" : "Point"}${orNull}`;
 		if (type === "Function") {
-			const written = new RegExp(String.raw`@param ${name}\s+(?:(?!\n@)[\s\S])*?<code>(?:function)?(\([^<]*)</code>`).exec(said)?.[1];
+			const written = /<code>(?:function)?(\([^<]*)<\/code>/.exec(said)?.[1];
 			if (!written) return PRIMITIVES.Function + orNull;
 			const more = /<code>(contact:Contact)<\/code>/.exec(said)?.[1] ?? (/third argument would be null/.test(said) ? "contact:null" : undefined);
 			return this.#functionType(more ? written.replace(")", `, ${more})`) : written);

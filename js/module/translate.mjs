@@ -9,6 +9,7 @@
 import { parseExpressionAt } from "acorn";
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
 import { Checks, isWrapped } from "./checks.mjs";
+import { isShown } from "./signatures.mjs";
 import { LANGUAGE, bare, childrenOf, docOf, forEach, gap, indent, isBaseCall, isFieldAssignment, parameterDefault, pathOf, superCall, vectorType } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
 
@@ -107,7 +108,7 @@ export class Program {
 	 * known after text().
 	 */
 	get hiddenNames() {
-		const shown = [...this.signatures.values()].flatMap((type) => type.members).filter((member) => isShown(member)).map((member) => member.name);
+		const shown = [...this.signatures.values()].flatMap((type) => type.members).filter(isShown).map((member) => member.name);
 		const kept = new Set([...shown, ...this.#open]);
 		const found = new Set();
 		for (const unit of this.#units.values()) {
@@ -732,10 +733,6 @@ export class Program {
 		for (const child of childrenOf(node)) this.#needed(child, unit, found, methods);
 		return found;
 	}
-}
-
-function isShown(member) {
-	return (member.isPublic || member.isProtected) && !member.isPrivate;
 }
 
 function isConstant(field) {

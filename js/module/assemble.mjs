@@ -3,6 +3,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { EXTERNALS } from "./names.mjs";
+import { qnameOf } from "./signatures.mjs";
 import { Program } from "./translate.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
@@ -34,7 +35,7 @@ export function standinsText() {
 
 /** The files of some classes, and of all that these use, as the compiler says in each. */
 function reachable(all, roots) {
-	const byName = new Map(all.map((each) => [each.file.slice(0, -3).replaceAll(/[\\/]/g, "."), each]));
+	const byName = new Map(all.map((each) => [qnameOf(each.file), each]));
 	const found = new Set();
 	const open = [...roots];
 	while (open.length > 0) {

@@ -2,7 +2,7 @@
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { readSignatures } from "./signatures.mjs";
+import { qnameOf, readSignatures } from "./signatures.mjs";
 
 /** The project's folder. */
 export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
@@ -35,6 +35,12 @@ export const EXTERNALS = {
 	"standin.Machine.uncaught": ["machine.mjs", "uncaught"],
 	"standin.Network.fetch": ["machine.mjs", "fetchBytes"],
 };
+
+/** Where the compiler writes its files, in the folder of a translation. */
+export const compiledFolder = (folder) => join(folder, "out/bin/js-debug");
+
+/** The compiler's file of a class. */
+export const compiledFile = (folder, qname) => join(compiledFolder(folder), `${qname.replaceAll(".", "/")}.js`);
 
 /** The package for clients with Away3D only. */
 export const AWAY3D = "starlogo.away3d";
@@ -76,5 +82,5 @@ export function testRoots() {
 	const isForPlayers = (file) => ["standin.flash.", AWAY3D].some((name) => readFileSync(join(ROOT, "test", file), "utf8").includes(name));
 	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !isForPlayers(file)).sort();
 	const benchmarks = readdirSync(join(ROOT, "test/benchmark")).filter((file) => file.endsWith("Benchmark.as")).map((file) => join("benchmark", file));
-	return [...[...tests, ...benchmarks].map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.TaskQueue", "support.Effort", "support.Fixtures"];
+	return [...[...tests, ...benchmarks].map(qnameOf), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.TaskQueue", "support.Effort", "support.Fixtures"];
 }

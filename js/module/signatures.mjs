@@ -8,12 +8,15 @@ const DOC = String.raw`(/\*\*(?:(?!\*/)[\s\S])*\*/\s*)?`;
 const TYPE = new RegExp(String.raw`^    ${DOC}((?:public|internal|final|dynamic|static)\s+)*(class|interface|function) (\w+)(?:(\([\s\S]*?\)):([\w.<>*]+))?(?: extends ([\w, ]+?))?(?:\s+implements ([\w, ]+?))?\s*$`, "m");
 const MEMBER = new RegExp(String.raw`^        ${DOC}((?:(?:override|public|protected|private|internal|engine|static|final|native)\s+)*)(function|var|const) (?:(get|set) )?(\w+)(\([\s\S]*?\))?(?::([\w.<>*]+))?(?: = ([^;\n]+);)?`, "gm");
 
+/** The qualified name of what a file declares; the file's path begins at the sources' folder. */
+export const qnameOf = (file) => file.replace(/\.\w+$/, "").replaceAll(/[\\/]/g, ".");
+
 /** Every type and package function in the folders. A file in an earlier folder replaces one of the same name in a later folder. */
 export function readSignatures(folders) {
 	const found = new Map();
 	for (const folder of folders) {
 		for (const file of readdirSync(folder, { recursive: true }).sort()) {
-			const qname = file.replace(/\.as$/, "").replaceAll(/[\\/]/g, ".");
+			const qname = qnameOf(file);
 			if (!file.endsWith(".as") || found.has(qname)) continue;
 			const type = readType(readFileSync(join(folder, file), "utf8"), qname);
 			if (type) found.set(qname, type);

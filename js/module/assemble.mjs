@@ -20,8 +20,7 @@ export function translate(folder, signatures, { externals = {}, hasAllStatics = 
 	const sources = new Map([folder, changed].filter((each) => each !== null).flatMap((each) => namesIn(each).map((file) => [file, join(each, file)])));
 	const all = [...sources.keys()].sort().map((file) => ({ file, source: readFileSync(sources.get(file), "utf8") }));
 	const files = roots === null ? all : reachable(all, roots);
-	const own = Object.fromEntries(Object.entries(EXTERNALS).map(([qname, [, name]]) => [qname, name]));
-	return new Program(files, { ...own, ...externals }, signatures, hasAllStatics);
+	return new Program(files, { ...EXTERNALS, ...externals }, signatures, hasAllStatics);
 }
 
 function namesIn(folder) {

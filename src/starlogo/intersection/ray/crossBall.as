@@ -7,6 +7,8 @@ package starlogo.intersection.ray
      *
      * @param out receives both distances
      * @return whether the line meets the ball
+     *
+     * @private
      */
     internal function crossBall(ray:Ray, center:Vector3D, radius:Number, out:RayEntry):Boolean
     {

@@ -11,6 +11,8 @@ package starlogo.intersection.ray
      * @param radius takes the place of the capsule's
      * @param out receives both distances
      * @return whether the line meets the capsule
+     *
+     * @private
      */
     internal function crossCapsule(ray:Ray, capsule:Capsule, radius:Number, out:RayEntry):Boolean
     {

@@ -7,6 +7,7 @@
  * CHANGED is what changed.mjs found, compiled: its files replace those of TRANSPILED.
  */
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { standinsText, translate } from "./assemble.mjs";
 import { compiledFile, compiledFolder, publicSignatures } from "./names.mjs";
 

@@ -3,10 +3,9 @@
  * content delivery network, three.js and the Flash player, comes from where npm put it here, so that no page needs more than this machine.
  */
 import { existsSync, readFileSync, statSync } from 'node:fs';
-import http from 'node:http';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import sirv from 'sirv';
+import { serve } from '../../test/headless/server.mjs';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -16,15 +15,14 @@ const NETWORK = /https:\/\/cdn\.jsdelivr\.net\/npm\/((?:@[\w-]+\/)?[\w-]+)@[\d.]
 const SWFS = ['bin/examples', 'bin/dist/examples'];
 
 /** Which folder has what is below a path; of several, the first that has the file. */
-const FOLDERS = [
-	['/examples', 'examples'],
-	['/examples', newest(SWFS)],
-	['/module', 'bin/module'],
-	['/assets', 'assets'],
-	['/docs', 'docs'],
-	['/npm/three', 'js/adapters/three/node_modules/three-r187'],
-	['/npm/@ruffle-rs/ruffle', 'node_modules/@ruffle-rs/ruffle'],
-];
+const FOLDERS = {
+	'/examples': ['examples', newest(SWFS)],
+	'/module': ['bin/module'],
+	'/assets': ['assets'],
+	'/docs': ['docs'],
+	'/npm/three': ['js/adapters/three/node_modules/three-r187'],
+	'/npm/@ruffle-rs/ruffle': ['node_modules/@ruffle-rs/ruffle'],
+};
 
 /** The folder whose SWFs were compiled last. */
 function newest(folders) {
@@ -39,39 +37,9 @@ function newest(folders) {
  * @returns {Promise<{url: string, close: () => void}>} the address of the index
  */
 export async function serveExamples(port = 0) {
-	const mounts = FOLDERS.map(([at, folder]) => ({ at, handle: sirv(path.join(root, folder), { dev: true, etag: false }) }));
-	const server = http.createServer((request, response) => {
-		const { url } = request;
-		const page = pageAt(new URL(url, 'http://localhost').pathname);
-		if (page !== null) {
-			response.setHeader('Content-Type', 'text/html; charset=utf-8');
-			response.end(page);
-			return;
-		}
-		const tryNext = ([mount, ...others]) => {
-			if (!mount) {
-				response.statusCode = 404;
-				response.end(`nothing is served at ${url}`);
-				return;
-			}
-			request.url = url.slice(mount.at.length);
-			// what sirv has parsed of the address is another mount's
-			delete request._parsedUrl;
-			mount.handle(request, response, () => tryNext(others));
-		};
-		tryNext(mounts.filter(({ at }) => url.startsWith(`${at}/`)));
-	});
-	await new Promise((resolve, reject) => {
-		server.once('error', reject);
-		server.listen(port, '127.0.0.1', resolve);
-	});
-	return {
-		url: `http://127.0.0.1:${server.address().port}/examples/`,
-		close: () => {
-			server.close();
-			server.closeAllConnections?.();
-		},
-	};
+	const folders = Object.entries(FOLDERS).map(([at, below]) => [at, below.map((folder) => path.join(root, folder))]);
+	const { url, close } = await serve(pageAt, Object.fromEntries(folders), { port });
+	return { url: `${url}examples/`, close };
 }
 
 /** Opens an example in a browser's page, and waits until so many frames have been. */

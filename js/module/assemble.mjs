@@ -3,6 +3,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { EXTERNALS } from "./names.mjs";
+import { qnameOf } from "./signatures.mjs";
 import { Program } from "./translate.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
@@ -19,8 +20,7 @@ export function translate(folder, signatures, { externals = {}, hasAllStatics = 
 	const sources = new Map([folder, changed].filter((each) => each !== null).flatMap((each) => namesIn(each).map((file) => [file, join(each, file)])));
 	const all = [...sources.keys()].sort().map((file) => ({ file, source: readFileSync(sources.get(file), "utf8") }));
 	const files = roots === null ? all : reachable(all, roots);
-	const own = Object.fromEntries(Object.entries(EXTERNALS).map(([qname, [, name]]) => [qname, name]));
-	return new Program(files, { ...own, ...externals }, signatures, hasAllStatics);
+	return new Program(files, { ...EXTERNALS, ...externals }, signatures, hasAllStatics);
 }
 
 function namesIn(folder) {
@@ -34,7 +34,7 @@ export function standinsText() {
 
 /** The files of some classes, and of all that these use, as the compiler says in each. */
 function reachable(all, roots) {
-	const byName = new Map(all.map((each) => [each.file.slice(0, -3).replaceAll(/[\\/]/g, "."), each]));
+	const byName = new Map(all.map((each) => [qnameOf(each.file), each]));
 	const found = new Set();
 	const open = [...roots];
 	while (open.length > 0) {

@@ -10,7 +10,7 @@
  */
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { moduleRoots, testRoots } from "./names.mjs";
+import { compiledFile, moduleRoots, testRoots } from "./names.mjs";
 import { writeRoots } from "./roots.mjs";
 import { outdated, readSources } from "./sources.mjs";
 
@@ -26,7 +26,7 @@ mkdirSync(out, { recursive: true });
 writeFileSync(join(out, "changed.properties"), properties());
 
 function properties() {
-	const isTranslated = (qname) => existsSync(join(transpiled, "out/bin/js-debug", `${qname.replaceAll(".", "/")}.js`));
+	const isTranslated = (qname) => existsSync(compiledFile(transpiled, qname));
 	const classes = existsSync(done) && existsSync(noted) ? outdated(JSON.parse(readFileSync(noted, "utf8")), readSources(), isTranslated, new Set([...moduleRoots(), ...testRoots()])) : null;
 	if (classes === null || classes.length > MOST) {
 		rmSync(done, { force: true });

@@ -7,6 +7,7 @@
  * is passed to another function. null is accepted if the documentation mentions it, and for names and files. Numbers that
  * are not finite are accepted if the documentation mentions errors. In these cases the engine itself throws the error.
  */
+import { docOf, docOfParameter, endingBooleans, isWritten, mayHaveNull } from "./signatures.mjs";
 
 /** Classes that are recognised by a mark of their own. Naming them would bring all the classes that they use into every bundle. */
 const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore", "starlogo.terrain.Terrain", "starlogo.terrain.WorldBounds"]);
@@ -23,15 +24,15 @@ const PLAIN = new Set([
 /** Types that the engine itself throws an error about null for, because it says more: of names, and of files. */
 const ANSWERED = new Set(["ByteArray", "String"]);
 
-/** What methods call first while a game is developed: addModel looks at its object's properties, because settings are often made just before. */
-const WARNING = new Map([
-	["starlogo.GreatLand.addModel", "$warnOfUnknownProperties(this, true);"],
-	["starlogo.collision.Collision.update", "$warnOfSilence(this, agents);"],
-	["starlogo.queries.AgentQueries.update", "$warnOfStale(this, agents, null);"],
-	...["refresh", "moveUntilTouch", "slide"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, agent);"]),
+/** What methods call first while a game is developed. addModel looks at its object's properties, because settings are often made just before. */
+const WARNINGS = new Map([
+	["starlogo.GreatLand.addModel", ["$warnOfUnknownProperties(this, true);"]],
+	["starlogo.collision.Collision.update", ["$warnOfSilence(this, agents);"]],
+	["starlogo.queries.AgentQueries.update", ["$warnOfStale(this, agents, null);"]],
+	...["refresh", "moveUntilTouch", "slide"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, agent);"]]),
 	["starlogo.queries.AgentQueries.walk", ["$warnOfStale(this, null, agent);", "$warnOfFall(agent, dx, dy);"]],
-	["starlogo.queries.AgentWalks.walk", "$warnOfFall(agent, dx, dy);"],
-	...["cast", "near", "nearest"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, null);"]),
+	["starlogo.queries.AgentWalks.walk", ["$warnOfFall(agent, dx, dy);"]],
+	...["cast", "near", "nearest"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, null);"]]),
 ]);
 
 /** The angles that an agent is turned by. */
@@ -66,9 +67,7 @@ export class Checks {
 			const others = parameters.filter((parameter) => parameter.type !== "Number").flatMap((parameter) => this.#check(type, member, parameter));
 			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...others];
 		}
-		const isCollider = kind === "constructor" && /\.collision\.\w+Collider$/.test(qname) && parameters.length > 0;
-		const first = isCollider ? `$warnOfMore("${type.name}", arguments, ${parameters.length});` : kind === "method" ? WARNING.get(`${qname}.${name}`) ?? [] : kind === "set" && ANGLES.test(`${qname}.${name}`) ? `$warnOfAngle(this, "${name}", value);` : [];
-		return [first, switchesOf(type, member), parameters.flatMap((parameter) => this.#check(type, member, parameter))].flat();
+		return [...warningsOf(qname, name, kind, parameters), ...switchesOf(type, member), ...parameters.flatMap((parameter) => this.#check(type, member, parameter))];
 	}
 
 	/** The public fields of a class that only its users write: { name, type }. */
@@ -93,7 +92,7 @@ export class Checks {
 		const { name } = parameter;
 		// a setter's documentation stands at its getter
 		const getter = given.kind === "set" ? type.members.find((each) => each.kind === "get" && each.name === given.name) : null;
-		const member = { ...given, doc: `${this.#docOf(type, given)}\n${getter?.doc ?? ""}` };
+		const member = { ...given, doc: `${docOf(type, given, this.#byName)}\n${getter?.doc ?? ""}` };
 		const isNullable = mayBeNull(parameter, member, type);
 		const isStatic = member.isStatic || member.kind === "function";
 		// a trace of a model, a Collision or a terrain says more than an error needs;
@@ -101,26 +100,27 @@ export class Checks {
 		const isNamed = !isStatic && !/^flash\.|\.(Model|Collision|Terrain)$/.test(type.qname) && type.members.some((each) => each.name === "toString") && member.kind !== "constructor";
 		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
 		const what = member.kind === "set" ? member.name : name;
-		const where = isNamed ? `this, "${what}"` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
-		const refuse = (kind) => `$refuse(${isNamed ? where : `null, ${where}`}, ${name}, ${kind});`;
+		const said = `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
+		const where = isNamed ? `this, "${what}"` : `null, ${said}`;
+		const refuse = (kind) => `$refuse(${where}, ${name}, ${kind});`;
 		const unlessNull = isNullable && !/^(Number|u?int|Boolean)$/.test(parameter.type) ? `${name} != null && ` : "";
 		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
 		// options as for the platform's own listeners, not only for Flash's class
 		if (name === "useCapture") return [...optionsOf(member), `if (typeof ${name} !== "boolean") ${refuse('"true, false or options"')}`];
 		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
-		if (vector) return this.#vectorCheck(parameter, vector, isNullable, isNamed ? where : `null, ${where}`, mayHaveNull(name, member));
+		if (vector) return this.#vectorCheck(parameter, vector, isNullable, where, mayHaveNull(docOfParameter(name, member.doc)));
 		const simple = this.#simpleCheck(parameter, member, type);
 		if (simple) {
 			const [helper, test, kind] = simple;
-			return isNamed ? [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`] : [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${where}, ${name});`];
+			return isNamed ? [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`] : [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${said}, ${name});`];
 		}
 		switch (parameter.type) {
 			case "ByteArray":
-				return [`${name} = $bytes(${isNamed ? where : `null, ${where}`}, ${name}, ${isNullable});`];
+				return [`${name} = $bytes(${where}, ${name}, ${isNullable});`];
 			case "Vector3D": {
 				// what the engine writes into stays what it is
-				const isRead = !isWritten(parameter, member) && !type.qname.startsWith("flash.");
-				return [`${isNullable ? `if (${name} != null) ` : ""}${isRead ? `${name} = ` : ""}$point(${isNamed ? where : `null, ${where}`}, ${name});`];
+				const isRead = !isWritten(docOfParameter(name, member.doc)) && !type.qname.startsWith("flash.");
+				return [`${isNullable ? `if (${name} != null) ` : ""}${isRead ? `${name} = ` : ""}$point(${where}, ${name});`];
 			}
 			case "AgentFilter":
 			case "WalkOptions": {
@@ -128,7 +128,7 @@ export class Checks {
 				return [
 					...parameter.type === "WalkOptions" ? [`$warnOfUnits(${name});`] : [],
 					`if (${name} instanceof ${options}) $warnOfUnknownProperties(${name});`,
-					`else if (${name} != null) ${name} = $options(${isNamed ? where : `null, ${where}`}, ${name}, new ${options}(), ${JSON.stringify(article(parameter.type))});`,
+					`else if (${name} != null) ${name} = $options(${where}, ${name}, new ${options}(), ${JSON.stringify(article(parameter.type))});`,
 				];
 			}
 			default: {
@@ -136,16 +136,6 @@ export class Checks {
 				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(article(parameter.type)))}`] : [];
 			}
 		}
-	}
-
-	// An override without documentation has its base's. A member whose documentation is a copy has that of the other one.
-	#docOf(type, member) {
-		const [, owner, same] = /@copy (\w+)#(\w+)/.exec(member.doc) ?? [];
-		if (owner) return this.#byName.get(owner).members.find((each) => each.name === same).doc;
-		if (!/@inheritDoc/.test(member.doc)) return member.doc;
-		const owners = [...type.bases, ...type.interfaces].map((name) => this.#byName.get(name)).filter((owner) => owner);
-		const texts = owners.flatMap((owner) => owner.members.filter((each) => each.name === member.name && each.kind === member.kind).map((each) => this.#docOf(owner, each)));
-		return [...texts, member.doc].join("\n");
 	}
 
 	// The function of language.mjs for a type, the same check in place, and the required kind. Agents get the check in place, because they are
@@ -188,11 +178,12 @@ export class Checks {
 	}
 }
 
-/** The Booleans that a method of the engine ends with, if they may be left out. A literal with their names may stand in the place of the first. */
-export function endingBooleans(type, member) {
-	if (member?.kind !== "method" || type.qname.startsWith("flash.")) return [];
-	const { parameters } = member;
-	return parameters.slice(parameters.findLastIndex(({ type, value }) => type !== "Boolean" || value === null) + 1);
+/** What a member says first while a game is developed, about what is allowed and probably a mistake. */
+function warningsOf(qname, name, kind, parameters) {
+	const isCollider = kind === "constructor" && /\.collision\.\w+Collider$/.test(qname) && parameters.length > 0;
+	if (isCollider) return [`$warnOfMore("${name}", arguments, ${parameters.length});`];
+	if (kind === "set" && ANGLES.test(`${qname}.${name}`)) return [`$warnOfAngle(this, "${name}", value);`];
+	return kind === "method" ? WARNINGS.get(`${qname}.${name}`) ?? [] : [];
 }
 
 // The names are quoted, because users write them: they are never shortened.
@@ -226,18 +217,7 @@ function mayBeNull(parameter, member, type) {
 	// what blocks say is for students, and models' own classes pass no numbers to their base
 	const isAnswered = /^(?:flash|starlogo\.blocks)\./.test(type.qname) || /^Vector\.<(?:Number|u?int)>$/.test(parameter.type);
 	if (isAnswered) return /\bnull\b/.test(member.doc) || /^(?:Agent|ByteArray|Function|Model|String)$/.test(parameter.type);
-	const said = new RegExp(String.raw`@param ${parameter.name}\s+((?:(?!\n\s*@)[\s\S])*)`).exec(member.doc)?.[1] ?? "";
-	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.kind === "set" ? member.doc : said);
-}
-
-/** Whether a list of names may have null among them: the documentation says "null for" what has no name. */
-export function mayHaveNull(name, { doc }) {
-	return new RegExp(String.raw`@param ${name}\s+(?:(?!\n\s*@)[\s\S])*\bnull for a`).test(doc);
-}
-
-/** Whether a parameter takes a point or a vector that a member finds. */
-export function isWritten({ name }, { doc }) {
-	return new RegExp(String.raw`@param ${name}\s+(?:takes|receives)\b`).test(doc);
+	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.kind === "set" ? member.doc : docOfParameter(parameter.name, member.doc));
 }
 
 /** Whether a number may be infinite, for example a distance without limit, or is checked by the engine. */

@@ -1,9 +1,13 @@
 /** Writes index.d.ts: the TypeScript declarations of the public classes, with their documentation. */
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
-import { endingBooleans, isWritten, mayHaveNull } from "./checks.mjs";
-import { PLATFORM_NAMES } from "./names.mjs";
+import { PLATFORM_NAMES, ROOT } from "./names.mjs";
+import { docOf, docOfParameter, endingBooleans, isShown, isWritten, mayHaveNull } from "./signatures.mjs";
+import { PRIMITIVES, docComment } from "./tsdoc.mjs";
 
-const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
+/** The types that no class of ActionScript has. */
+const BY_HAND = readFileSync(join(ROOT, "js/module/byhand.d.ts"), "utf8");
 
 /** TypeScript types that ActionScript's types do not express, by the names of parameters and members. */
 const BY_NAME = new Map([
@@ -23,83 +27,11 @@ const LISTED = /"\w+"(?:, "\w+")* or "\w+"/;
 /** What the documentation says of a handler. Its types are the two agents', which may be of different classes. */
 const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
 
-/** Sentences with these words do not concern a JavaScript developer. */
-const OF_PLAYERS = /Ruffle|Adobe|Flash|Away3D|SWF|SWC|avmshell|mxmlc|ASDoc|E4X/;
-const HEAD = `/** What is taken wherever numbers are listed. */
-export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Array | Int16Array | Int32Array | Uint8Array | Uint16Array | Uint32Array;
-
-/** What is taken for a file's bytes. */
-export type Bytes = ByteArray | ArrayBuffer | ArrayBufferView;
-
-/** What is taken for a point or a direction: a Vector3D, three.js's Vector3, a literal. It is read at the call. */
-export interface Point {
-	readonly x: number;
-	readonly y: number;
-	readonly z: number;
-}
-
-/** What takes a point that a question finds: its x, y and z are written. */
-export interface PointTaker {
-	x: number;
-	y: number;
-	z: number;
-}
-
-/** Which axis of a file points up, or what turns it otherwise. */
-export type UpAxis = "x" | "y" | "z" | ModelTransform;
-
-/** How a model is scaled. */
-export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Model.AS_GIVEN;
-
-/** What is taken for an AgentFilter: one, or a literal with some of its properties. */
-export interface AgentFilterInit<A extends Agent = Agent> {
-	/** See AgentFilter.breeds. */
-	readonly breeds?: readonly string[] | null | undefined;
-	/** See AgentFilter.exceptBreeds. */
-	readonly exceptBreeds?: readonly string[] | null | undefined;
-	/** See AgentFilter.except. */
-	readonly except?: readonly Agent[] | null | undefined;
-	/** See AgentFilter.accepts. */
-	readonly accepts?: { accept(agent: A): boolean }["accept"] | null | undefined;
-}
-
-/** What is taken for WalkOptions: an object of this class, or a literal with some of its properties. */
-export type WalkOptionsInit<A extends Agent = Agent> = {
-	readonly [K in keyof WalkOptions]?: (K extends "filter" ? AgentFilterInit<A> | null : WalkOptions[K]) | undefined;
-};
-
-/** What is called with an event, which may be of a class of its own. */
-export type Listener = { listen(event: Event): void }["listen"];
-
-/** How to listen: as to the platform's own events. */
-export interface ListenerOptions {
-	/** Whether the listener is called but once. */
-	once?: boolean | undefined;
-	/** Taken, and of no effect: events have no phases here. */
-	capture?: boolean | undefined;
-	/** Listening ends when it is aborted. */
-	signal?: { readonly aborted: boolean; addEventListener(type: "abort", listener: () => void, options?: { once?: boolean }): void } | undefined;
-}
-`;
-const BY_HAND = `/** An argument is not what it has to be. */
-export class ArgumentError extends Error {
-	constructor(message?: string);
-}
-
-/** Bytes with a place to read and write at, as far as loading models needs them. */
-export class ByteArray {
-	/** @param source bytes to begin with, which are copied */
-	constructor(source?: ArrayBuffer | ArrayBufferView | null);
-	/** The order of a number's bytes: "bigEndian" or "littleEndian". */
-	endian: "bigEndian" | "littleEndian";
-	/** Where the next byte is read or written. */
-	position: number;
-	/** How many bytes there are. */
-	length: number;
-	/** The bytes, copied. */
-	toUint8Array(): Uint8Array;
-}
-`;
+/** The type parameters of methods: the agents of a list, those of a handler, the agent of a footing, and what a question finds. */
+const PICKING = "<A extends Agent>";
+const HANDLING = "<C extends A, D extends A>";
+const FILLING = "<O extends Agent = A>";
+const FINDING = "<F extends A = A>";
 
 /**
  * The text of index.d.ts.
@@ -109,7 +41,7 @@ export class ByteArray {
 export function writeDeclarations(types) {
 	const writer = new Writer(new Map([...types.values()].map((type) => [type.name, type])));
 	// without the last line, every declaration here would be exported
-	return [HEAD, ...[...types.values()].map((type) => writer.text(type)), BY_HAND, "export {};\n"].join("\n");
+	return [BY_HAND, ...[...types.values()].map((type) => writer.text(type)), "export {};\n"].join("\n");
 }
 
 /**
@@ -137,7 +69,7 @@ class Writer {
 
 	text(type) {
 		if (type.kind === "function") {
-			return `${doc(type.doc, "")}export function ${type.name}(${this.#parameters(type)}): ${this.#type(type.result)};\n`;
+			return `${docComment(type.doc, "")}export function ${type.name}(${this.#parameters(type)}): ${this.#type(type.result)};\n`;
 		}
 		const members = this.#membersOf(type).map((member) => this.#memberText(type, member));
 		const bases = type.bases.filter((name) => this.#exported.has(name) || name === "Error").map((name) => (this.#isGeneric(this.#exported.get(name)) ? `${name}<A>` : name));
@@ -146,7 +78,7 @@ class Writer {
 		const parameters = this.#isGeneric(type) ? "<A extends Agent = Agent>" : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
 		if (ADDED[type.qname]) members.push(ADDED[type.qname].declaration);
-		return `${this.#eventsText(type)}${doc(type.doc, "")}${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
+		return `${this.#eventsText(type)}${docComment(type.doc, "")}${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
 	}
 
 	#eventsText(type) {
@@ -167,7 +99,7 @@ class Writer {
 	#membersOf(type) {
 		// constants of a class that cannot be imported are out of reach
 		const isReached = (member) => !(PLATFORM_NAMES.has(type.name) && member.isStatic);
-		const isSeen = (member) => isReached(member) && (member.isPublic || member.isProtected) && !member.isPrivate && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
+		const isSeen = (member) => isReached(member) && isShown(member) && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
 		return type.members.filter(isSeen);
 	}
 
@@ -175,35 +107,30 @@ class Writer {
 		const isStatic = member.isStatic ? "static " : "";
 		const visible = member.isProtected ? "protected " : "";
 		this.#agent = this.#isGeneric(type) && !member.isStatic ? "A" : "Agent";
-		const said = this.#docOf(type, member);
-		const text = doc(said, "\t");
+		const said = docOf(type, member, this.#exported);
+		const text = docComment(said, "\t");
 		if (/^(add|remove)EventListener$/.test(member.name)) {
 			const priority = member.name === "addEventListener" ? ", priority?: number" : "";
 			return `${text}\t${member.name}(type: string, listener: Listener, options?: boolean | ListenerOptions${priority}): void;`;
 		}
+		const generic = this.#genericOf(member, said);
 		// agents from a list of a client's agents have the client's class
-		const isPicking = this.#agent === "Agent" && member.kind === "method" && member.result === "Vector.<Agent>" && member.parameters.some((each) => each.type === "Vector.<Agent>" && each.name !== "out");
-		const isFilling = this.#agent === "A" && member.kind === "method" && member.parameters.some((each) => each.type === "Footing");
-		const isHandling = this.#agent === "A" && member.kind === "method" && HANDLER.test(said);
-		const generic = isHandling ? "<C extends A, D extends A>" : isPicking ? "<A extends Agent>" : isFilling ? "<O extends Agent = A>" : "";
-		if (isPicking) this.#agent = "A";
-		const isNull = this.#mayBeNull({ ...member, doc: said });
-		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#resultType(member, said) + (isNull ? " | null" : "");
+		if (generic === PICKING) this.#agent = "A";
+		const result = this.#resultOf(type, member, said, generic === FINDING);
 		switch (member.kind) {
 			case "constructor":
 				return `${text}\tconstructor(${this.#parameters(member, type)});`;
 			case "method":
-				return `${text}\t${visible}${isStatic}${member.name}${generic}(${this.#parameters(member, type)}): ${result};`;
+				return `${text}\t${visible}${isStatic}${member.name}${generic}(${this.#parameters(member, type, generic)}): ${result};`;
 			case "get": {
 				const isReadOnly = !type.members.some((other) => other.kind === "set" && other.name === member.name);
 				if (type.kind === "interface") return `${text}\t${isReadOnly ? "readonly " : ""}${member.name}: ${result};`;
 				return `${text}\t${visible}${isStatic}get ${member.name}(): ${result};`;
 			}
-			case "set":
-			{
+			case "set": {
 				const getter = type.members.find((other) => other.kind === "get" && other.name === member.name);
-				const orNull = getter && this.#mayBeNull({ ...getter, doc: this.#docOf(type, getter) }) ? " | null" : "";
-				const union = getter && this.#unionOf(type, getter.result, this.#docOf(type, getter));
+				const orNull = getter && this.#mayBeNull({ ...getter, doc: docOf(type, getter, this.#exported) }) ? " | null" : "";
+				const union = getter && this.#unionOf(type, getter.result, docOf(type, getter, this.#exported));
 				return `${visible}\t${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
 			}
 			default:
@@ -213,6 +140,31 @@ class Writer {
 				}
 				return `${text}\t${visible}${isStatic}${member.kind === "const" ? "readonly " : ""}${member.name}: ${result};`;
 		}
+	}
+
+	/** The type parameters of a method itself. */
+	#genericOf({ kind, parameters, result }, said) {
+		if (kind !== "method") return "";
+		const hasList = parameters.some(({ name, type }) => type === "Vector.<Agent>" && name !== "out");
+		if (this.#agent === "Agent") return result === "Vector.<Agent>" && hasList ? PICKING : "";
+		if (HANDLER.test(said)) return HANDLING;
+		const takes = (wanted) => parameters.some(({ type }) => type === wanted);
+		if (takes("Footing")) return FILLING;
+		return takes("AgentFilter") && /^(?:Vector\.<)?Agent>?$/.test(result) ? FINDING : "";
+	}
+
+	/** The type of what a member has or returns. */
+	#resultOf(type, member, said, isFinding) {
+		if (PLAIN_BYTES.has(`${type.qname}.${member.name}`)) return "Uint8Array";
+		const known = BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said);
+		if (known) return known;
+		const orNull = this.#mayBeNull({ ...member, doc: said }) ? " | null" : "";
+		return (isFinding ? this.#foundType(member.result) : this.#resultType(member, said)) + orNull;
+	}
+
+	/** Agents that a question finds. */
+	#foundType(type) {
+		return type === "Agent" ? "F" : "F[]";
 	}
 
 	// "null for a mesh without a name" makes null an element
@@ -248,32 +200,22 @@ class Writer {
 		return constants.length > 1 ? constants.map((each) => each.initial).join(" | ") : null;
 	}
 
-	#docOf(type, member) {
-		if (!/@inheritDoc|@copy/.test(member.doc)) return member.doc;
-		const [, owner, copied] = /@copy (\w*)#(\w+)/.exec(member.doc) ?? [];
-		if (copied) return (owner ? this.#exported.get(owner) : type)?.members.find((other) => other.name === copied)?.doc ?? "";
-		for (const name of [...type.bases, ...type.interfaces]) {
-			const base = this.#exported.get(name);
-			const found = base?.members.find((other) => other.name === member.name && other.kind === member.kind);
-			if (found) return member.doc.replace("@inheritDoc", this.#docOf(base, found));
-		}
-		return member.doc.replace("@inheritDoc", "").trim();
-	}
-
-	#parameters(member, owner) {
+	#parameters(member, owner, generic = "") {
+		const booleans = owner ? endingBooleans(owner, member) : [];
+		const literal = ` | { ${booleans.map(({ name }) => `${name}?: boolean | undefined`).join("; ")} }`;
 		return member.parameters.map((parameter) => {
-			if (parameter.isRest) return `...${parameter.name}: string[]`;
-			const optional = parameter.value === null ? "" : "?";
-			const booleans = owner ? endingBooleans(owner, member) : [];
-			const literal = parameter === booleans[0] ? ` | { ${booleans.map(({ name }) => `${name}?: boolean | undefined`).join("; ")} }` : "";
-			return `${parameter.name}${optional}: ${this.#parameterType(parameter, this.#said(member, parameter, owner))}${literal}`;
+			const { name, type, value, isRest } = parameter;
+			if (isRest) return `...${name}: string[]`;
+			if (generic === FINDING && name === "out") return `out?: ${this.#foundType(type)} | null`;
+			const text = this.#parameterType(parameter, this.#said(member, parameter, owner));
+			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");
 	}
 
 	/** The documentation of a parameter. "as in moveTo" is replaced by the documentation of that parameter in moveTo. */
 	#said({ doc: text }, { name }, owner) {
-		const own = new RegExp(String.raw`@param ${name}\s+((?:(?!\n@)[\s\S])*)`).exec(text)?.[0] ?? "";
-		const other = /^@param \w+\s+as in (?:the )?(\w+)/.exec(own)?.[1];
+		const own = docOfParameter(name, text);
+		const other = /^as in (?:the )?(\w+)/.exec(own)?.[1];
 		const member = owner?.members.find((each) => each.name === other || other === "constructor" && each.kind === other);
 		return member ? this.#said(member, { name }, owner) : own;
 	}
@@ -293,14 +235,14 @@ class Writer {
 		const orNull = value === "null" || /\bnull\b/.test(said) ? " | null" : "";
 		if (BY_NAME.has(name)) return BY_NAME.get(name) + orNull;
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
-		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(name, { doc: said }) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;
+		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(said) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
 		if (type === "ByteArray") return `Bytes${orNull}`;
 		if (type === "String" && LISTED.test(said)) return LISTED.exec(said)[0].match(/"\w+"/g).join(" | ") + orNull;
 		if (/^(?:AgentFilter|WalkOptions)$/.test(type)) return `${type}Init${this.#agent === "A" ? "<A>" : ""}${orNull}`;
-		if (type === "Vector3D") return `${isWritten({ name }, { doc: said }) ? "PointTaker" : "Point"}${orNull}`;
+		if (type === "Vector3D") return `${isWritten(said) ? "PointTaker" : "Point"}${orNull}`;
 		if (type === "Function") {
-			const written = new RegExp(String.raw`@param ${name}\s+(?:(?!\n@)[\s\S])*?<code>(?:function)?(\([^<]*)</code>`).exec(said)?.[1];
+			const written = /<code>(?:function)?(\([^<]*)<\/code>/.exec(said)?.[1];
 			if (!written) return PRIMITIVES.Function + orNull;
 			const more = /<code>(contact:Contact)<\/code>/.exec(said)?.[1] ?? (/third argument would be null/.test(said) ? "contact:null" : undefined);
 			return this.#functionType(more ? written.replace(")", `, ${more})`) : written);
@@ -326,52 +268,4 @@ class Writer {
 		const isOfAgents = this.#agent === "A" && this.#isGeneric(this.#exported.get(type));
 		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? `${type}${isOfAgents ? "<A>" : ""}` : "unknown");
 	}
-}
-
-/** A documentation text for JavaScript: with JavaScript's terms, and without references to the thesis. */
-function forJavaScript(text) {
-	const sentences = text.split(/(?<=\.)(?=\s)|(?=\n@)|(?=<p>)|(?<=<\/p>)/);
-	return sentences.filter((sentence) => !OF_PLAYERS.test(sentence.replaceAll(/<\/?p>/g, ""))).join("")
-		.replaceAll(/\s*\((?:the\s+)?(?:thesis\s+)?§[^)]*\)/g, "").replaceAll(/,? ?(?:in |of |as in )?(?:the )?thesis,? §[\d.]+/g, "").replaceAll(/\s*\(?§\s?[\d.]+[^\s)]*\)?/g, "")
-		.replaceAll(/\bflash\.\w+\.(?=[A-Z])/g, "").replaceAll(/\.\/antw cook/g, "npx starlogo-cook").replaceAll(/\bVector\.<(?:Number|int|uint)>/g, "an array of numbers").replaceAll(/\ba Vector\b/g, "an array")
-		.replaceAll(/<code>(?:function)?\(([^)<]*)\):(\w+)<\/code>/g, (_, list, result) => `<code>(${list.replaceAll(/:(\w+)/g, (_, name) => `: ${nameHere(name)}`)}) => ${nameHere(result)}</code>`)
-		.replaceAll(/<listing[^>]*>[\s\S]*?<\/listing>/g, sampleForJavaScript);
-}
-
-/** A sample in JavaScript: without types, modifiers and the constants of events. */
-function sampleForJavaScript(code) {
-	return code.replaceAll(/(?<=[\w)]):(?:[A-Z][\w.]*|int|uint|void)(?:&lt;\w+&gt;)?/g, "")
-		.replaceAll(/\bfor \(var /g, "for (let ").replaceAll(/\bvar (\w+)( = [^;]*;)/g, (_, name, rest) => `${isAssignedLater(code, name) ? "let" : "const"} ${name}${rest}`)
-		.replaceAll(/\bnew &lt;\w+&gt;\[/g, "[").replaceAll(/\bpublic class\b/g, "class").replaceAll(/\b(?:(?:override|public|protected|private) )+function /g, "")
-		.replaceAll(/\b\w*Event\.([A-Z_]+)\b/g, (_, constant) => JSON.stringify(camelCase(constant)));
-}
-
-/** Whether a variable of a sample is assigned again after its declaration, which has a type before its "=". */
-function isAssignedLater(code, name) {
-	return new RegExp(`\\b${name} [-+*/]?= `).test(code);
-}
-
-/** The value of a constant that names a type of event: MODEL_LOADED is "modelLoaded". */
-function camelCase(constant) {
-	return constant.toLowerCase().replaceAll(/_(.)/g, (_, letter) => letter.toUpperCase());
-}
-
-/** The TypeScript name of an ActionScript type. */
-function nameHere(name) {
-	return PRIMITIVES[name] ?? name;
-}
-
-/** A documentation comment, with HTML as Markdown, and ASDoc's tags as TSDoc's. */
-function doc(text, indent) {
-	if (text === "") return "";
-	const plain = forJavaScript(text)
-		.replaceAll(/<listing[^>]*>/g, "```js").replaceAll("</listing>", "```")
-		.replaceAll(/<\/?code>/g, "`").replaceAll(/<\/p>/g, "").replaceAll(/<p>/g, "")
-		.replaceAll(/<\/?(em|i)>/g, "*").replaceAll(/<\/?(strong|b)>/g, "**")
-		.replaceAll(/<\/?ul>/g, "").replaceAll("<li>", "- ").replaceAll("</li>", "")
-		.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&")
-		.replaceAll(/^@return /gm, "@returns ").replaceAll(/@eventType.*$/gm, "").replaceAll("*/", "* /").trim();
-	const lines = plain.split("\n");
-	if (lines.length === 1) return `${indent}/** ${lines[0]} */\n`;
-	return `${indent}/**\n${lines.map((line) => `${indent} * ${line}`.trimEnd()).join("\n")}\n${indent} */\n`;
 }

@@ -2,7 +2,7 @@
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { readSignatures } from "./signatures.mjs";
+import { qnameOf, readSignatures } from "./signatures.mjs";
 
 /** The project's folder. */
 export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
@@ -10,31 +10,37 @@ export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 /** The folders of the module's sources. A file in an earlier folder replaces one of the same name in a later folder. */
 export const SOURCES = ["js/standins/module", "js/standins/common", "src"].map((folder) => join(ROOT, folder));
 
-/** The functions and classes that the translated classes use from stand-ins, with the stand-in's file. */
+/** What the translated classes use in place of classes and functions in ActionScript: names in js/standins/module/*.mjs. */
 export const EXTERNALS = {
-	ArgumentError: ["language.mjs", "ArgumentError"],
-	"flash.errors.EOFError": ["ByteArray.mjs", "EOFError"],
-	"flash.utils.ByteArray": ["ByteArray.mjs", "ByteArray"],
-	"starlogo.data.hintOfName": ["warnings.mjs", "$hintOfName"],
-	"starlogo.data.textOf": ["language.mjs", "$named"],
-	"starlogo.data.warn": ["warnings.mjs", "$warn"],
-	"starlogo.agents.warnOfBreeds": ["warnings.mjs", "$warnOfBreeds"],
-	"starlogo.agents.warnOfInside": ["warnings.mjs", "$warnOfInside"],
-	"starlogo.data.warnOfUnknownProperties": ["warnings.mjs", "$warnOfUnknownProperties"],
-	"starlogo.handlers.mayTakeContact": ["contacts.mjs", "mayTakeContact"],
-	"starlogo.handlers.requireParameters": ["warnings.mjs", "$warnOfHandler"],
-	"standin.LocalStore.read": ["machine.mjs", "readLocal"],
-	"standin.LocalStore.remove": ["machine.mjs", "removeLocal"],
-	"standin.LocalStore.write": ["machine.mjs", "writeLocal"],
-	"standin.Machine.className": ["machine.mjs", "classNameOf"],
-	"standin.Machine.clearTimeout": ["machine.mjs", "clearTimeout"],
-	"standin.Machine.frameListeners": ["machine.mjs", "frameListeners"],
-	"standin.Machine.now": ["machine.mjs", "now"],
-	"standin.Machine.setTimeout": ["machine.mjs", "setTimeout"],
-	"standin.Machine.unheard": ["machine.mjs", "unheard"],
-	"standin.Machine.uncaught": ["machine.mjs", "uncaught"],
-	"standin.Network.fetch": ["machine.mjs", "fetchBytes"],
+	ArgumentError: "ArgumentError",
+	"flash.errors.EOFError": "EOFError",
+	"flash.utils.ByteArray": "ByteArray",
+	"starlogo.data.hintOfName": "$hintOfName",
+	"starlogo.data.textOf": "$named",
+	"starlogo.data.warn": "$warn",
+	"starlogo.agents.warnOfBreeds": "$warnOfBreeds",
+	"starlogo.agents.warnOfInside": "$warnOfInside",
+	"starlogo.data.warnOfUnknownProperties": "$warnOfUnknownProperties",
+	"starlogo.handlers.mayTakeContact": "mayTakeContact",
+	"starlogo.handlers.requireParameters": "$warnOfHandler",
+	"standin.LocalStore.read": "readLocal",
+	"standin.LocalStore.remove": "removeLocal",
+	"standin.LocalStore.write": "writeLocal",
+	"standin.Machine.className": "classNameOf",
+	"standin.Machine.clearTimeout": "clearTimeout",
+	"standin.Machine.frameListeners": "frameListeners",
+	"standin.Machine.now": "now",
+	"standin.Machine.setTimeout": "setTimeout",
+	"standin.Machine.unheard": "unheard",
+	"standin.Machine.uncaught": "uncaught",
+	"standin.Network.fetch": "fetchBytes",
 };
+
+/** Where the compiler writes its files, in the folder of a translation. */
+export const compiledFolder = (folder) => join(folder, "out/bin/js-debug");
+
+/** The compiler's file of a class. */
+export const compiledFile = (folder, qname) => join(compiledFolder(folder), `${qname.replaceAll(".", "/")}.js`);
 
 /** The package for clients with Away3D only. */
 export const AWAY3D = "starlogo.away3d";
@@ -76,5 +82,5 @@ export function testRoots() {
 	const isForPlayers = (file) => ["standin.flash.", AWAY3D].some((name) => readFileSync(join(ROOT, "test", file), "utf8").includes(name));
 	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !isForPlayers(file)).sort();
 	const benchmarks = readdirSync(join(ROOT, "test/benchmark")).filter((file) => file.endsWith("Benchmark.as")).map((file) => join("benchmark", file));
-	return [...[...tests, ...benchmarks].map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.TaskQueue", "support.Effort", "support.Fixtures"];
+	return [...[...tests, ...benchmarks].map(qnameOf), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.TaskQueue", "support.Effort", "support.Fixtures"];
 }

@@ -8,12 +8,15 @@ const DOC = String.raw`(/\*\*(?:(?!\*/)[\s\S])*\*/\s*)?`;
 const TYPE = new RegExp(String.raw`^    ${DOC}((?:public|internal|final|dynamic|static)\s+)*(class|interface|function) (\w+)(?:(\([\s\S]*?\)):([\w.<>*]+))?(?: extends ([\w, ]+?))?(?:\s+implements ([\w, ]+?))?\s*$`, "m");
 const MEMBER = new RegExp(String.raw`^        ${DOC}((?:(?:override|public|protected|private|internal|engine|static|final|native)\s+)*)(function|var|const) (?:(get|set) )?(\w+)(\([\s\S]*?\))?(?::([\w.<>*]+))?(?: = ([^;\n]+);)?`, "gm");
 
+/** The qualified name of what a file declares; the file's path begins at the sources' folder. */
+export const qnameOf = (file) => file.replace(/\.\w+$/, "").replaceAll(/[\\/]/g, ".");
+
 /** Every type and package function in the folders. A file in an earlier folder replaces one of the same name in a later folder. */
 export function readSignatures(folders) {
 	const found = new Map();
 	for (const folder of folders) {
 		for (const file of readdirSync(folder, { recursive: true }).sort()) {
-			const qname = file.replace(/\.as$/, "").replaceAll(/[\\/]/g, ".");
+			const qname = qnameOf(file);
 			if (!file.endsWith(".as") || found.has(qname)) continue;
 			const type = readType(readFileSync(join(folder, file), "utf8"), qname);
 			if (type) found.set(qname, type);
@@ -65,4 +68,47 @@ function parametersOf(text) {
 /** A comment's text without its asterisks. */
 function textOf(comment) {
 	return comment.trim().replace(/^\/\*\*/, "").replace(/\*\/$/, "").split("\n").map((line) => line.replace(/^\s*\* ?/, "").trimEnd()).join("\n").trim();
+}
+
+/**
+ * A member's documentation. An override without its own has its base's, and a copy has that of the other member.
+ *
+ * @param types the known declarations, by name
+ */
+export function docOf(type, member, types) {
+	const [, owner, copied] = /@copy (\w*)#(\w+)/.exec(member.doc) ?? [];
+	if (copied) return (owner ? types.get(owner) : type)?.members.find((other) => other.name === copied)?.doc ?? "";
+	if (!/@inheritDoc/.test(member.doc)) return member.doc;
+	for (const base of [...type.bases, ...type.interfaces].map((name) => types.get(name))) {
+		const found = base?.members.find((other) => other.name === member.name && other.kind === member.kind);
+		if (found) return member.doc.replace("@inheritDoc", docOf(base, found, types));
+	}
+	return member.doc.replace("@inheritDoc", "").trim();
+}
+
+/** What a documentation says of a parameter; "" if nothing. */
+export function docOfParameter(name, doc) {
+	return new RegExp(String.raw`@param ${name}\s+((?:(?!\n@)[\s\S])*)`).exec(doc)?.[1] ?? "";
+}
+
+/** Whether a list of names may have null among them: the documentation of the parameter says "null for" what has no name. */
+export function mayHaveNull(said) {
+	return /\bnull for a/.test(said);
+}
+
+/** Whether a parameter takes a point or a vector that a member finds, as the documentation of the parameter says. */
+export function isWritten(said) {
+	return /^(?:takes|receives)\b/.test(said);
+}
+
+/** The Booleans that a method of the engine ends with, if they may be left out. A literal with their names may stand in the place of the first. */
+export function endingBooleans(type, member) {
+	if (member?.kind !== "method" || type.qname.startsWith("flash.")) return [];
+	const { parameters } = member;
+	return parameters.slice(parameters.findLastIndex(({ type, value }) => type !== "Boolean" || value === null) + 1);
+}
+
+/** Whether users of a class, or classes that extend it, see a member. */
+export function isShown(member) {
+	return (member.isPublic || member.isProtected) && !member.isPrivate;
 }

@@ -4,6 +4,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join, relative } from "node:path";
 import { ROOT, SOURCES } from "./names.mjs";
 import { outlineOf } from "./outline.mjs";
+import { qnameOf } from "./signatures.mjs";
 
 /** What the compiler is called with, and what names the classes. */
 const SETTINGS = ["build/module.xml", "js/module/roots.mjs", "js/module/names.mjs", "js/module/sources.mjs", "js/module/outline.mjs"];
@@ -23,7 +24,7 @@ export function readSources() {
 	for (const folder of [...SOURCES, join(ROOT, "test")]) {
 		for (const name of readdirSync(folder, { recursive: true })) {
 			const file = join(folder, name);
-			const qname = name.replace(/\.\w+$/, "").replaceAll(/[\\/]/g, ".");
+			const qname = qnameOf(name);
 			const place = relative(ROOT, file);
 			if (name.endsWith(".inc")) included[place] = hashOf(readFileSync(file, "utf8"));
 			if (!name.endsWith(".as") || qname in files) continue;

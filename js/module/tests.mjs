@@ -9,10 +9,10 @@
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { standinsText, translate } from "./assemble.mjs";
-import { publicSignatures } from "./names.mjs";
+import { compiledFile, compiledFolder, publicSignatures } from "./names.mjs";
 
 const [transpiled, out, folder = null] = process.argv.slice(2);
-const changed = folder && join(folder, "out/bin/js-debug");
+const changed = folder && compiledFolder(folder);
 const flexunit = new URL("../../test/module/flexunit.mjs", import.meta.url).href;
 const ASSERTS = ["Equals", "StrictlyEquals", "True", "False", "Null", "NotNull"];
 const externals = {
@@ -26,8 +26,8 @@ const externals = {
 	"standin.Network.fetch": "fetchFixture",
 };
 
-if (changed) {
-	const missing = JSON.parse(readFileSync(join(folder, "classes.json"), "utf8")).filter((name) => !existsSync(join(changed, `${name.replaceAll(".", "/")}.js`)));
+if (folder) {
+	const missing = JSON.parse(readFileSync(join(folder, "classes.json"), "utf8")).filter((name) => !existsSync(compiledFile(folder, name)));
 	if (missing.length > 0) throw new Error(`not compiled: ${missing.join(", ")}`);
 }
 const program = translate(transpiled, publicSignatures(), { externals, hasAllStatics: true, changed });

@@ -9,10 +9,10 @@
 import { parseExpressionAt } from "acorn";
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
 import { Checks, isWrapped } from "./checks.mjs";
+import { MemberNames } from "./members.mjs";
+import { isShown } from "./signatures.mjs";
 import { LANGUAGE, bare, childrenOf, docOf, forEach, gap, indent, isBaseCall, isFieldAssignment, parameterDefault, pathOf, superCall, vectorType } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
-
-const ENGINE_PREFIX = "starlogo_engine__";
 
 // V8 holds the two names' values as objects. If a Number may be one of them, it makes an object for the Number too.
 const WITHOUT_NAMES = new Map([["Infinity", "(1 / 0 /* Infinity */)"], ["NaN", "(0 / 0 /* NaN */)"]]);
@@ -29,7 +29,7 @@ export class Program {
 	#units = new Map(); // by qualified name
 	#roots = new Set();
 	#shortNames = new Map();
-	#privateNames = new Map();
+	#members;
 	#unit;
 	#scopes = [];
 	#beforeSuper = null;
@@ -64,7 +64,7 @@ export class Program {
 			taken.add(name).add(own);
 			this.#shortNames.set(unit.qname, name);
 		}
-		this.#nameMembers();
+		this.#members = new MemberNames(this.#units, signatures);
 	}
 
 	/** The qualified names of the program's definitions. */
@@ -107,13 +107,13 @@ export class Program {
 	 * known after text().
 	 */
 	get hiddenNames() {
-		const shown = [...this.signatures.values()].flatMap((type) => type.members).filter((member) => isShown(member)).map((member) => member.name);
+		const shown = [...this.signatures.values()].flatMap((type) => type.members).filter(isShown).map((member) => member.name);
 		const kept = new Set([...shown, ...this.#open]);
 		const found = new Set();
 		for (const unit of this.#units.values()) {
 			const methods = unit.members.filter((member) => member.kind === "method").map((member) => member.name);
 			for (const known of new Set([...unit.types.keys(), ...unit.members.map((member) => member.name)])) {
-				const name = this.#member(known);
+				const name = this.#members.nameOf(known);
 				// tools show the state of public classes: the names without _ or $
 				const isState = this.signatures.has(unit.qname) && !/^[_$]/.test(name) && !methods.includes(known);
 				(isState ? kept : found).add(name);
@@ -121,34 +121,6 @@ export class Program {
 			for (const setting of this.#checks.settings(unit.qname)) found.add(`_${setting.name}`);
 		}
 		return [...found].filter((name) => !kept.has(name));
-	}
-
-	// A private member has its name from the source, unless a base or an extending class has a member of that name too. A game's class may
-	// extend a public class and have any name without _ or $, so private methods there get a $.
-	#nameMembers() {
-		const plainOf = (unit, name) => (name.startsWith(unit.mangled) ? name.slice(unit.mangled.length) : name);
-		const basesOf = (unit) => (unit ? [unit, ...basesOf(this.#units.get(unit.base))] : []);
-		const owners = new Map(); // for each name, the classes with such a member
-		for (const unit of this.#units.values()) {
-			for (const name of [...unit.types.keys(), ...unit.members.map((member) => member.name)]) {
-				const plain = plainOf(unit, name);
-				if (!owners.has(plain)) owners.set(plain, new Set());
-				owners.get(plain).add(unit);
-			}
-		}
-		for (const [plain, units] of owners) {
-			const shared = new Set([...units].flatMap((unit) => basesOf(unit).filter((base) => base !== unit && units.has(base)).flatMap((base) => [unit, base])));
-			for (const unit of units) {
-				const name = this.signatures.has(unit.qname) && !plain.startsWith("_") ? `$${plain}` : plain;
-				const isTaken = shared.has(unit) || (name !== plain && owners.has(ENGINE_PREFIX + plain));
-				this.#privateNames.set(unit.mangled + plain, isTaken ? `${name}$${unit.name}` : name);
-			}
-		}
-	}
-
-	#member(name) {
-		if (name.startsWith(ENGINE_PREFIX)) return `$${name.slice(ENGINE_PREFIX.length)}`;
-		return this.#privateNames.get(name) ?? name;
 	}
 
 	#textOf(unit) {
@@ -210,7 +182,7 @@ export class Program {
 		const base = unit.base ? ` extends ${this.#reference(unit.base)}` : "";
 		const lines = [];
 		for (const field of unit.staticValues) {
-			const name = this.#member(field.name);
+			const name = this.#members.nameOf(field.name);
 			if (!this.#isSeen(unit, field.name)) continue;
 			lines.push(`static get ${name}() {\n\treturn ${this.#staticName(unit, field.name)};\n}`);
 			if (!isConstant(field)) lines.push(`static set ${name}(value) {\n\t${this.#staticName(unit, field.name)} = value;\n}`);
@@ -228,7 +200,7 @@ export class Program {
 		}
 		for (const member of unit.members) {
 			const prefix = (member.isStatic ? "static " : "") + (member.kind === "method" ? "" : `${member.kind} `);
-			const name = this.#member(member.name);
+			const name = this.#members.nameOf(member.name);
 			if (this.#isLoose(unit, member)) {
 				if (this.hasAllStatics) lines.push(`static get ${name}() {\n\treturn ${this.#staticName(unit, member.name)};\n}`);
 			} else if (member.node === null) {
@@ -259,7 +231,7 @@ export class Program {
 		const taken = this.#checks.of(unit.qname, unit.name, "constructor");
 		const fields = unit.fields.filter((field) => !this.#isSetAnyway(field, body));
 		const settings = this.#checks.settings(unit.qname).map((setting) => setting.name);
-		const nameOf = (field) => (settings.includes(field.name) ? `_${field.name}` : this.#member(field.name));
+		const nameOf = (field) => (settings.includes(field.name) ? `_${field.name}` : this.#members.nameOf(field.name));
 		const initial = fields.map((field) => `this.${nameOf(field)} = ${this.#text(field.value)};`);
 		let statements;
 		if (unit.base) {
@@ -467,12 +439,12 @@ export class Program {
 			const constant = found.rest.length === 1 ? this.#units.get(found.qname)?.constants.get(found.rest[0]) : undefined;
 			if (constant !== undefined) return `${constant} /* ${this.shortName(found.qname)}.${found.rest[0]} */`;
 			const owner = found.rest.length > 0 ? this.#ownerOf(found.qname, found.rest[0]) : null;
-			if (owner) return [this.#staticName(owner, found.rest[0]), ...found.rest.slice(1).map((name) => this.#member(name))].join(".");
-			return [this.#reference(found.qname), ...found.rest.map((name) => this.#member(name))].join(".");
+			if (owner) return [this.#staticName(owner, found.rest[0]), ...found.rest.slice(1).map((name) => this.#members.nameOf(name))].join(".");
+			return [this.#reference(found.qname), ...found.rest.map((name) => this.#members.nameOf(name))].join(".");
 		}
 		const target = this.#text(node.object);
 		if (!node.computed) {
-			const name = this.#member(node.property.name);
+			const name = this.#members.nameOf(node.property.name);
 			if (/^(?:\*|\??Object)/.test(this.#typeOf(node.object))) this.#open.add(name);
 			if (this.#beforeSuper && node.object.type === "ThisExpression") {
 				if (!this.#beforeSuper.has(name)) throw new Error(`this.${name} is read before super()`);
@@ -498,7 +470,7 @@ export class Program {
 	// Statics become variables of the module. A class's own statics would need statements, and bundlers do not leave out a class with such
 	// statements.
 	#staticName(unit, name) {
-		return `${this.shortName(unit.qname)}$${this.#member(name)}`;
+		return `${this.shortName(unit.qname)}$${this.#members.nameOf(name)}`;
 	}
 
 	#isSeen(unit, name) {
@@ -562,7 +534,7 @@ export class Program {
 
 	#earlyFieldText(node) {
 		if (!this.#beforeSuper || !isFieldAssignment(node)) return null;
-		const name = this.#member(node.expression.left.property.name);
+		const name = this.#members.nameOf(node.expression.left.property.name);
 		const local = name.replace(/^[_$]+/, "");
 		const value = this.#text(node.expression.right);
 		const isParameter = this.#isLocal(local);
@@ -584,8 +556,8 @@ export class Program {
 		const base = superCall(node, this.#unit.qname);
 		if (base) {
 			const list = base.arguments.map((each) => this.#text(each)).join(", ");
-			if (base.isGetter) return `super.${this.#member(base.name)}`;
-			return base.name === "constructor" ? `super(${list})` : `super.${this.#member(base.name)}(${list})`;
+			if (base.isGetter) return `super.${this.#members.nameOf(base.name)}`;
+			return base.name === "constructor" ? `super(${list})` : `super.${this.#members.nameOf(base.name)}(${list})`;
 		}
 		if (node.callee.property?.name === "sort" && args.length === 1 && args[0].type !== "FunctionExpression") {
 			return `${this.#helper("sort")}(${this.#text(node.callee.object)}, ${this.#text(args[0])})`;
@@ -604,7 +576,7 @@ export class Program {
 			case "trace":
 				return `console.log(${args.map((each) => this.#text(each)).join(", ")})`;
 			case "closure":
-				return `${this.#helper("bound")}(${this.#text(args[1])}, ${JSON.stringify(this.#member(args[2].value))})`;
+				return `${this.#helper("bound")}(${this.#text(args[1])}, ${JSON.stringify(this.#members.nameOf(args[2].value))})`;
 			case "is":
 			case "as": {
 				const type = this.#text(args[1]);
@@ -732,10 +704,6 @@ export class Program {
 		for (const child of childrenOf(node)) this.#needed(child, unit, found, methods);
 		return found;
 	}
-}
-
-function isShown(member) {
-	return (member.isPublic || member.isProtected) && !member.isPrivate;
 }
 
 function isConstant(field) {

@@ -32,6 +32,8 @@ const tests = await import(pathToFileURL(path.resolve(positionals[0])));
 const { AssumptionViolatedException, waiting } = tests.flexunit;
 tests.Effort.isFull = options.full;
 mount(tests, options.mount);
+// the engine warns the developers of games of worlds that tests make on purpose
+console.warn = () => {};
 if (options.coverage) writeFileSync(options.coverage, `${JSON.stringify({ test: "", ms: 0, lines: linesRun() })}\n`);
 
 /** Seconds of a processor, for all that is run, after which none of --then begins any more. */

@@ -156,6 +156,18 @@ const breeds: readonly string[] = ["coins"];
 const friends: readonly Coin[] = [];
 mixedQueries.near(friends[0]!, 3, { breeds, except: friends, accepts: (other) => other instanceof Coin && other.worth > 1 });
 new AgentQueries(collision).nearest(agent, 3, { accepts: (hero) => hero.life > 1 });
+// a question may say which of them it finds
+const beside = mixedQueries.near(friends[0]!, 3);
+is<Same<typeof beside, (Hero | Coin)[]>>();
+mixedQueries.near<Coin>(friends[0]!, 3, { breeds })[0]!.worth++;
+const coin: Coin | null = mixedQueries.nearestToPoint({ x: 0, y: 0, z: 0 }, 3, { breeds });
+const coins = mixedQueries.touching(friends[0]!, { breeds }, [coin!]);
+is<Same<typeof coins, Coin[]>>();
+const anyone: Agent[] = mixedQueries.near(friends[0]!, 3);
+// @ts-expect-error no agent of the game
+mixedQueries.near<Date>(friends[0]!, 3);
+// @ts-expect-error a hero or a coin
+mixedQueries.near(friends[0]!, 3)[0]!.worth;
 mixedQueries.near(friends[0]!, 3, { breeds: undefined, accepts: undefined });
 mixedQueries.walk(friends[0]!, 1, 0, { stepHeight: undefined, filter: { exceptBreeds: breeds } });
 filter.breeds = breeds;

@@ -136,3 +136,8 @@ test('a list grows from its first entry on: Flash throws for an entry past the e
 	});
 	assert.equal(wrong.join('\n'), '');
 });
+
+test('ASDoc does not show what only a package sees: it leaves out internal classes by itself, functions if they are @private', () => {
+	const shown = sourcesBelow('src').filter((file) => /^ {4}internal function/m.test(read(file)) && !read(file).includes('@private'));
+	assert.deepEqual(shown, []);
+});

@@ -3,6 +3,7 @@ import { Blocks } from "./blocks.js";
 import { Cells } from "./cells.js";
 import { Entry, firstSharedBin } from "./entry.js";
 import { SPHERE, Shapes } from "./shapes.js";
+import { Traits, checkTraits } from "./traits.js";
 
 const SYSTEMS = { bins: BinCollider, tightest: TightestFitCollider, hierarchical: HierarchicalCollider, combination: CombinationCollider };
 
@@ -23,12 +24,6 @@ const EVERYONE = 1;
 
 /** A key has room for this many breeds. */
 const RANKS = 128;
-
-/** Traits of an agent for which no block sets any. */
-const NO_TRAITS = Object.freeze({});
-
-/** The names of the traits. */
-const TRAITS = ["hierarchical", "depth", "sweeps", "structure"];
 
 /** Finds the collisions of a client in a window, with the engine. It replaces the client's Collisions. */
 export class NovaCollisions {
@@ -54,8 +49,7 @@ export class NovaCollisions {
 	#tick = NaN;
 	#collidedIn = NaN;
 	#suspects = [];
-	#breedTraits = new Map();
-	#agentTraits = new WeakMap();
+	#traits = new Traits();
 
 	/** For the client of a window; agents are added later. For the options see installInto. */
 	constructor(window, options) {
@@ -124,16 +118,15 @@ export class NovaCollisions {
 
 	/** Sets the traits of a breed, by its name, or of an agent. They replace all traits set before; null removes them. */
 	setTraits(whose, traits) {
-		const checked = traits === null ? NO_TRAITS : checkTraits(traits);
+		const checked = checkTraits(traits === null ? {} : traits);
 		if (typeof whose === "string") this.exchange({ breeds: { ...this.#options.breeds, [whose]: checked } });
 		else this.#giveTraits(whose, checked);
 	}
 
 	/** Sets some of an agent's traits. Its other traits stay. */
 	changeTraits(agent, traits) {
-		const own = this.#agentTraits.get(agent);
 		const checked = checkTraits(traits);
-		if (!own || Object.keys(checked).some((name) => own[name] !== checked[name])) this.#giveTraits(agent, { ...own, ...checked });
+		if (!this.#traits.hasAll(agent, checked)) this.#giveTraits(agent, { ...this.#traits.ofAgents.get(agent), ...checked });
 	}
 
 	/** Adds an agent. */
@@ -144,9 +137,7 @@ export class NovaCollisions {
 			this.#entries.add(entry);
 			entry.owner = this;
 			agent.jbins = [entry];
-			// An agent that one of its own breed has made inherits its traits, like the traits that the client knows.
-			const inherited = agent.parent?.breed === agent.breed && this.#agentTraits.get(agent.parent);
-			if (inherited && !this.#agentTraits.has(agent)) this.#agentTraits.set(agent, inherited);
+			this.#traits.inherit(agent);
 		}
 		this.#place(entry);
 	}
@@ -228,7 +219,7 @@ export class NovaCollisions {
 		const { system = "bins", exact = false, depth, breeds = {} } = options;
 		if (!Object.hasOwn(SYSTEMS, system)) throw new RangeError(`the system must be one of ${Object.keys(SYSTEMS).join(", ")}, not ${system}`);
 		if (exact && (system === "bins" || system === "tightest")) throw new RangeError(`exact is for hierarchical and combination, not for ${system}`);
-		const traits = Object.entries(breeds).map(([name, given]) => [name, checkTraits(given)]);
+		const traits = new Map(Object.entries(breeds).map(([name, given]) => [name, checkTraits(given)]));
 		const collider = new SYSTEMS[system](this.#greatLand);
 		if (exact) collider.exact = true;
 		if (depth !== undefined) collider.maxDepth = depth;
@@ -236,12 +227,12 @@ export class NovaCollisions {
 		this.#collision = new Collision(collider);
 		this.#isBins = system === "bins";
 		this.#options = { ...options, system, exact };
-		this.#breedTraits = new Map(traits);
+		this.#traits.ofBreeds = traits;
 		for (const entry of this.#entries) entry.traitsOf = null;
 	}
 
 	#giveTraits(agent, traits) {
-		this.#agentTraits.set(agent, traits);
+		this.#traits.ofAgents.set(agent, traits);
 		const entry = this.#entryOf(agent);
 		if (entry !== null) entry.traitsOf = null;
 	}
@@ -323,10 +314,7 @@ export class NovaCollisions {
 
 	#setTraits(entry) {
 		const { agent, body } = entry;
-		const { hierarchical = false, depth = 0, sweeps = this.#options.sweeps ?? false, structure = Agent.TIGHTEST } = {
-			...this.#breedTraits.get(agent.breed.name),
-			...this.#agentTraits.get(agent),
-		};
+		const { hierarchical = false, depth = 0, sweeps = this.#options.sweeps ?? false, structure = Agent.TIGHTEST } = this.#traits.of(agent);
 		body.hierarchical = hierarchical;
 		body.traversalDepth = depth;
 		body.sweeps = sweeps;
@@ -423,12 +411,4 @@ function moveBody(body, agent, x, y, z) {
 
 function pairOf(a, b) {
 	return a.id < b.id ? { a, b } : { a: b, b: a };
-}
-
-function checkTraits(traits) {
-	for (const name of Object.keys(traits)) if (!TRAITS.includes(name)) throw new RangeError(`the traits are ${TRAITS.join(", ")}, not ${name}`);
-	const { depth = 0, structure = Agent.TIGHTEST } = traits;
-	if (!(Number.isInteger(depth) && depth >= 0)) throw new RangeError(`depth must be a whole number, 0 or more, not ${depth}`);
-	if (![Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL].includes(structure)) throw new RangeError(`structure must be tightest, sphere, box, capsule or hull, not ${structure}`);
-	return { ...traits };
 }

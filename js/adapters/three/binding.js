@@ -1,6 +1,7 @@
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { Agent, ArgumentError } from "starlogo-collision";
-import { AgentPlace, isYUp, refuseOthers, textOf } from "./axes.js";
+import { refuseOthers, textOf } from "./arguments.js";
+import { AgentPlace, isYUp } from "./axes.js";
 import { poseModel, upOf } from "./model.js";
 
 /** The relative error that a scene's numbers may have, because many are of single precision. */
@@ -198,6 +199,7 @@ class DrawnObject {
 	}
 }
 
+/** The matrix of an instance of an InstancedMesh, with the methods of a DrawnObject. */
 class DrawnInstance {
 	constructor(mesh, index) {
 		if (!mesh.isInstancedMesh) throw new ArgumentError(`an InstancedMesh is needed, not ${textOf(mesh)}`);

@@ -1,6 +1,7 @@
 import { Matrix4, Mesh, Vector3 } from "three";
 import { ArgumentError, Model, ModelError } from "starlogo-collision";
-import { isYUp, refuseOthers, textOf } from "./axes.js";
+import { refuseOthers, textOf } from "./arguments.js";
+import { isYUp } from "./axes.js";
 
 /** For each model: the up axis of its source, whether that is placed, and of which vertices of which meshes it was made. */
 const origins = new WeakMap();

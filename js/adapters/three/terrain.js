@@ -1,6 +1,7 @@
 import { BufferAttribute, BufferGeometry } from "three";
 import { ArgumentError, Terrain, TerrainSurface } from "starlogo-collision";
-import { isYUp, refuseOthers, textOf } from "./axes.js";
+import { refuseOthers, textOf } from "./arguments.js";
+import { isYUp } from "./axes.js";
 import { surfaceOf } from "./model.js";
 
 /** How far outside of a triangle a place may be and still count, as a part of the triangle: so rounding leaves no gap between two. */

@@ -1,6 +1,7 @@
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, Matrix4, Vector3 } from "three";
 import { ArgumentError, Wireframes } from "starlogo-collision";
-import { AgentPlace, isYUp, refuseOthers } from "./axes.js";
+import { refuseOthers } from "./arguments.js";
+import { AgentPlace, isYUp } from "./axes.js";
 
 const matrix = new Matrix4();
 const scale = new Vector3();

@@ -334,8 +334,8 @@ export class World {
 			this.#moveInside(agent, agent.x, agent.y);
 			return;
 		}
-		const angle = (agent.heading * Math.PI) / 180;
-		this.#moveInside(agent, agent.x + steps * Math.cos(angle), agent.y + steps * Math.sin(angle));
+		const [x, y] = ahead(agent);
+		this.#moveInside(agent, agent.x + steps * x, agent.y + steps * y);
 	}
 
 	/** The steps of a frame that bring two agents together, along the normal of their contact. */
@@ -358,11 +358,11 @@ export class World {
 	/** Moves an agent forward, until it touches an agent of a breed, or sliding along it. The agent keeps its height, even on a slope. */
 	advance(agent, steps, breed, how) {
 		const { z } = agent;
-		const angle = (agent.heading * Math.PI) / 180;
+		const [x, y] = ahead(agent);
 		const { AgentFilter } = World.engine;
 		const filter = breed === Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
 		if (breed === Collision.ANY_BREED) filter.exceptBreeds = [Collision.TERRAIN];
-		this.senses.queries[how](agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, filter);
+		this.senses.queries[how](agent, steps * x, steps * y, 0, filter);
 		agent.z = z;
 		this.#moveInside(agent, agent.x, agent.y);
 	}
@@ -400,8 +400,7 @@ export class World {
 	/** Turns an agent that moves into another one, as a mirror reflects light. */
 	bounce(agent, other) {
 		const { normal } = this.#system.contactOf(agent, other);
-		const angle = (agent.heading * Math.PI) / 180;
-		const [x, y] = [Math.cos(angle), Math.sin(angle)];
+		const [x, y] = ahead(agent);
 		const into = x * normal.x + y * normal.y;
 		if (into < 0) agent.heading = degrees(x - 2 * into * normal.x, y - 2 * into * normal.y);
 	}
@@ -502,6 +501,12 @@ for (const name of ["frame", "variables", "threads", "score", "goal", "limit", "
 			this.state[name] = value;
 		},
 	});
+}
+
+/** The direction in which an agent looks: x and y, of length 1. */
+function ahead({ heading }) {
+	const angle = (heading * Math.PI) / 180;
+	return [Math.cos(angle), Math.sin(angle)];
 }
 
 const degrees = (x, y) => (Math.atan2(y, x) * 180) / Math.PI;

@@ -11,6 +11,8 @@ package starlogo.intersection
      * @param box the box
      * @param motion of the place
      * @param gap its vector is the place as seen from the box's middle, in the box's axes. Receives the vector, its squared length, and how it closes
+     *
+     * @private
      */
     internal function measureToBox(box:Box, motion:RelativeMotion, gap:CoreGap):void
     {

@@ -1,6 +1,5 @@
 package starlogo.libraries
 {
-    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.fitting.AxisAlignedBoxFitter;
     import starlogo.fitting.CapsuleFitter;
@@ -33,11 +32,14 @@ package starlogo.libraries
             var expected:Object = JSON.parse(Fixtures.text(EXPECTED));
             var largest:Number = 0;
             var count:int = 0;
+            var lines:Array = [];
+            var areKnown:Boolean = true;
             for each (var model:Model in SteppedModels.twelve())
             {
                 var volumes:Array = volumesOf(model);
-                assertEquals(model.name + " has these volumes: " + volumes, expected[model.name].length, volumes.length);
-                for (var i:int = 0; i < volumes.length; i++)
+                lines.push("\t\"" + model.name + "\": [" + volumes.join(", ") + "]");
+                areKnown = areKnown && expected[model.name].length == volumes.length;
+                for (var i:int = 0; areKnown && i < volumes.length; i++)
                 {
                     var difference:Number = Math.abs(volumes[i] / expected[model.name][i] - 1);
                     assertTrue(model.name + ", fit " + i + ": " + volumes[i], difference <= LARGEST_DIFFERENCE);
@@ -45,6 +47,7 @@ package starlogo.libraries
                     count++;
                 }
             }
+            assertTrue("fits.json has not as many volumes of each model as there are fitters here. Those of all:\n{\n" + lines.join(",\n") + "\n}", areKnown);
             trace("  " + count + " volumes, the largest difference " + largest);
             assertTrue(count >= 12 * 9);
         }

@@ -67,6 +67,42 @@ package starlogo.search.penetration
             assertTrue(_overlapping + " overlap, " + _deep + " deep", _overlapping > 600 && _deep > 500);
         }
 
+        /**
+         * The point of a contact is in the middle of the way out: once the collider is out, both touch a little ball there, half of the depth on. Those
+         * that touch at several places may have their point between these.
+         */
+        [Test]
+        public function pointsAreInTheMiddleOfTheWayOut():void
+        {
+            var ball:Agent = new Agent("sphere");
+            for each (var name:String in SYSTEMS)
+            {
+                var collider:Collider = make(name);
+                var deep:int = 0;
+                var elsewhere:int = 0;
+                for (var i:int = 0; i < 250; i++)
+                {
+                    var a:Agent = anyAgent();
+                    var b:Agent = anyAgent();
+                    place(a, b, 1, 10);
+                    var contact:Contact = collider.areColliding(a, b) ? collider.contactOf(a, b) : null;
+                    var extent:Number = Math.max(a.size, b.size);
+                    if (contact == null || contact.depth < 0.05 * extent)
+                    {
+                        continue;
+                    }
+                    deep++;
+                    var n:Vector3D = contact.normal;
+                    var half:Number = contact.depth / 2;
+                    ball.size = 0.04 * extent;
+                    ball.moveTo(contact.point.x + half * n.x, contact.point.y + half * n.y, contact.point.z + half * n.z - ball.size / 2);
+                    a.moveTo(a.x + contact.depth * n.x, a.y + contact.depth * n.y, a.z + contact.depth * n.z);
+                    elsewhere += collider.areColliding(ball, a) && collider.areColliding(ball, b) ? 0 : 1;
+                }
+                assertTrue(name + ": " + elsewhere + " of " + deep + " elsewhere", deep > 20 && elsewhere < 0.25 * deep);
+            }
+        }
+
         /** Contacts of two agents are the same to the last bit in either order. */
         [Test]
         public function inEitherOrder():void

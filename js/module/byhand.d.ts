@@ -1,0 +1,74 @@
+/** What is taken wherever numbers are listed. */
+export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Array | Int16Array | Int32Array | Uint8Array | Uint16Array | Uint32Array;
+
+/** What is taken for a file's bytes. */
+export type Bytes = ByteArray | ArrayBuffer | ArrayBufferView;
+
+/** What is taken for a point or a direction: a Vector3D, three.js's Vector3, a literal. It is read at the call. */
+export interface Point {
+	readonly x: number;
+	readonly y: number;
+	readonly z: number;
+}
+
+/** What takes a point that a question finds: its x, y and z are written. */
+export interface PointTaker {
+	x: number;
+	y: number;
+	z: number;
+}
+
+/** Which axis of a file points up, or what turns it otherwise. */
+export type UpAxis = "x" | "y" | "z" | ModelTransform;
+
+/** How a model is scaled. */
+export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Model.AS_GIVEN;
+
+/** What is taken for an AgentFilter: one, or a literal with some of its properties. */
+export interface AgentFilterInit<A extends Agent = Agent> {
+	/** See AgentFilter.breeds. */
+	readonly breeds?: readonly string[] | null | undefined;
+	/** See AgentFilter.exceptBreeds. */
+	readonly exceptBreeds?: readonly string[] | null | undefined;
+	/** See AgentFilter.except. */
+	readonly except?: readonly Agent[] | null | undefined;
+	/** See AgentFilter.accepts. */
+	readonly accepts?: { accept(agent: A): boolean }["accept"] | null | undefined;
+}
+
+/** What is taken for WalkOptions: an object of this class, or a literal with some of its properties. */
+export type WalkOptionsInit<A extends Agent = Agent> = {
+	readonly [K in keyof WalkOptions]?: (K extends "filter" ? AgentFilterInit<A> | null : WalkOptions[K]) | undefined;
+};
+
+/** What is called with an event, which may be of a class of its own. */
+export type Listener = { listen(event: Event): void }["listen"];
+
+/** How to listen: as to the platform's own events. */
+export interface ListenerOptions {
+	/** Whether the listener is called but once. */
+	once?: boolean | undefined;
+	/** Taken, and of no effect: events have no phases here. */
+	capture?: boolean | undefined;
+	/** Listening ends when it is aborted. */
+	signal?: { readonly aborted: boolean; addEventListener(type: "abort", listener: () => void, options?: { once?: boolean }): void } | undefined;
+}
+
+/** An argument is not what it has to be. */
+export class ArgumentError extends Error {
+	constructor(message?: string);
+}
+
+/** Bytes with a place to read and write at, as far as loading models needs them. */
+export class ByteArray {
+	/** @param source bytes to begin with, which are copied */
+	constructor(source?: ArrayBuffer | ArrayBufferView | null);
+	/** The order of a number's bytes: "bigEndian" or "littleEndian". */
+	endian: "bigEndian" | "littleEndian";
+	/** Where the next byte is read or written. */
+	position: number;
+	/** How many bytes there are. */
+	length: number;
+	/** The bytes, copied. */
+	toUint8Array(): Uint8Array;
+}

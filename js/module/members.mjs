@@ -1,0 +1,47 @@
+/** The names that members of classes have in the module, which the compiler has mangled. */
+
+const ENGINE_PREFIX = "starlogo_engine__";
+
+/**
+ * A private member has its name from the source, unless a base or an extending class has a member of that name too. A game's class may
+ * extend a public class and have any name without _ or $, so private methods there get a $, and so do members of the namespace engine.
+ */
+export class MemberNames {
+	#privateNames = new Map();
+
+	/**
+	 * @param units the definitions of the program, by qualified name
+	 * @param signatures the public declarations, by qualified name
+	 */
+	constructor(units, signatures) {
+		const basesOf = (unit) => (unit ? [unit, ...basesOf(units.get(unit.base))] : []);
+		const owners = ownersOf([...units.values()]);
+		for (const [plain, having] of owners) {
+			const shared = new Set([...having].flatMap((unit) => basesOf(unit).filter((base) => base !== unit && having.has(base)).flatMap((base) => [unit, base])));
+			for (const unit of having) {
+				const name = signatures.has(unit.qname) && !plain.startsWith("_") ? `$${plain}` : plain;
+				const isTaken = shared.has(unit) || (name !== plain && owners.has(ENGINE_PREFIX + plain));
+				this.#privateNames.set(unit.mangled + plain, isTaken ? `${name}$${unit.name}` : name);
+			}
+		}
+	}
+
+	/** The name in the text for a member's name in the compiler's output. */
+	nameOf(name) {
+		if (name.startsWith(ENGINE_PREFIX)) return `$${name.slice(ENGINE_PREFIX.length)}`;
+		return this.#privateNames.get(name) ?? name;
+	}
+}
+
+/** For each name in the sources, the definitions with such a member. */
+function ownersOf(units) {
+	const owners = new Map();
+	for (const unit of units) {
+		for (const name of [...unit.types.keys(), ...unit.members.map((member) => member.name)]) {
+			const plain = name.startsWith(unit.mangled) ? name.slice(unit.mangled.length) : name;
+			if (!owners.has(plain)) owners.set(plain, new Set());
+			owners.get(plain).add(unit);
+		}
+	}
+	return owners;
+}

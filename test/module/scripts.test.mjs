@@ -1,0 +1,27 @@
+/** No script of the build, of the package or of the page uses a name that it neither declares nor imports: most of them run only in some builds. */
+import assert from "node:assert/strict";
+import { readdirSync } from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const ts = createRequire(path.join(root, "js/module/package.json"))("typescript");
+const FOLDERS = ["build", "js/adapters", "js/module", "js/picture", "js/playground", "test/headless"];
+
+/** TypeScript's errors "Cannot find name" and "has no exported member". */
+const LOST = new Set([2304, 2305, 2552, 2724]);
+
+const scripts = FOLDERS.flatMap((folder) => readdirSync(path.join(root, folder), { recursive: true }).map((file) => path.join(root, folder, file)))
+	.filter((file) => /\.m?js$/.test(file) && !file.includes("node_modules"));
+
+test("every name that a script uses is declared or imported", () => {
+	assert.ok(scripts.length > 120, `${scripts.length} scripts`);
+	const { ModuleKind, ModuleResolutionKind, ScriptTarget } = ts;
+	const options = { allowJs: true, checkJs: true, noEmit: true, noResolve: true, types: [], target: ScriptTarget.ES2022, module: ModuleKind.ESNext, moduleResolution: ModuleResolutionKind.Bundler, lib: ["lib.esnext.d.ts", "lib.dom.d.ts", "lib.dom.iterable.d.ts"] };
+	const program = ts.createProgram(scripts, options);
+	const lost = scripts.flatMap((file) => program.getSemanticDiagnostics(program.getSourceFile(file))).filter(({ code }) => LOST.has(code))
+		.map(({ file, start, messageText }) => `${path.relative(root, file.fileName)}:${file.getLineAndCharacterOfPosition(start).line + 1}: ${ts.flattenDiagnosticMessageText(messageText, " ")}`);
+	assert.deepEqual(lost, []);
+});

@@ -74,7 +74,7 @@ package starlogo.ground
             var origin:Placement = _pairs.search.origin;
             var box:GroundBox = _pairs.wholeBox();
             var low:Number = box.z - box.halfZ;
-            _pairs.search.grid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
+            _pairs.search.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
             out.setNormal(0, 0, 1);
             out.depth = Math.max(0, _around.greatest - origin.z - low);
             out.x = box.x;

@@ -7,6 +7,7 @@ package starlogo.queries.motion
     import starlogo.engine;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.penetration.OverlapMiddle;
 
     use namespace engine;
 
@@ -89,19 +90,19 @@ package starlogo.queries.motion
          */
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
-            begin(place);
+            beginPushes(place);
             for (var round:int = 0; round < ROUNDS; round++)
             {
                 var isFree:Boolean = true;
                 for (var i:int = 0; i < body.obstacles.count; i++)
                 {
                     var row:int = body.obstacles.numbers[i];
-                    if (!findTouch(body, row, place, _touching))
+                    if (!findTouchingPlace(body, row, place, _touching))
                     {
                         continue;
                     }
                     isFree = false;
-                    findContact(body, row, _touching, round);
+                    findContactInRound(body, row, _touching, round);
                     if (isOpposite())
                     {
                         giveUp(place);
@@ -154,7 +155,7 @@ package starlogo.queries.motion
         // way to the middle of the body.
         private static function isExitShort(body:MovingBody, row:int, contact:ContactPoint):Boolean
         {
-            return body.bodyOf(row).form != ModelShape.TREE || contact.depth <= halfAlong(body.source, contact);
+            return body.bodyOf(row).form != ModelShape.TREE || contact.depth <= OverlapMiddle.halfAlong(body.source, contact);
         }
 
         // Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
@@ -164,7 +165,7 @@ package starlogo.queries.motion
             var form:int = body.bodyOf(row).form;
             var isTree:Boolean = form == ModelShape.TREE;
             var source:Body = body.source;
-            var least:Number = halfAlong(source, contact);
+            var least:Number = OverlapMiddle.halfAlong(source, contact);
             if (!isTree)
             {
                 least *= WITH_ROOM;
@@ -174,12 +175,6 @@ package starlogo.queries.motion
                 var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
                 warnOfInside(body.agents, row, source.shape.modelName, source.placement, below, contact.depth, isTree);
             }
-        }
-
-        // Half of the extent of the box around a body, along a contact's normal.
-        private static function halfAlong(body:Body, contact:ContactPoint):Number
-        {
-            return Math.abs(contact.normalX) * body.halfX + Math.abs(contact.normalY) * body.halfY + Math.abs(contact.normalZ) * body.halfZ;
         }
 
         // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
@@ -237,7 +232,7 @@ package starlogo.queries.motion
         // obstacle at its place.
         private function liftOut(body:MovingBody, place:Vector3D, lift:StartLift):Boolean
         {
-            begin(place);
+            beginPushes(place);
             for (var round:int = 0; round < ROUNDS; round++)
             {
                 var isFree:Boolean = true;
@@ -249,7 +244,7 @@ package starlogo.queries.motion
                         continue;
                     }
                     isFree = false;
-                    var isShallow:Boolean = findContact(body, row, place, round);
+                    var isShallow:Boolean = findContactInRound(body, row, place, round);
                     if (!isShallow || isOpposite())
                     {
                         return giveUp(place);
@@ -265,7 +260,7 @@ package starlogo.queries.motion
             return giveUp(place);
         }
 
-        private function begin(place:Vector3D):void
+        private function beginPushes(place:Vector3D):void
         {
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
@@ -279,7 +274,7 @@ package starlogo.queries.motion
         }
 
         // Finds the contact with a row that the body touches at a place. Returns whether it is shallow.
-        private function findContact(body:MovingBody, row:int, place:Vector3D, round:int):Boolean
+        private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int):Boolean
         {
             var isShallow:Boolean = body.findContact(row, place, round >= SURE_ROUND, _contact);
             if (round < SURE_ROUND && isOpposite())
@@ -303,7 +298,7 @@ package starlogo.queries.motion
 
         // Finds where the body touches a row: at a place, or, if it is flat, half of a clearance beside the place along an axis. Returns whether
         // there is such a touching place.
-        private function findTouch(body:MovingBody, row:int, place:Vector3D, touching:Vector3D):Boolean
+        private function findTouchingPlace(body:MovingBody, row:int, place:Vector3D, touching:Vector3D):Boolean
         {
             if (touchesAt(body, row, place, 0, 0, 0, touching))
             {

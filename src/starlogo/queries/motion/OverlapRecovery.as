@@ -102,15 +102,15 @@ package starlogo.queries.motion
                         continue;
                     }
                     isFree = false;
-                    findContactInRound(body, row, _touching, round);
-                    if (isOpposite())
+                    findContactInRound(body, row, _touching, round, _contact);
+                    if (isOpposite(_contact))
                     {
                         giveUp(place);
                         return;
                     }
                     _beside.copyFrom(place);
                     _beside.decrementBy(_touching);
-                    push(place, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
+                    push(place, _contact, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
                 }
                 if (isFree)
                 {
@@ -244,13 +244,13 @@ package starlogo.queries.motion
                         continue;
                     }
                     isFree = false;
-                    var isShallow:Boolean = findContactInRound(body, row, place, round);
-                    if (!isShallow || isOpposite())
+                    var isShallow:Boolean = findContactInRound(body, row, place, round, _contact);
+                    if (!isShallow || isOpposite(_contact))
                     {
                         return giveUp(place);
                     }
                     lift.add(_contact);
-                    push(place, _contact.depth + body.core.clearance);
+                    push(place, _contact, _contact.depth + body.core.clearance);
                 }
                 if (isFree)
                 {
@@ -274,26 +274,26 @@ package starlogo.queries.motion
         }
 
         // Finds the contact with a row that the body touches at a place. Returns whether it is shallow.
-        private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int):Boolean
+        private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
-            var isShallow:Boolean = body.findContact(row, place, round >= SURE_ROUND, _contact);
-            if (round < SURE_ROUND && isOpposite())
+            var isShallow:Boolean = body.findContact(row, place, round >= SURE_ROUND, out);
+            if (round < SURE_ROUND && isOpposite(out))
             {
-                isShallow = body.findContact(row, place, true, _contact);
+                isShallow = body.findContact(row, place, true, out);
             }
             return isShallow;
         }
 
         // Whether the body is between this row and the one that it was last pushed out of.
-        private function isOpposite():Boolean
+        private function isOpposite(contact:ContactPoint):Boolean
         {
-            return _contact.normalX * _last.normalX + _contact.normalY * _last.normalY + _contact.normalZ * _last.normalZ < OPPOSITE;
+            return contact.normalX * _last.normalX + contact.normalY * _last.normalY + contact.normalZ * _last.normalZ < OPPOSITE;
         }
 
-        private function push(place:Vector3D, by:Number):void
+        private function push(place:Vector3D, contact:ContactPoint, by:Number):void
         {
-            _contact.push(place, by);
-            _last.copyFrom(_contact);
+            contact.push(place, by);
+            _last.copyFrom(contact);
         }
 
         // Finds where the body touches a row: at a place, or, if it is flat, half of a clearance beside the place along an axis. Returns whether

@@ -28,12 +28,6 @@ package starlogo.ground
         /** No answer. Only a test of the agent's shape decides. */
         public static const UNKNOWN:int = 2;
 
-        private var _grid:HeightGrid;
-
-        // The steepest slope, and the distance at which agents may still touch, because of rounding.
-        private var _slope:Number = 0;
-        private var _tolerance:Number = 0;
-
         // The place under the agent's middle, and the heights around it.
         private var _under:GroundPoint = new GroundPoint();
         private var _around:HeightRange = new HeightRange();
@@ -54,7 +48,6 @@ package starlogo.ground
             {
                 return UNKNOWN;
             }
-            readGround(grid);
             var isSphere:Boolean = form == BoundingStructure.SPHERE;
             _under.x = extents.x;
             _under.y = extents.y;
@@ -71,34 +64,28 @@ package starlogo.ground
             {
                 return UNKNOWN;
             }
+            grid.pyramid.findWhole(_around);
+            var slope:Number = grid.isBlocky ? Infinity : _around.stepX / grid.cellWidth;
+            // agents that are this close may touch, because of rounding
+            var tolerance:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
+                    + Math.abs(_around.least) + Math.abs(_around.greatest));
             // the root of 1 + 2 s² is at most 1 + s²
-            var height:Number = isSphere ? inner + inner * _slope * _slope : extents.halfZ + _slope * (extents.halfX + extents.halfY);
-            if (above > height * Tolerances.OUTER + _tolerance || isFar(extents, isSphere, above))
+            var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
+            if (above > height * Tolerances.OUTER + tolerance || isFar(grid, extents, isSphere, above, tolerance))
             {
                 return APART;
             }
-            return isSphere && !grid.isBlocky && touchesSphere(extents) ? TOUCHING : UNKNOWN;
-        }
-
-        // Reads what depends on the ground alone.
-        private function readGround(grid:HeightGrid):void
-        {
-            _grid = grid;
-            grid.pyramid.findWhole(_around);
-            _slope = grid.isBlocky ? Infinity : _around.stepX / grid.cellWidth;
-            _tolerance = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth + Math.abs(_around.least)
-                    + Math.abs(_around.greatest));
+            return isSphere && !grid.isBlocky && touchesSphere(grid, extents) ? TOUCHING : UNKNOWN;
         }
 
         // Whether the agent is above all heights near it, or higher than the slopes between them allow. Few heights are read.
-        private function isFar(extents:GroundBox, isSphere:Boolean, above:Number):Boolean
+        private function isFar(grid:HeightGrid, extents:GroundBox, isSphere:Boolean, above:Number, tolerance:Number):Boolean
         {
-            var grid:HeightGrid = _grid;
             var width:Number = grid.cellWidth;
-            var halfX:Number = extents.halfX * Tolerances.OUTER + _tolerance;
-            var halfY:Number = extents.halfY * Tolerances.OUTER + _tolerance;
-            var halfZ:Number = extents.halfZ * Tolerances.OUTER + _tolerance;
-            grid.findAround(_under.x, _under.y, halfX, halfY, _around);
+            var halfX:Number = extents.halfX * Tolerances.OUTER + tolerance;
+            var halfY:Number = extents.halfY * Tolerances.OUTER + tolerance;
+            var halfZ:Number = extents.halfZ * Tolerances.OUTER + tolerance;
+            grid.pyramid.findAround(_under.x, _under.y, halfX, halfY, _around);
             if (extents.z - halfZ > _around.greatest)
             {
                 return true;
@@ -110,9 +97,8 @@ package starlogo.ground
         }
 
         // Whether sloping ground is as high as the point of a sphere that is nearest to the plane under its middle.
-        private function touchesSphere(extents:GroundBox):Boolean
+        private function touchesSphere(grid:HeightGrid, extents:GroundBox):Boolean
         {
-            var grid:HeightGrid = _grid;
             var width:Number = grid.cellWidth;
             grid.findFall(_under);
             var step:Number = extents.halfX / Math.sqrt(_under.fallX * _under.fallX + _under.fallY * _under.fallY + width * width);

@@ -144,7 +144,9 @@ package starlogo.ground
             findNearest(out);
             if (!_pairs.hasTree)
             {
-                _pairs.beginAtPoint(_nearest);
+                _pairs.begin(RelativeMotion.NONE, 0);
+                _pairs.nextPiece();
+                _pairs.narrowTo(_nearest);
                 keepCloser(out);
             }
             _pairs.begin(RelativeMotion.NONE, out.distance);

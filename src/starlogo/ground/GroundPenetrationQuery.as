@@ -31,7 +31,7 @@ package starlogo.ground
 
         private var _pairs:PieceTrianglePairs;
 
-        // The contact with the last triangle that was tried.
+        // The contact with a triangle that is tried.
         private var _tried:ContactPoint = new ContactPoint();
 
         // Bounds of the heights around a place.
@@ -74,7 +74,7 @@ package starlogo.ground
             var origin:Placement = _pairs.search.origin;
             var box:GroundBox = _pairs.wholeBox();
             var low:Number = box.z - box.halfZ;
-            _pairs.search.grid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
+            _pairs.search.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
             out.setNormal(0, 0, 1);
             out.depth = Math.max(0, _around.greatest - origin.z - low);
             out.x = box.x;
@@ -93,7 +93,7 @@ package starlogo.ground
                 var isApart:Boolean = true;
                 while (_pairs.nextTriangle())
                 {
-                    if (findOverlap())
+                    if (findOverlap(_tried))
                     {
                         if (_tried.depth > depth)
                         {
@@ -128,9 +128,9 @@ package starlogo.ground
             while (_pairs.next())
             {
                 _pairs.side.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_pairs.triangle.margin && (!proof.hasTriangle || isBehind(proof)))
+                if (_tried.depth >= -_pairs.triangle.margin && (!proof.hasTriangle || isBehind(_tried, proof)))
                 {
-                    count = addExit(exits, count);
+                    count = addExit(_tried, exits, count);
                 }
             }
             for (var i:int = 0; i < count; i++)
@@ -149,11 +149,11 @@ package starlogo.ground
             while (_pairs.next())
             {
                 _pairs.side.findBehind(RelativeMotion.NONE, _tried);
-                if (_pairs.side.isOverTriangle(_tried) && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
+                if (_pairs.side.isOverTriangle(_tried) && !isNoDeeper(_tried, deepest) && isDepthProven(_tried) && isDeepest(_tried, deepest, out))
                 {
                     deepest = _tried.depth;
                     _pairs.search.minHeight = deepest;
-                    keep(out);
+                    keep(_tried, out);
                 }
             }
         }
@@ -170,7 +170,7 @@ package starlogo.ground
                 // no overlap is deeper than the piece is behind the plane
                 _pairs.side.findBehind(RelativeMotion.NONE, _tried);
                 var isLess:Boolean = deepest > 0 && _tried.depth < deepest - rounding;
-                if (!isLess && findOverlap())
+                if (!isLess && findOverlap(_tried))
                 {
                     var depth:Number = _tried.depth;
                     _pairs.side.leadOutside(RelativeMotion.NONE, _tried);
@@ -179,7 +179,7 @@ package starlogo.ground
                     if (!out.proof.hasTriangle || depth > deepest - slack)
                     {
                         deepest = Math.max(depth, deepest);
-                        keep(out);
+                        keep(_tried, out);
                     }
                 }
             }
@@ -192,35 +192,35 @@ package starlogo.ground
             return IN_FRONT * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
-        // Whether the last contact is not deeper than the deepest one so far by more than rounding. NaN might be deeper.
-        private function isNoDeeper(deepest:Number):Boolean
+        // Whether a contact is not deeper than the deepest one so far by more than rounding. NaN might be deeper.
+        private function isNoDeeper(contact:ContactPoint, deepest:Number):Boolean
         {
-            return deepest > 0 && _tried.depth < deepest + _pairs.triangle.margin;
+            return deepest > 0 && contact.depth < deepest + _pairs.triangle.margin;
         }
 
-        // Whether the last contact is the deepest one so far, or the first one.
-        private function isDeepest(deepest:Number, out:ContactPoint):Boolean
+        // Whether a contact is the deepest one so far, or the first one.
+        private static function isDeepest(contact:ContactPoint, deepest:Number, kept:ContactPoint):Boolean
         {
-            return _tried.depth > deepest || _tried.depth == deepest && !out.proof.hasTriangle;
+            return contact.depth > deepest || contact.depth == deepest && !kept.proof.hasTriangle;
         }
 
         // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
-        private function findOverlap():Boolean
+        private function findOverlap(out:ContactPoint):Boolean
         {
             if (!_pairs.kernel.areTouching(_pairs.triangle.corners, 0))
             {
                 return false;
             }
-            _pairs.kernel.findContact(_pairs.triangle.corners, 0, RelativeMotion.NONE, _tried);
+            _pairs.kernel.findContact(_pairs.triangle.corners, 0, RelativeMotion.NONE, out);
             return true;
         }
 
-        // Writes the last contact, with its triangle.
-        private function keep(out:ContactPoint):void
+        // Keeps a contact, with the current triangle.
+        private function keep(contact:ContactPoint, out:ContactPoint):void
         {
             var origin:Placement = _pairs.search.origin;
             var proof:DepthProof = out.proof;
-            out.copyFrom(_tried);
+            out.copyFrom(contact);
             proof.setTriangle(_pairs.triangle.corners, origin.x, origin.y, origin.z);
         }
 
@@ -239,14 +239,14 @@ package starlogo.ground
             return depth == 0 || leastExit(_pairs.search.grid, x, y, z, depth, _around) >= LEAST_SHARE_PROVEN * depth;
         }
 
-        // Whether the triangle of a contact is not in front of the plane of the exit that was tried.
-        private function isBehind(proof:DepthProof):Boolean
+        // Whether the triangle of a contact is not in front of the plane of an exit, which is that of the current triangle.
+        private function isBehind(exit:ContactPoint, proof:DepthProof):Boolean
         {
             var origin:Placement = _pairs.search.origin;
             var x:Number = origin.x - proof.x;
             var y:Number = origin.y - proof.y;
             var z:Number = origin.z - proof.z;
-            var slack:Number = IN_FRONT * _pairs.triangle.margin + x * _tried.normalX + y * _tried.normalY + z * _tried.normalZ;
+            var slack:Number = IN_FRONT * _pairs.triangle.margin + x * exit.normalX + y * exit.normalY + z * exit.normalZ;
             if (x != 0 || y != 0 || z != 0)
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
@@ -254,11 +254,11 @@ package starlogo.ground
             return _pairs.side.isBehindPlane(proof.corners, slack);
         }
 
-        // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.
-        private function addExit(exits:Vector.<ContactPoint>, count:int):int
+        // Adds an exit to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.
+        private static function addExit(exit:ContactPoint, exits:Vector.<ContactPoint>, count:int):int
         {
             var at:int = 0;
-            while (at < count && _tried.normalX * exits[at].normalX + _tried.normalY * exits[at].normalY + _tried.normalZ * exits[at].normalZ <= SAME_EXIT)
+            while (at < count && exit.normalX * exits[at].normalX + exit.normalY * exits[at].normalY + exit.normalZ * exits[at].normalZ <= SAME_EXIT)
             {
                 at++;
             }
@@ -270,9 +270,9 @@ package starlogo.ground
             {
                 exits[at] = new ContactPoint();
             }
-            if (at == count || _tried.depth < exits[at].depth)
+            if (at == count || exit.depth < exits[at].depth)
             {
-                exits[at].copyFrom(_tried);
+                exits[at].copyFrom(exit);
             }
             return Math.max(count, at + 1);
         }

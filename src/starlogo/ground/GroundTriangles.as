@@ -127,7 +127,7 @@ package starlogo.ground
         // Reads between which heights the triangles of the current square are. Walls go down to below the box.
         private function readHeights(level:int, column:int, row:int, isAtBorder:Boolean):void
         {
-            _path.grid.findRange(level, column, row, column, row, _heights);
+            _path.grid.pyramid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.zeroHeight;
             _heights.greatest += _path.zeroHeight;
             if (isAtBorder || _heights.hasHole)

@@ -5,7 +5,7 @@
 package starlogo.ground
 {
     /**
-     * The heights of a terrain: how high the ground is at a place, and between which heights it is around one.
+     * The heights of a terrain, and its holes: how high the ground is at a place.
      *
      * <p>Frequent questions write to records, because V8 allocates an object for each Number that is passed or returned.</p>
      *
@@ -13,9 +13,6 @@ package starlogo.ground
      */
     public final class HeightGrid
     {
-        // A range is not read height by height if it is longer than this, along x or along y.
-        private static const MOST_SQUARES:int = 16;
-
         /** How many heights there are along x. */
         public var columns:int;
 
@@ -41,7 +38,7 @@ package starlogo.ground
          */
         public var holes:Vector.<int> = null;
 
-        /** Bounds of the heights, for squares of cells. */
+        /** Bounds of the heights. Update it after a change of heights or holes. */
         public var pyramid:HeightPyramid;
 
         /** The number of frames that need the ground as it is. While there are any, it must not change. */
@@ -60,7 +57,7 @@ package starlogo.ground
             this.x = x;
             this.y = y;
             heights = new Vector.<Number>(columns * rows, true);
-            pyramid = new HeightPyramid(columns, rows);
+            pyramid = new HeightPyramid(this);
         }
 
         /** Makes all heights 0, without holes. */
@@ -71,7 +68,7 @@ package starlogo.ground
                 heights[i] = 0;
             }
             holes = null;
-            updateBounds(0, 0, columns - 1, rows - 1);
+            pyramid.update(0, 0, columns - 1, rows - 1);
         }
 
         /** Returns a copy that no frame holds. An earlier copy is used again. */
@@ -299,83 +296,6 @@ package starlogo.ground
             var alongY:Number = Math.min(atY - y, y + (rows - 1) * cellWidth - atY);
             var border:Number = isBlocky ? cellWidth / 2 : 0;
             return Math.min(alongX, alongY) + border;
-        }
-
-        /** Computes the bounds of all squares to which a range of heights belongs. Call it after a change of these heights or holes. */
-        public function updateBounds(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
-        {
-            pyramid.update(this, firstColumn, firstRow, lastColumn, lastRow);
-        }
-
-        /** Finds bounds of a range of a level's squares. At level 0 they are of the heights themselves. */
-        public function findRange(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightRange):void
-        {
-            if (level > 0)
-            {
-                pyramid.findRange(level, firstColumn, firstRow, lastColumn, lastRow, out);
-                return;
-            }
-            var all:Vector.<Number> = heights;
-            var low:Number = Infinity;
-            var high:Number = -Infinity;
-            var alongX:Number = 0;
-            var alongY:Number = 0;
-            out.hasHole = false;
-            for (var row:int = firstRow; row <= lastRow; row++)
-            {
-                for (var column:int = firstColumn; column <= lastColumn; column++)
-                {
-                    var at:int = row * columns + column;
-                    var here:Number = all[at];
-                    low = here < low ? here : low;
-                    high = here > high ? here : high;
-                    var step:Number = column == firstColumn ? 0 : here - all[int(at - 1)];
-                    alongX = step > alongX ? step : alongX;
-                    alongX = -step > alongX ? -step : alongX;
-                    step = row == firstRow ? 0 : here - all[int(at - columns)];
-                    alongY = step > alongY ? step : alongY;
-                    alongY = -step > alongY ? -step : alongY;
-                    if (holes != null && isHole(at))
-                    {
-                        out.hasHole = true;
-                    }
-                }
-            }
-            out.least = low;
-            out.greatest = high;
-            out.stepX = alongX;
-            out.stepY = alongY;
-        }
-
-        /**
-         * Finds bounds of the heights that the ground has in a rectangle around a place, and of how much neighbours differ. A large rectangle
-         * is extended to whole squares.
-         */
-        public function findAround(atX:Number, atY:Number, halfX:Number, halfY:Number, out:HeightRange):void
-        {
-            var toX:Number = (atX - x) / cellWidth;
-            var toY:Number = (atY - y) / cellWidth;
-            // Columns begin half a cell before their heights. A column that only touches the rectangle does not count.
-            var border:Number = isBlocky ? 0.5 : 0;
-            var minX:Number = Math.floor(toX - halfX / cellWidth + border);
-            var minY:Number = Math.floor(toY - halfY / cellWidth + border);
-            var maxX:Number = Math.ceil(toX + halfX / cellWidth - border);
-            var maxY:Number = Math.ceil(toY + halfY / cellWidth - border);
-            // Rounding can leave nothing of a small rectangle between two columns. Then the least is the greater one, and both count.
-            var firstColumn:int = Math.max(0, Math.min(minX, maxX));
-            var firstRow:int = Math.max(0, Math.min(minY, maxY));
-            var lastColumn:int = Math.min(columns - 1, Math.max(minX, maxX));
-            var lastRow:int = Math.min(rows - 1, Math.max(minY, maxY));
-            var level:int = 0;
-            while (level < pyramid.lastLevel && (lastColumn - firstColumn > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
-            {
-                firstColumn >>= HeightPyramid.SHIFT;
-                firstRow >>= HeightPyramid.SHIFT;
-                lastColumn >>= HeightPyramid.SHIFT;
-                lastRow >>= HeightPyramid.SHIFT;
-                level++;
-            }
-            findRange(level, firstColumn, firstRow, lastColumn, lastRow, out);
         }
     }
 }

@@ -13,6 +13,9 @@ package starlogo.ground
         /** How many squares of a level a square of the next level is wide, as a shift. */
         public static const SHIFT:int = 3;
 
+        // A range is not read square by square if it is longer than this, along x or along y.
+        private static const MOST_SQUARES:int = 16;
+
         // For each square: the least height, the greatest height, the greatest difference of two heights that are neighbours along x or y, and 1 if a
         // cell there is a hole, or 0.
         private static const NUMBERS:int = 4;
@@ -20,8 +23,7 @@ package starlogo.ground
         /** The number of the last level. Level 0 is the cells, whose heights need no bounds. */
         public var lastLevel:int = 0;
 
-        private var _columns:int;
-        private var _rows:int;
+        private var _grid:HeightGrid;
 
         // The numbers of all squares, level by level and row by row; and by level, where its squares begin.
         private var _bounds:Vector.<Number>;
@@ -29,22 +31,16 @@ package starlogo.ground
 
         private var _range:HeightRange = new HeightRange();
 
-        /**
-         * Bounds of heights that are 0.
-         *
-         * @param columns how many heights there are along x
-         * @param rows how many there are along y
-         */
-        public function HeightPyramid(columns:int, rows:int)
+        /** @param grid has the heights, which are 0 */
+        public function HeightPyramid(grid:HeightGrid)
         {
             var size:int = 0;
-            _columns = columns;
-            _rows = rows;
-            while (countSquares(columns, lastLevel) > 1 || countSquares(rows, lastLevel) > 1)
+            _grid = grid;
+            while (countSquares(grid.columns, lastLevel) > 1 || countSquares(grid.rows, lastLevel) > 1)
             {
                 lastLevel++;
                 _begins.push(size);
-                size += NUMBERS * countSquares(columns, lastLevel) * countSquares(rows, lastLevel);
+                size += NUMBERS * countSquares(grid.columns, lastLevel) * countSquares(grid.rows, lastLevel);
             }
             _bounds = new Vector.<Number>(size, true);
         }
@@ -70,10 +66,15 @@ package starlogo.ground
             findRange(lastLevel, 0, 0, 0, 0, out);
         }
 
-        /** Finds bounds of a range of squares. The level is at least 1. */
+        /** Finds bounds of a range of a level's squares. At level 0 they are of the heights themselves. */
         public function findRange(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightRange):void
         {
-            var stride:int = countSquares(_columns, level);
+            if (level == 0)
+            {
+                findRangeOfHeights(firstColumn, firstRow, lastColumn, lastRow, out);
+                return;
+            }
+            var stride:int = countSquares(_grid.columns, level);
             var low:Number = Infinity;
             var high:Number = -Infinity;
             var step:Number = 0;
@@ -94,35 +95,103 @@ package starlogo.ground
             out.stepX = out.stepY = step;
         }
 
-        /** Computes the bounds of all squares to which a range of a grid's heights belongs. */
-        public function update(grid:HeightGrid, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
+        // Finds bounds of a range of heights, all of which are read.
+        private function findRangeOfHeights(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightRange):void
+        {
+            var all:Vector.<Number> = _grid.heights;
+            var columns:int = _grid.columns;
+            var low:Number = Infinity;
+            var high:Number = -Infinity;
+            var alongX:Number = 0;
+            var alongY:Number = 0;
+            out.hasHole = false;
+            for (var row:int = firstRow; row <= lastRow; row++)
+            {
+                for (var column:int = firstColumn; column <= lastColumn; column++)
+                {
+                    var at:int = row * columns + column;
+                    var here:Number = all[at];
+                    low = here < low ? here : low;
+                    high = here > high ? here : high;
+                    var step:Number = column == firstColumn ? 0 : here - all[int(at - 1)];
+                    alongX = step > alongX ? step : alongX;
+                    alongX = -step > alongX ? -step : alongX;
+                    step = row == firstRow ? 0 : here - all[int(at - columns)];
+                    alongY = step > alongY ? step : alongY;
+                    alongY = -step > alongY ? -step : alongY;
+                    if (_grid.isHole(at))
+                    {
+                        out.hasHole = true;
+                    }
+                }
+            }
+            out.least = low;
+            out.greatest = high;
+            out.stepX = alongX;
+            out.stepY = alongY;
+        }
+
+        /**
+         * Finds bounds of the heights that the grid has in a rectangle around a place, and of how much neighbours differ. A large rectangle
+         * is extended to whole squares.
+         */
+        public function findAround(x:Number, y:Number, halfX:Number, halfY:Number, out:HeightRange):void
+        {
+            var grid:HeightGrid = _grid;
+            var toX:Number = (x - grid.x) / grid.cellWidth;
+            var toY:Number = (y - grid.y) / grid.cellWidth;
+            // Columns begin half a cell before their heights. A column that only touches the rectangle does not count.
+            var border:Number = grid.isBlocky ? 0.5 : 0;
+            var minX:Number = Math.floor(toX - halfX / grid.cellWidth + border);
+            var minY:Number = Math.floor(toY - halfY / grid.cellWidth + border);
+            var maxX:Number = Math.ceil(toX + halfX / grid.cellWidth - border);
+            var maxY:Number = Math.ceil(toY + halfY / grid.cellWidth - border);
+            // Rounding can leave nothing of a small rectangle between two columns. Then the least is the greater one, and both count.
+            var firstColumn:int = Math.max(0, Math.min(minX, maxX));
+            var firstRow:int = Math.max(0, Math.min(minY, maxY));
+            var lastColumn:int = Math.min(grid.columns - 1, Math.max(minX, maxX));
+            var lastRow:int = Math.min(grid.rows - 1, Math.max(minY, maxY));
+            var level:int = 0;
+            while (level < lastLevel && (lastColumn - firstColumn > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
+            {
+                firstColumn >>= SHIFT;
+                firstRow >>= SHIFT;
+                lastColumn >>= SHIFT;
+                lastRow >>= SHIFT;
+                level++;
+            }
+            findRange(level, firstColumn, firstRow, lastColumn, lastRow, out);
+        }
+
+        /** Computes the bounds of all squares to which a range of heights belongs. Call it after a change of these heights or holes. */
+        public function update(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
             for (var level:int = 1; level <= lastLevel; level++)
             {
                 var around:int = level == 1 ? 1 : 0;
                 firstColumn = Math.max(0, firstColumn - around) >> SHIFT;
                 firstRow = Math.max(0, firstRow - around) >> SHIFT;
-                lastColumn = Math.min(countSquares(_columns, level - 1) - 1, lastColumn + around) >> SHIFT;
-                lastRow = Math.min(countSquares(_rows, level - 1) - 1, lastRow + around) >> SHIFT;
+                lastColumn = Math.min(countSquares(_grid.columns, level - 1) - 1, lastColumn + around) >> SHIFT;
+                lastRow = Math.min(countSquares(_grid.rows, level - 1) - 1, lastRow + around) >> SHIFT;
                 for (var row:int = firstRow; row <= lastRow; row++)
                 {
                     for (var column:int = firstColumn; column <= lastColumn; column++)
                     {
-                        updateSquare(grid, level, column, row, around);
+                        updateSquare(level, column, row, around);
                     }
                 }
             }
         }
 
         // Computes the bounds of a square from those of the level below, and of some rows and columns around.
-        private function updateSquare(grid:HeightGrid, level:int, column:int, row:int, around:int):void
+        private function updateSquare(level:int, column:int, row:int, around:int):void
         {
             var firstColumn:int = Math.max(0, (column << SHIFT) - around);
             var firstRow:int = Math.max(0, (row << SHIFT) - around);
-            var lastColumn:int = Math.min(countSquares(_columns, level - 1), ((column + 1) << SHIFT) + around) - 1;
-            var lastRow:int = Math.min(countSquares(_rows, level - 1), ((row + 1) << SHIFT) + around) - 1;
-            grid.findRange(level - 1, firstColumn, firstRow, lastColumn, lastRow, _range);
-            var at:int = _begins[level] + NUMBERS * (row * countSquares(_columns, level) + column);
+            var lastColumn:int = Math.min(countSquares(_grid.columns, level - 1), ((column + 1) << SHIFT) + around) - 1;
+            var lastRow:int = Math.min(countSquares(_grid.rows, level - 1), ((row + 1) << SHIFT) + around) - 1;
+            findRange(level - 1, firstColumn, firstRow, lastColumn, lastRow, _range);
+            var at:int = _begins[level] + NUMBERS * (row * countSquares(_grid.columns, level) + column);
             _bounds[at] = _range.least;
             _bounds[int(at + 1)] = _range.greatest;
             _bounds[int(at + 2)] = Math.max(_range.stepX, _range.stepY);

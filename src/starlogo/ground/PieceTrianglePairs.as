@@ -21,7 +21,7 @@ package starlogo.ground
      * <p>A structure is one piece. The pieces of a tree are its nodes at the depth limit, or its triangles. A node above them that the
      * surface does not come near is a piece without triangles, in place of all pieces below it.</p>
      *
-     * <p>One of the methods that begin comes first. Then <code>next()</code> goes through the pairs. If the pieces count too,
+     * <p><code>begin()</code> or <code>beginWhole()</code> comes first. Then <code>next()</code> goes through the pairs. If the pieces count too,
      * <code>nextPiece()</code> goes through them, and <code>nextTriangle()</code> through the triangles near the current one.</p>
      */
     internal final class PieceTrianglePairs
@@ -107,7 +107,7 @@ package starlogo.ground
             return _triangles.triangle;
         }
 
-        /** Moves the model to where a motion has brought it at a time. Then a method begins. */
+        /** Moves the model to where a motion has brought it at a time. Then a search begins. */
         public function moveModelTo(motion:RelativeMotion, time:Number):void
         {
             _relative.x = motion.startX + time * motion.x;
@@ -123,47 +123,26 @@ package starlogo.ground
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
-            reset(hasTree ? 0 : WHOLE, motion, maxDistance);
+            beginAt(hasTree ? 0 : WHOLE, motion, maxDistance);
         }
 
         /** Begins with the structure around the whole model as the only piece. It stands. */
         public function beginWhole(maxDistance:Number):void
         {
-            reset(WHOLE, RelativeMotion.NONE, maxDistance);
-        }
-
-        /** Begins with the structure around the whole model, and with the triangles at a point of the ground alone. */
-        public function beginAtPoint(at:GroundPoint):void
-        {
-            var box:GroundBox = search.box;
-            var origin:Placement = search.origin;
-            beginWhole(0);
-            nextPiece();
-            // the piece stays, and its search begins again, at the point
-            box.x = at.x - origin.x;
-            box.y = at.y - origin.y;
-            box.z = at.height - origin.z;
-            box.halfX = box.halfY = box.halfZ = 0;
-            search.shape = null;
-            _triangles.begin(search);
+            beginAt(WHOLE, RelativeMotion.NONE, maxDistance);
         }
 
         // Begins with a node as all that is to be visited.
-        private function reset(node:int, motion:RelativeMotion, maxDistance:Number):void
+        private function beginAt(node:int, motion:RelativeMotion, maxDistance:Number):void
         {
             _triangles.stop();
-            _first = _end = _nodeCount = 0;
-            addNode(node);
+            _first = _end = 0;
+            _nodes[0] = node;
+            _nodeCount = 1;
             search.motion = motion;
             search.latest = motion.latest;
             search.maxDistance = maxDistance;
             search.minHeight = -Infinity;
-        }
-
-        private function addNode(node:int):void
-        {
-            _nodes[_nodeCount] = node;
-            _nodeCount++;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */
@@ -200,6 +179,19 @@ package starlogo.ground
             return true;
         }
 
+        /** Leaves out the triangles near the current piece that are not at a point of the ground. */
+        public function narrowTo(at:GroundPoint):void
+        {
+            var box:GroundBox = search.box;
+            var origin:Placement = search.origin;
+            box.x = at.x - origin.x;
+            box.y = at.y - origin.y;
+            box.z = at.height - origin.z;
+            box.halfX = box.halfY = box.halfZ = 0;
+            search.shape = null;
+            _triangles.begin(search);
+        }
+
         /** Goes on to the next triangle near the piece. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
@@ -222,7 +214,7 @@ package starlogo.ground
             return _ground.height - depth >= _point.z + at.z;
         }
 
-        /** The box around the whole model. It is valid until one of the methods that begin. */
+        /** The box around the whole model. It is valid until the next search. */
         public function wholeBox():GroundBox
         {
             fitBoxTo(_structure);
@@ -264,8 +256,8 @@ package starlogo.ground
             _triangles.begin(search);
             if (_triangles.next())
             {
-                addNode(tree.left[node] + 1);
-                addNode(tree.left[node]);
+                _nodes[_nodeCount++] = tree.left[node] + 1;
+                _nodes[_nodeCount++] = tree.left[node];
                 return false;
             }
             _point.setTo(search.box.x, search.box.y, search.box.z);

@@ -13,7 +13,7 @@ package starlogo.ground
         {
             return 0;
         }
-        grid.findAround(x, y, maxLength, maxLength, around);
+        grid.pyramid.findAround(x, y, maxLength, maxLength, around);
         if (around.hasHole)
         {
             return 0;

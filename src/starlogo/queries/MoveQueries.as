@@ -201,13 +201,10 @@ package starlogo.queries
         private function collect(wanted:int, end:Vector3D):void
         {
             _lift.clear();
-            if (collectLifted(wanted, end))
+            // a floor may be many rows: what is lifted out of one of them does not run into the next
+            if (collectLifted(wanted, end) && _mover.findLift(_body, _body.rows, _from, _motion, _lift))
             {
-                // a floor may be many rows: what is lifted out of one of them does not run into the next
-                if (_mover.findLift(_body, _body.rows, _from, _motion, _lift))
-                {
-                    collectLifted(wanted, end);
-                }
+                collectLifted(wanted, end);
             }
         }
 

@@ -203,7 +203,7 @@ package starlogo.terrain
             {
                 changed.heights[int((row + int(i / columns)) * changed.columns + column + i % columns)] = heights[i];
             }
-            changed.updateBounds(column, row, column + columns - 1, row + rows - 1);
+            changed.pyramid.update(column, row, column + columns - 1, row + rows - 1);
         }
 
         /**
@@ -219,7 +219,7 @@ package starlogo.terrain
             {
                 var changed:HeightGrid = worldAgent.beginChange();
                 changed.setHole(row * changed.columns + column, isHole);
-                changed.updateBounds(column, row, column, row);
+                changed.pyramid.update(column, row, column, row);
             }
         }
 

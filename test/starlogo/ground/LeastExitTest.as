@@ -55,7 +55,7 @@ package starlogo.ground
             {
                 grid.heights[i] = i % SIDE > 1 ? 0 : 1;
             }
-            grid.updateBounds(0, 0, SIDE - 1, SIDE - 1);
+            grid.pyramid.update(0, 0, SIDE - 1, SIDE - 1);
             var border:Number = -2 + 1.5 * WIDTH;
             for each (var reach:Number in [1e-20, 1e-9, 0.01, 1])
             {
@@ -74,7 +74,7 @@ package starlogo.ground
             {
                 grid.heights[i] = _random.between(0, high);
             }
-            grid.updateBounds(0, 0, SIDE - 1, SIDE - 1);
+            grid.pyramid.update(0, 0, SIDE - 1, SIDE - 1);
             return grid;
         }
     }

@@ -380,7 +380,7 @@ package starlogo.terrain
             var y:Number = random.between(0, terrain.rows - 1);
             var reachX:Number = random.between(0, 9);
             var reachY:Number = random.between(0, 9);
-            terrain.grid.findAround(x, y, reachX, reachY, range);
+            terrain.grid.pyramid.findAround(x, y, reachX, reachY, range);
             for (var i:int = 0; i < 30; i++)
             {
                 var height:Number = terrain.heightAt(x + random.pick([-1, 1, random.between(-1, 1)]) * reachX, y + random.pick([-1, 1, random.between(-1, 1)]) * reachY);

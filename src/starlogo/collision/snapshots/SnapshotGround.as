@@ -77,7 +77,7 @@ package starlogo.collision.snapshots
                     grid.holes[i] = _holes[i];
                 }
             }
-            grid.updateBounds(0, 0, grid.columns - 1, grid.rows - 1);
+            grid.pyramid.update(0, 0, grid.columns - 1, grid.rows - 1);
         }
 
         private static function writeNumbers(bytes:ByteArray, numbers:Vector.<Number>, areInts:Boolean):void

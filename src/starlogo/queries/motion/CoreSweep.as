@@ -18,13 +18,12 @@ package starlogo.queries.motion
      */
     public final class CoreSweep
     {
-        // The motion, the body's place at its end, the motion's length, and the contact that was found last.
-        private var _motion:RelativeMotion = new RelativeMotion();
-        private var _end:Vector3D = new Vector3D();
-        private var _length:Number = 0;
-        private var _contact:ContactPoint = new ContactPoint();
+        // What the core meets of one row.
+        private var _met:Impact = new Impact();
 
-        // Where a sweep begins again that has met what the core leaves.
+        // A sweep, the body's place at its end, and where a sweep begins again that has met what the core leaves.
+        private var _sweep:RelativeMotion = new RelativeMotion();
+        private var _end:Vector3D = new Vector3D();
         private var _beyond:Vector3D = new Vector3D();
 
         /**
@@ -37,26 +36,24 @@ package starlogo.queries.motion
          */
         public function findFirst(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            aim(from, motion);
             out.row = -1;
-            out.time = RelativeMotion.NEVER;
-            out.touchTime = NaN;
-            out.isNormalFallback = false;
+            out.time = out.comparedTime = RelativeMotion.NEVER;
             for (var i:int = 0; i < body.obstacles.count; i++)
             {
-                keepEarlier(body, body.obstacles.numbers[i], from, motion, out);
+                if (findStop(body, body.obstacles.numbers[i], from, motion, _met) && _met.comparedTime < out.comparedTime)
+                {
+                    out.copyFrom(_met);
+                }
             }
             if (out.row < 0)
             {
                 return false;
             }
-            out.along = out.contact.along(motion);
-            out.isNormalFallback = !isAgainst(out.along);
             if (out.isNormalFallback)
             {
                 out.contact.setNormal(-motion.x, -motion.y, -motion.z);
                 out.contact.normalise();
-                out.along = -_length;
+                out.along = -lengthOf(motion);
             }
             return true;
         }
@@ -78,9 +75,7 @@ package starlogo.queries.motion
         /** Whether the core meets a row. */
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            aim(from, motion);
-            findStop(body, body.bodyOf(row), from, motion);
-            return _motion.time != RelativeMotion.NEVER;
+            return findStop(body, row, from, motion, _met);
         }
 
         /**
@@ -101,99 +96,74 @@ package starlogo.queries.motion
             out.touchTime = Math.max(0, Math.min(1, out.time + recess / out.along));
             if (recess < 0)
             {
-                aim(from, motion);
-                var whole:Body = body.wholeAt(_end);
+                var whole:Body = body.wholeAt(endOf(from, motion));
                 var other:Body = body.bodyOf(out.row);
-                body.testsOf(whole, other).findImpact(whole, other, _motion, null);
-                var isExpected:Boolean = Math.abs(_motion.time - out.touchTime) <= out.touchTime - out.time;
-                out.touchTime = isExpected ? _motion.time : out.time;
+                _sweep.endAfter(motion.x, motion.y, motion.z);
+                body.testsOf(whole, other).findImpact(whole, other, _sweep, null);
+                var isExpected:Boolean = Math.abs(_sweep.time - out.touchTime) <= out.touchTime - out.time;
+                out.touchTime = isExpected ? _sweep.time : out.time;
             }
         }
 
-        private function aim(from:Vector3D, motion:Vector3D):void
+        // Where a motion ends. It is valid until the next call.
+        private function endOf(from:Vector3D, motion:Vector3D):Vector3D
         {
             _end.copyFrom(from);
             _end.incrementBy(motion);
-            _motion.endAfter(motion.x, motion.y, motion.z);
-            _length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
+            return _end;
         }
 
-        // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer. A contact that does not point against the
-        // motion counts a clearance later. So a corner of the core that enters a floor exactly between two tiles, along the side of one of them, is
-        // stopped by the top of the other.
-        private function keepEarlier(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):void
+        private static function lengthOf(motion:Vector3D):Number
         {
-            findStop(body, body.bodyOf(row), from, motion);
-            if (_motion.time == RelativeMotion.NEVER)
-            {
-                return;
-            }
-            var isNormalFallback:Boolean = _motion.time > 0 && !isAgainst(_contact.along(motion));
-            var time:Number = _motion.time;
-            var earliest:Number = out.time;
-            if (isNormalFallback)
-            {
-                time += body.core.clearance / _length;
-            }
-            if (out.isNormalFallback)
-            {
-                earliest += body.core.clearance / _length;
-            }
-            if (time < earliest)
-            {
-                out.row = row;
-                out.time = _motion.time;
-                out.contact.copyFrom(_contact);
-                out.isNormalFallback = isNormalFallback;
-            }
+            return Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
         }
 
-        // Finds when and how a body stops the core. If the first contact on the way does not point against the motion, the core leaves what it touches
+        // Finds when and how a row stops the core. If the first contact on the way does not point against the motion, the core leaves what it touches
         // there, and may enter another face at the same time: at the edge of a tile, its top. Then the sweep begins again, a clearance farther on.
-        // A flat core may be past the body there.
-        private function findStop(body:MovingBody, other:Body, from:Vector3D, motion:Vector3D):void
+        // A flat core may be past the body there. Returns whether the row stops it.
+        private function findStop(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            sweepCore(body, other, from);
-            var isOnWay:Boolean = _motion.time > 0 && _motion.time != RelativeMotion.NEVER;
-            if (!isOnWay || isAgainst(_contact.along(motion)) || body.core.isFlat)
+            var end:Vector3D = endOf(from, motion);
+            var length:Number = lengthOf(motion);
+            var clearance:Number = body.core.clearance / length;
+            var against:Number = -SlidePlanes.PARALLEL_SINE * length;
+            _sweep.endAfter(motion.x, motion.y, motion.z);
+            var isMet:Boolean = sweepCore(body, row, from, end, _sweep, out.contact);
+            out.time = _sweep.time;
+            if (isMet && out.time > 0 && !(out.contact.along(motion) < against) && !body.core.isFlat)
             {
-                return;
+                var part:Number = Math.min(1, out.time + clearance);
+                var rest:Number = 1 - part;
+                _beyond.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
+                _sweep.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
+                isMet = sweepCore(body, row, _beyond, end, _sweep, out.contact);
+                out.time = part + rest * _sweep.time;
             }
-            var part:Number = Math.min(1, _motion.time + body.core.clearance / _length);
-            var rest:Number = 1 - part;
-            _beyond.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
-            _motion.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-            sweepCore(body, other, _beyond);
-            _motion.endAfter(motion.x, motion.y, motion.z);
-            if (_motion.time != RelativeMotion.NEVER)
-            {
-                _motion.time = part + rest * _motion.time;
-            }
+            out.row = row;
+            out.along = out.contact.along(motion);
+            out.isNormalFallback = !(out.along < against);
+            out.comparedTime = out.isNormalFallback && out.time > 0 ? out.time + clearance : out.time;
+            return isMet;
         }
 
-        // Whether a contact points against the motion, whose component along its normal is given.
-        private function isAgainst(along:Number):Boolean
+        // Finds when and how the core first meets a row on a motion, which receives the time. Returns whether it meets the row.
+        private static function sweepCore(body:MovingBody, row:int, from:Vector3D, end:Vector3D, motion:RelativeMotion, out:ContactPoint):Boolean
         {
-            return along < -SlidePlanes.PARALLEL_SINE * _length;
-        }
-
-        // Finds when and how the core first meets a body. The motion receives the time, because V8 would make an object for a Number that is
-        // returned.
-        private function sweepCore(body:MovingBody, other:Body, from:Vector3D):void
-        {
-            var core:Body = body.core.at(_end);
-            _motion.time = RelativeMotion.NEVER;
-            if (body.isNear(core, other, _motion))
+            var core:Body = body.core.at(end);
+            var other:Body = body.bodyOf(row);
+            motion.time = RelativeMotion.NEVER;
+            if (body.isNear(core, other, motion))
             {
-                body.testsOf(core, other).findImpact(core, other, _motion, _contact);
+                body.testsOf(core, other).findImpact(core, other, motion, out);
             }
             // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-            if (_motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND
+            if (motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND
                     && body.testsOf(core, other).areTouching(body.core.at(from), other))
             {
-                _motion.time = 0;
-                _contact.setNormal(0, 0, 0);
+                motion.time = 0;
+                out.setNormal(0, 0, 0);
             }
+            return motion.time != RelativeMotion.NEVER;
         }
     }
 }

@@ -15,6 +15,12 @@ package starlogo.queries.motion
         /** When the core meets it, as a part of the motion; Infinity if it meets none. */
         public var time:Number = Infinity;
 
+        /**
+         * The time that is compared with those of other rows. It is a clearance later if the contact does not point against the motion. So a corner of
+         * the core that enters a floor exactly between two tiles, along the side of one of them, is stopped by the top of the other.
+         */
+        public var comparedTime:Number = Infinity;
+
         /** When the whole body touches it; NaN until CoreSweep.findTouchTime finds it. */
         public var touchTime:Number = NaN;
 
@@ -26,5 +32,17 @@ package starlogo.queries.motion
 
         /** Whether no contact showed what is met, so that the normal is just the opposite of the motion. */
         public var isNormalFallback:Boolean = false;
+
+        /** Becomes a copy of another impact. */
+        public function copyFrom(other:Impact):void
+        {
+            row = other.row;
+            time = other.time;
+            comparedTime = other.comparedTime;
+            touchTime = other.touchTime;
+            contact.copyFrom(other.contact);
+            along = other.along;
+            isNormalFallback = other.isNormalFallback;
+        }
     }
 }

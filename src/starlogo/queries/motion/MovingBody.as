@@ -180,7 +180,7 @@ package starlogo.queries.motion
             {
                 _found.add(row, 0);
             }
-            var count:int = _found.endSorted();
+            var count:int = _found.end();
             for (var i:int = 0; i < count; i++)
             {
                 rows.add(_found.rowAt(i));

@@ -7,6 +7,7 @@ package starlogo.queries.motion
     import starlogo.engine;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.penetration.OverlapMiddle;
 
     use namespace engine;
 
@@ -89,27 +90,27 @@ package starlogo.queries.motion
          */
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
-            begin(place);
+            beginPushes(place);
             for (var round:int = 0; round < ROUNDS; round++)
             {
                 var isFree:Boolean = true;
                 for (var i:int = 0; i < body.obstacles.count; i++)
                 {
                     var row:int = body.obstacles.numbers[i];
-                    if (!findTouch(body, row, place, _touching))
+                    if (!findTouchingPlace(body, row, place, _touching))
                     {
                         continue;
                     }
                     isFree = false;
-                    findContact(body, row, _touching, round);
-                    if (isOpposite())
+                    findContactInRound(body, row, _touching, round, _contact);
+                    if (isOpposite(_contact))
                     {
                         giveUp(place);
                         return;
                     }
                     _beside.copyFrom(place);
                     _beside.decrementBy(_touching);
-                    push(place, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
+                    push(place, _contact, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
                 }
                 if (isFree)
                 {
@@ -154,7 +155,7 @@ package starlogo.queries.motion
         // way to the middle of the body.
         private static function isExitShort(body:MovingBody, row:int, contact:ContactPoint):Boolean
         {
-            return body.bodyOf(row).form != ModelShape.TREE || contact.depth <= halfAlong(body.source, contact);
+            return body.bodyOf(row).form != ModelShape.TREE || contact.depth <= OverlapMiddle.halfAlong(body.source, contact);
         }
 
         // Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
@@ -164,7 +165,7 @@ package starlogo.queries.motion
             var form:int = body.bodyOf(row).form;
             var isTree:Boolean = form == ModelShape.TREE;
             var source:Body = body.source;
-            var least:Number = halfAlong(source, contact);
+            var least:Number = OverlapMiddle.halfAlong(source, contact);
             if (!isTree)
             {
                 least *= WITH_ROOM;
@@ -174,12 +175,6 @@ package starlogo.queries.motion
                 var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
                 warnOfInside(body.agents, row, source.shape.modelName, source.placement, below, contact.depth, isTree);
             }
-        }
-
-        // Half of the extent of the box around a body, along a contact's normal.
-        private static function halfAlong(body:Body, contact:ContactPoint):Number
-        {
-            return Math.abs(contact.normalX) * body.halfX + Math.abs(contact.normalY) * body.halfY + Math.abs(contact.normalZ) * body.halfZ;
         }
 
         // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
@@ -237,7 +232,7 @@ package starlogo.queries.motion
         // obstacle at its place.
         private function liftOut(body:MovingBody, place:Vector3D, lift:StartLift):Boolean
         {
-            begin(place);
+            beginPushes(place);
             for (var round:int = 0; round < ROUNDS; round++)
             {
                 var isFree:Boolean = true;
@@ -249,13 +244,13 @@ package starlogo.queries.motion
                         continue;
                     }
                     isFree = false;
-                    var isShallow:Boolean = findContact(body, row, place, round);
-                    if (!isShallow || isOpposite())
+                    var isShallow:Boolean = findContactInRound(body, row, place, round, _contact);
+                    if (!isShallow || isOpposite(_contact))
                     {
                         return giveUp(place);
                     }
                     lift.add(_contact);
-                    push(place, _contact.depth + body.core.clearance);
+                    push(place, _contact, _contact.depth + body.core.clearance);
                 }
                 if (isFree)
                 {
@@ -265,7 +260,7 @@ package starlogo.queries.motion
             return giveUp(place);
         }
 
-        private function begin(place:Vector3D):void
+        private function beginPushes(place:Vector3D):void
         {
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
@@ -279,31 +274,31 @@ package starlogo.queries.motion
         }
 
         // Finds the contact with a row that the body touches at a place. Returns whether it is shallow.
-        private function findContact(body:MovingBody, row:int, place:Vector3D, round:int):Boolean
+        private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
-            var isShallow:Boolean = body.findContact(row, place, round >= SURE_ROUND, _contact);
-            if (round < SURE_ROUND && isOpposite())
+            var isShallow:Boolean = body.findContact(row, place, round >= SURE_ROUND, out);
+            if (round < SURE_ROUND && isOpposite(out))
             {
-                isShallow = body.findContact(row, place, true, _contact);
+                isShallow = body.findContact(row, place, true, out);
             }
             return isShallow;
         }
 
         // Whether the body is between this row and the one that it was last pushed out of.
-        private function isOpposite():Boolean
+        private function isOpposite(contact:ContactPoint):Boolean
         {
-            return _contact.normalX * _last.normalX + _contact.normalY * _last.normalY + _contact.normalZ * _last.normalZ < OPPOSITE;
+            return contact.normalX * _last.normalX + contact.normalY * _last.normalY + contact.normalZ * _last.normalZ < OPPOSITE;
         }
 
-        private function push(place:Vector3D, by:Number):void
+        private function push(place:Vector3D, contact:ContactPoint, by:Number):void
         {
-            _contact.push(place, by);
-            _last.copyFrom(_contact);
+            contact.push(place, by);
+            _last.copyFrom(contact);
         }
 
         // Finds where the body touches a row: at a place, or, if it is flat, half of a clearance beside the place along an axis. Returns whether
         // there is such a touching place.
-        private function findTouch(body:MovingBody, row:int, place:Vector3D, touching:Vector3D):Boolean
+        private function findTouchingPlace(body:MovingBody, row:int, place:Vector3D, touching:Vector3D):Boolean
         {
             if (touchesAt(body, row, place, 0, 0, 0, touching))
             {

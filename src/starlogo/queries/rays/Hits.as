@@ -105,7 +105,7 @@ package starlogo.queries.rays
         /** Ends the search. The answer has the hits of the rows that the collector has, sorted by their keys. Returns how many they are. */
         public function end():int
         {
-            var rows:int = _found.endSorted();
+            var rows:int = _found.end();
             _answer.count = 0;
             for (var i:int = 0; i < rows; i++)
             {

@@ -105,7 +105,7 @@ package starlogo.queries.trees
                     {
                         return row;
                     }
-                    search.passOver();
+                    search.tree.passOver(1);
                 }
                 row = search.next(filter.breeds, limit);
             }
@@ -187,10 +187,14 @@ package starlogo.queries.trees
             }
         }
 
-        /** Ends the search. Returns how many rows are in the answer. */
+        /** Ends the search, and sorts the rows of the answer. Returns how many they are. */
         public function end():int
         {
-            if (filter.accepts != null)
+            if (filter.accepts == null)
+            {
+                sort();
+            }
+            else
             {
                 askBelow(Infinity);
             }
@@ -209,24 +213,14 @@ package starlogo.queries.trees
             return _seen.table.list.agents[rowAt(index)];
         }
 
-        /** Ends the search, with calls of <code>accepts</code>. Returns the agent of the first row of the answer, or null. */
+        /** Ends the search. Returns the agent of the first row of the answer, or null. */
         public function endWithFirst():Agent
         {
             return end() == 0 ? null : agentAt(0);
         }
 
-        /** Ends the search, and sorts the rows of the answer. Returns how many they are. */
-        public function endSorted():int
-        {
-            if (filter.accepts == null)
-            {
-                sort();
-            }
-            return end();
-        }
-
         /**
-         * Ends the search, and lists the agents of the answer in their order.
+         * Ends the search, and lists the agents of the answer.
          *
          * @param out receives the list; null for a new list
          * @return out, or the new list
@@ -234,7 +228,7 @@ package starlogo.queries.trees
         public function endWithList(out:Vector.<Agent>):Vector.<Agent>
         {
             var listed:Vector.<Agent> = out || new Vector.<Agent>();
-            var length:int = endSorted();
+            var length:int = end();
             // one element at a time, because V8 frees an array's memory if its length is set to less
             while (listed.length > length)
             {

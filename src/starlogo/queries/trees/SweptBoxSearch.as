@@ -15,7 +15,8 @@ package starlogo.queries.trees
      */
     public final class SweptBoxSearch
     {
-        private var _tree:RowTree;
+        /** The tree of the present search. Read only. */
+        public var tree:RowTree = null;
 
         // How much of the motion is searched, as a multiple of its vector.
         private var _limit:Number = 1;
@@ -57,7 +58,7 @@ package starlogo.queries.trees
         public function begin(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):void
         {
             var slack:Number = RowTree.slackOf(x, y, z, halfX, halfY, halfZ);
-            _tree = tree;
+            this.tree = tree;
             _moves = false;
             _around[0] = x - halfX - slack;
             _around[1] = y - halfY - slack;
@@ -148,9 +149,9 @@ package starlogo.queries.trees
                 {
                     var slot:int = _slots[_next];
                     _next++;
-                    if (!_moves || findEntry(_tree.rowBoxes, RowTree.PER_BOX * slot))
+                    if (!_moves || findEntry(tree.rowBoxes, RowTree.PER_BOX * slot))
                     {
-                        return _tree.rows[slot];
+                        return tree.rows[slot];
                     }
                     continue;
                 }
@@ -168,28 +169,22 @@ package starlogo.queries.trees
             return -1;
         }
 
-        /** Counts a row that the filter does not let through. */
-        public function passOver():void
-        {
-            _tree.passOver(1);
-        }
-
         // Finds the rows of a leaf, or puts the children of a node on the waiting list.
         private function visit(node:int, breeds:int):void
         {
-            if (!_tree.mayHave(node, breeds))
+            if (!tree.mayHave(node, breeds))
             {
                 return;
             }
-            var leaf:int = node - _tree.firstLeaf;
+            var leaf:int = node - tree.firstLeaf;
             if (leaf >= 0)
             {
                 _next = 0;
-                _end = findOverlapping(_tree.rowBoxes, _tree.starts[leaf], _tree.starts[leaf + 1], _slots, 0);
+                _end = findOverlapping(tree.rowBoxes, tree.starts[leaf], tree.starts[leaf + 1], _slots, 0);
                 return;
             }
             var first:int = _waiting;
-            _waiting = findOverlapping(_tree.nodeBoxes, node << 1, (node << 1) + 2, _nodes, first);
+            _waiting = findOverlapping(tree.nodeBoxes, node << 1, (node << 1) + 2, _nodes, first);
             if (_moves)
             {
                 keepOnWay(first);
@@ -245,7 +240,7 @@ package starlogo.queries.trees
             var kept:int = first;
             for (var i:int = first; i < _waiting; i++)
             {
-                if (findEntry(_tree.nodeBoxes, RowTree.PER_BOX * _nodes[i]))
+                if (findEntry(tree.nodeBoxes, RowTree.PER_BOX * _nodes[i]))
                 {
                     _entries[kept] = _entry;
                     _nodes[kept] = _nodes[i];

@@ -22,5 +22,11 @@ package starlogo.search.penetration
         {
             throw new IllegalOperationError(this + " does not implement find");
         }
+
+        /** Whether the first body moves, and touches the second only after the motion's beginning. */
+        internal static function isComing(motion:RelativeMotion):Boolean
+        {
+            return motion.time > 0 && !motion.isStill;
+        }
     }
 }

@@ -56,7 +56,13 @@ package starlogo.search.penetration
             {
                 return 2 * body.halfX;
             }
-            return 2 * (body.halfX * Math.abs(out.normalX) + body.halfY * Math.abs(out.normalY) + body.halfZ * Math.abs(out.normalZ));
+            return 2 * halfAlong(body, out);
+        }
+
+        /** Half of the length of a body's extents along the normal of a contact. */
+        public static function halfAlong(body:Body, contact:ContactPoint):Number
+        {
+            return body.halfX * Math.abs(contact.normalX) + body.halfY * Math.abs(contact.normalY) + body.halfZ * Math.abs(contact.normalZ);
         }
     }
 }

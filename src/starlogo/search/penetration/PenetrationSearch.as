@@ -38,7 +38,7 @@ package starlogo.search.penetration
         {
             _pair.begin(a, b, motion);
             // only a body that moves may have been stopped just before the touch
-            if (!isComing(motion) || _pair.areTouching())
+            if (!ExitSearch.isComing(motion) || _pair.areTouching())
             {
                 _exits.find(a, b, motion, out);
             }
@@ -50,12 +50,6 @@ package starlogo.search.penetration
             OverlapMiddle.movePoint(_pair.first, b, out);
             OverlapMiddle.keepWithin(_pair.first, out);
             OverlapMiddle.keepWithin(b, out);
-        }
-
-        /** Whether the first body moves, and touches the second only after the motion's beginning. */
-        internal static function isComing(motion:RelativeMotion):Boolean
-        {
-            return motion.time > 0 && !motion.isStill;
         }
 
         // Handles two bodies that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the

@@ -110,7 +110,7 @@ package starlogo.search.penetration
         /** The push that was tried last; 0 at the beginning. Do not change it. */
         public function get push():Vector3D
         {
-            return _pushes.push.displacement;
+            return _pushes.current.displacement;
         }
 
         /**
@@ -171,7 +171,7 @@ package starlogo.search.penetration
         {
             _tried.setDirection(push.x / _pushes.length, push.y / _pushes.length, push.z / _pushes.length);
             var farther:Number = _pushes.length + _pair.probeDistance;
-            if (_pushes.push.deciding > 1)
+            if (_pushes.current.deciding > 1)
             {
                 // beyond its end, a push out of several contacts may lead into one of them again
                 _tried.distance = _pushes.length;
@@ -185,7 +185,7 @@ package starlogo.search.penetration
             {
                 return true;
             }
-            if (_pushes.push.deciding == 1)
+            if (_pushes.current.deciding == 1)
             {
                 return false;
             }

@@ -18,7 +18,7 @@ package starlogo.search.penetration
         private static const NONE:ShortestExit = new ShortestExit();
 
         /** The current push; one of length 0 at first. Read only. */
-        public var push:ShortestExit = NONE;
+        public var current:ShortestExit = NONE;
 
         /** Its length. A push in the list that was taken has the length Infinity. Read only. */
         public var length:Number = 0;
@@ -37,13 +37,13 @@ package starlogo.search.penetration
             _contacts.begin();
             _count = 0;
             length = 0;
-            push = NONE;
+            current = NONE;
         }
 
         /** Whether the current push is the one that was added first. */
         public function get isFirst():Boolean
         {
-            return push === _pushes[0];
+            return current === _pushes[0];
         }
 
         /** Goes on to the shortest push that is left. Returns false if there is none. */
@@ -54,15 +54,15 @@ package starlogo.search.penetration
             {
                 if (_pushes[i].length < length)
                 {
-                    push = _pushes[i];
-                    length = push.length;
+                    current = _pushes[i];
+                    length = current.length;
                 }
             }
             if (length == Infinity)
             {
                 return false;
             }
-            push.length = Infinity;
+            current.length = Infinity;
             return true;
         }
 
@@ -74,12 +74,12 @@ package starlogo.search.penetration
         public function add(contact:ContactPoint, slack:Number):void
         {
             _halfSpaces.begin();
-            for (var i:int = 0; i < push.deciding; i++)
+            for (var i:int = 0; i < current.deciding; i++)
             {
-                _halfSpaces.addFrom(_contacts, push.numbers[i]);
+                _halfSpaces.addFrom(_contacts, current.numbers[i]);
                 slack *= 2;
             }
-            var along:Number = contact.along(push.displacement);
+            var along:Number = contact.along(current.displacement);
             _contacts.add(contact.normalX, contact.normalY, contact.normalZ, contact.depth + slack + along);
             _halfSpaces.addFrom(_contacts, _contacts.count - 1);
             if (_count == _pushes.length)
@@ -88,11 +88,11 @@ package starlogo.search.penetration
             }
             var found:ShortestExit = _pushes[_count];
             // if the new contact does not decide, the current push is out of it, and leads nowhere
-            if (_count < MOST && _halfSpaces.solve(3, 0, found) && found.numbers[0] == push.deciding && isNew(found.displacement, slack))
+            if (_count < MOST && _halfSpaces.solve(3, 0, found) && found.numbers[0] == current.deciding && isNew(found.displacement, slack))
             {
                 found.numbers[0] = _contacts.count - 1;
-                found.numbers[1] = push.numbers[found.numbers[1]];
-                found.numbers[2] = push.numbers[found.numbers[2]];
+                found.numbers[1] = current.numbers[found.numbers[1]];
+                found.numbers[2] = current.numbers[found.numbers[2]];
                 _count++;
             }
             else
@@ -108,7 +108,7 @@ package starlogo.search.penetration
             {
                 var other:Vector3D = _pushes[i].displacement;
                 var off:Number = Math.abs(other.x - displacement.x) + Math.abs(other.y - displacement.y) + Math.abs(other.z - displacement.z);
-                if (off <= slack && _pushes[i] !== push)
+                if (off <= slack && _pushes[i] !== current)
                 {
                     return false;
                 }

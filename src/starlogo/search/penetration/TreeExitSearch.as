@@ -48,7 +48,7 @@ package starlogo.search.penetration
             _first.copyFrom(out);
             out.depth = Infinity;
             _pushOut.find(_first, Infinity, out);
-            if (PenetrationSearch.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
+            if (ExitSearch.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
                 _first.pointAgainst(motion);
                 _first.depth = 0;

@@ -104,7 +104,7 @@ package starlogo.queries.motion
                 aim(from, motion);
                 var whole:Body = body.wholeAt(_end);
                 var other:Body = body.bodyOf(out.row);
-                body.testsOf(whole, other).findImpact(whole, other, _motion, null);
+                body.pairTestsFor(whole, other).findImpact(whole, other, _motion, null);
                 var isExpected:Boolean = Math.abs(_motion.time - out.touchTime) <= out.touchTime - out.time;
                 out.touchTime = isExpected ? _motion.time : out.time;
             }
@@ -185,11 +185,11 @@ package starlogo.queries.motion
             _motion.time = RelativeMotion.NEVER;
             if (body.isNear(core, other, _motion))
             {
-                body.testsOf(core, other).findImpact(core, other, _motion, _contact);
+                body.pairTestsFor(core, other).findImpact(core, other, _motion, _contact);
             }
             // a sheet may be wholly under the ground at the beginning, and then it touches no surface
             if (_motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND
-                    && body.testsOf(core, other).areTouching(body.core.at(from), other))
+                    && body.pairTestsFor(core, other).areTouching(body.core.at(from), other))
             {
                 _motion.time = 0;
                 _contact.setNormal(0, 0, 0);

@@ -57,7 +57,7 @@ package starlogo.collision
         {
             _pairs = pairs;
             _table = table;
-            _list.begin(agents, pairs);
+            _list.begin(agents);
             count = 0;
             _areTouchesComplete = true;
             _contacts.begin(system);
@@ -195,7 +195,7 @@ package starlogo.collision
         private function touchOf(pair:int):Touch
         {
             var touch:Touch = _tracker.touchAt(_pairs, pair);
-            if (touch == null && _list.hasBoth(pair))
+            if (touch == null && _list.hasBoth(_pairs, pair))
             {
                 touch = _tracker.touchOrStartAt(_pairs, pair);
             }
@@ -212,7 +212,7 @@ package starlogo.collision
             {
                 var handler:CollisionHandler = handlers[_next];
                 var isMeant:Boolean = (kinds & 1 << handler.kind) != 0;
-                if (isMeant && pair != NO_PAIR && !_list.hasBoth(pair))
+                if (isMeant && pair != NO_PAIR && !_list.hasBoth(_pairs, pair))
                 {
                     return;
                 }

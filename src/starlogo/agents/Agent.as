@@ -417,9 +417,9 @@ package starlogo.agents
             requireCoordinate("z", found.z);
             size = found.size;
             moveTo(found.x, found.y, found.z);
-            var turn:Vector.<Number> = new Vector.<Number>(4, true);
-            found.readQuaternion(turn);
-            setQuaternion(turn[0], turn[1], turn[2], turn[3]);
+            var quaternion:Vector.<Number> = new Vector.<Number>(4, true);
+            found.readQuaternion(quaternion);
+            setQuaternion(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
         }
 
         /**
@@ -570,7 +570,8 @@ package starlogo.agents
                 requireFinite("pitch", pitch);
                 requireFinite("roll", roll);
             }
-            if (turn.setAngles(heading, pitch, roll))
+            // whoever turns by angles has read them, so the turn is there
+            if (_turn.setAngles(heading, pitch, roll))
             {
                 countBodyChange();
             }

@@ -195,7 +195,7 @@ export function $warnOfAngle(agent, name, value) {
  * again at the other end of a turn, and none was farther yet.
  */
 function $warnOfRadians(agent, name, value) {
-	const before = agent[`_${name}`];
+	const before = agent[name];
 	if (typeof value !== "number" || value === 0 || before === value) return;
 	$angles.count++;
 	$angles.least = Math.min($angles.least, value);

@@ -57,12 +57,12 @@ export function $warnOfUnknownProperties(object, isChanging) {
  * of the breed may still come. So nothing is refused, and a breed is looked for again when there are new names.
  */
 export function $warnOfBreeds(names, agents) {
-	const unchecked = names.filter((name) => !($checkedBreeds.get(name) >= Breeds.count));
+	const unchecked = names.filter((name) => !($checkedBreeds.get(name) >= Breeds$NAMES.count));
 	if (unchecked.length === 0) return;
 	const breeds = new Set(agents.map((agent) => agent?.breed).filter((breed) => typeof breed === "string" && !/^\*/.test(breed)));
 	if (breeds.size === 0) return;
 	for (const name of new Set(unchecked)) {
-		$checkedBreeds.set(name, breeds.has(name) ? Infinity : Breeds.count);
+		$checkedBreeds.set(name, breeds.has(name) ? Infinity : Breeds$NAMES.count);
 		if (breeds.has(name)) continue;
 		const meant = [...breeds].find((breed) => $areSimilar(name, breed));
 		const shaped = agents.find((agent) => agent?.shape === name);
@@ -195,7 +195,7 @@ export function $warnOfAngle(agent, name, value) {
  * again at the other end of a turn, and none was farther yet.
  */
 function $warnOfRadians(agent, name, value) {
-	const before = agent[`_${name}`];
+	const before = agent[name];
 	if (typeof value !== "number" || value === 0 || before === value) return;
 	$angles.count++;
 	$angles.least = Math.min($angles.least, value);

@@ -4,7 +4,6 @@
 package starlogo.agents
 {
     import flash.geom.Matrix3D;
-    import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.geometry.Placement;
 
@@ -120,7 +119,7 @@ package starlogo.agents
         public var color:Number = 0;
 
         private var _hierarchical:Boolean = false;
-        private var _turn:Turn;
+        private var _turn:Turn = null;
 
         /**
          * Creates an agent of size 1 at the origin.
@@ -134,9 +133,8 @@ package starlogo.agents
             requireName("shape", shape);
             requireBreed(breed);
             idNumber = newId();
-            breedNumber = Breeds.numberOf(breed);
+            breedNumber = Breeds.NAMES.numberOf(breed);
             modelNumber = MODELS.numberOf(shape);
-            _turn = new Turn(placement);
         }
 
         /** @private Counts a new agent, and returns its id. */
@@ -189,13 +187,13 @@ package starlogo.agents
         /** The name of the agent's breed. */
         public function get breed():String
         {
-            return Breeds.nameOf(breedNumber);
+            return Breeds.NAMES.nameOf(breedNumber);
         }
 
         public function set breed(value:String):void
         {
             requireBreed(value);
-            var other:int = Breeds.numberOf(value);
+            var other:int = Breeds.NAMES.numberOf(value);
             if (other != breedNumber)
             {
                 breedNumber = other;
@@ -243,40 +241,37 @@ package starlogo.agents
         /** The turn about the z axis in degrees, counter-clockwise seen from above. Any finite number. */
         public function get heading():Number
         {
-            _turn.findAngles();
-            return _turn.heading;
+            return turn.findAngles().heading;
         }
 
         public function set heading(value:Number):void
         {
-            _turn.findAngles();
-            turnTo(value, _turn.pitch, _turn.roll);
+            var before:Turn = turn.findAngles();
+            turnTo(value, before.pitch, before.roll);
         }
 
         /** The turn about the world's y axis in degrees, before the heading. Any finite number. */
         public function get pitch():Number
         {
-            _turn.findAngles();
-            return _turn.pitch;
+            return turn.findAngles().pitch;
         }
 
         public function set pitch(value:Number):void
         {
-            _turn.findAngles();
-            turnTo(_turn.heading, value, _turn.roll);
+            var before:Turn = turn.findAngles();
+            turnTo(before.heading, value, before.roll);
         }
 
         /** The turn about the world's x axis in degrees, before the pitch. Any finite number. */
         public function get roll():Number
         {
-            _turn.findAngles();
-            return _turn.roll;
+            return turn.findAngles().roll;
         }
 
         public function set roll(value:Number):void
         {
-            _turn.findAngles();
-            turnTo(_turn.heading, _turn.pitch, value);
+            var before:Turn = turn.findAngles();
+            turnTo(before.heading, before.pitch, value);
         }
 
         /** The uniform scale of the model, from SMALLEST_SIZE to LARGEST_SIZE. With 1 the agent is one patch wide. */
@@ -374,7 +369,7 @@ package starlogo.agents
             {
                 throw new RangeError(this + ": a quaternion must not be 0");
             }
-            if (_turn.setQuaternion(x, y, z, w))
+            if (turn.setQuaternion(x, y, z, w))
             {
                 countBodyChange();
             }
@@ -392,7 +387,7 @@ package starlogo.agents
         public function getQuaternion(out:Vector.<Number> = null):Vector.<Number>
         {
             out ||= new Vector.<Number>(4);
-            _turn.readQuaternion(out);
+            turn.readQuaternion(out);
             return out;
         }
 
@@ -422,9 +417,9 @@ package starlogo.agents
             requireCoordinate("z", found.z);
             size = found.size;
             moveTo(found.x, found.y, found.z);
-            var turn:Vector.<Number> = new Vector.<Number>(4, true);
-            found.readQuaternion(turn);
-            setQuaternion(turn[0], turn[1], turn[2], turn[3]);
+            var quaternion:Vector.<Number> = new Vector.<Number>(4, true);
+            found.readQuaternion(quaternion);
+            setQuaternion(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
         }
 
         /**
@@ -553,20 +548,17 @@ package starlogo.agents
         /** @private The agent's place in the world. Its rotation is up to date. */
         engine function worldPlacement():Placement
         {
-            _turn.findRotation();
+            if (_turn != null)
+            {
+                _turn.findRotation();
+            }
             return placement;
         }
 
-        /** @private See Turn.write(). */
-        engine function writeTurn(bytes:ByteArray):void
+        /** @private How the agent is turned. It is made when it is first needed, because many agents are never turned. */
+        engine function get turn():Turn
         {
-            _turn.write(bytes);
-        }
-
-        /** @private See Turn.read(). */
-        engine function readTurn(bytes:ByteArray):void
-        {
-            _turn.read(bytes, this);
+            return _turn ||= new Turn(placement);
         }
 
         /** @private Turns the agent by three angles. @throws RangeError if one is not finite; the agent is then unchanged */
@@ -578,6 +570,7 @@ package starlogo.agents
                 requireFinite("pitch", pitch);
                 requireFinite("roll", roll);
             }
+            // whoever turns by angles has read them, so the turn is there
             if (_turn.setAngles(heading, pitch, roll))
             {
                 countBodyChange();

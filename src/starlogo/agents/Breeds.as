@@ -1,7 +1,7 @@
 package starlogo.agents
 {
     /**
-     * The numbers of the breeds' names.
+     * The breeds that the engine knows, and the numbers of all breeds' names.
      *
      * @private
      */
@@ -16,9 +16,10 @@ package starlogo.agents
         /** The number that stands for any breed of agents. Its name is empty, and no breed has such a name. */
         public static const ANY:int = 2;
 
-        // The first names are those of the ground and of the edges.
+        /** The numbers of the names of breeds. The first names are those of the ground and of the edges. */
+        public static const NAMES:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ""]);
+
         private static const OF_WORLD:int = 2;
-        private static const NUMBERS:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ""]);
 
         private static var sChanges:int = 0;
 
@@ -32,30 +33,6 @@ package starlogo.agents
         public static function countChange():void
         {
             sChanges++;
-        }
-
-        /** The number of names so far. */
-        public static function get count():int
-        {
-            return NUMBERS.count;
-        }
-
-        /** The number of a name, from 0. A new name gets the next number. */
-        public static function numberOf(name:String):int
-        {
-            return NUMBERS.numberOf(name);
-        }
-
-        /** The number of a name; -1 if it has none yet. */
-        public static function knownNumberOf(name:String):int
-        {
-            return NUMBERS.knownNumberOf(name);
-        }
-
-        /** The name for a number. */
-        public static function nameOf(number:int):String
-        {
-            return NUMBERS.nameOf(number);
         }
 
         /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */

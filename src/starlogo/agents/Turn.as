@@ -125,8 +125,10 @@ package starlogo.agents
             }
         }
 
-        /** Makes the angles right. It takes three arctangents, and most games that turn by quaternions never read the angles. */
-        public function findAngles():void
+        /**
+         * Makes the angles right, and returns this turn. It takes three arctangents, and most games that turn by quaternions never read the angles.
+         */
+        public function findAngles():Turn
         {
             if (_isStale && _turnedBy == BY_QUATERNION)
             {
@@ -136,6 +138,7 @@ package starlogo.agents
                 roll = sAngles.x;
                 _isStale = false;
             }
+            return this;
         }
 
         /** Writes what has turned the agent, and by how much. */

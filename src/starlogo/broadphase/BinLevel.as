@@ -12,6 +12,10 @@ package starlogo.broadphase
         // 2^-20 of a width touch.
         internal static const MAX_DISTANCE:Number = 1 << 24;
 
+        // Added to the number of a column or a line, so that it is positive and the conversion to int rounds down. BIAS is even, and larger than
+        // MAX_DISTANCE.
+        internal static const BIAS:Number = 1 << 26;
+
         private static const SLACK:Number = 1 / (1 << 18);
 
         // The mask of a level without buckets.
@@ -78,7 +82,7 @@ package starlogo.broadphase
             // get different buckets.
             stride = (1 << ((bits + 1) >> 1)) + 1;
             firstBucket = first;
-            return endBucket + Bins.COPIED;
+            return endBucket + SortedMembers.COPIED;
         }
 
         /** The index after the level's last bucket. Copies of the first buckets follow from there on. */
@@ -118,7 +122,7 @@ package starlogo.broadphase
         /** The column of cells at an x, or the line of cells at a y. */
         public function cellsAlong(coordinate:Number):int
         {
-            return coordinate * cellsPerPatch + Bins.BIAS;
+            return coordinate * cellsPerPatch + BIAS;
         }
 
         /** The bucket of the cell in a column and a line. */
@@ -136,7 +140,7 @@ package starlogo.broadphase
         /** Whether cells can be at or near a place. Farther out than <code>BIAS / 2</code> widths along x or y there are none. */
         public function isWithin(x:Number, y:Number):Boolean
         {
-            var farthest:Number = width * (Bins.BIAS / 2);
+            var farthest:Number = width * (BIAS / 2);
             return x < farthest && x > -farthest && y < farthest && y > -farthest;
         }
     }

@@ -1,5 +1,6 @@
-// This room finds which agents are near each other on the ground plane, as rows of a table. Bins sort all rows into cells and find the pairs,
-// in levels of cells of one width (BinLevel); CellLists finds what is near single rows that have changed since. Read this file first, then CellLists.
+// This room finds which agents are near each other on the ground plane, as rows of a table. Bins find all pairs of rows. SortedMembers puts the
+// rows into the order of their cells, and BinLevels has cells of each width that is needed (BinLevel). CellLists finds what is near single rows that
+// have changed since. Read this file first, then SortedMembers, then CellLists.
 package starlogo.broadphase
 {
     /**
@@ -27,74 +28,17 @@ package starlogo.broadphase
      */
     public final class Bins
     {
-        /** So many first buckets of a level are copied after its last one, so that the neighbours of the last cells are in one run too. */
-        internal static const COPIED:int = 2;
+        /** The levels of the cells. */
+        public var levels:BinLevels = new BinLevels();
 
-        // Added to the number of a column or a line, so that it is positive and the conversion to int rounds down. BIAS is even, and larger than
-        // BinLevel.MAX_DISTANCE.
-        internal static const BIAS:Number = 1 << 26;
-
-        // The width of the finest level, for points too. It is used up to 256 patches from the origin, so points of SpaceLand need no coarser level.
-        // A power of two.
-        private static const LEAST_WIDTH:Number = 1 / (1 << 16);
-
-        // There is one level for each width that extents have needed. The levels by index, as extents refer to them. The first is none. byWidth has
-        // them from the coarsest to the finest.
-        internal var byIndex:Vector.<BinLevel> = new <BinLevel>[null];
-        internal var byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
-
-        // By slot: the member's row, its middle, and the radius of its circle.
-        private var _rows:Vector.<int> = new Vector.<int>();
-        private var _xs:Vector.<Number> = new Vector.<Number>();
-        private var _ys:Vector.<Number> = new Vector.<Number>();
-        private var _radii:Vector.<Number> = new Vector.<Number>();
-
-        // By member: its bucket.
-        private var _buckets:Vector.<int> = new Vector.<int>();
-
-        // By bucket: the number of its members, which is 0 between searches; and the slot of its first member, which is the slot after the last
-        // member of the bucket before.
-        private var _counts:Vector.<int> = new Vector.<int>();
-        private var _starts:Vector.<int> = new Vector.<int>();
+        private var _members:SortedMembers;
 
         // The rows of the candidates of the present member.
         private var _candidates:Vector.<int> = new Vector.<int>();
 
-        /**
-         * Finds the level for a row's extents and its distance from the world's origin.
-         *
-         * @return whether the level is coarser because of the distance
-         */
-        public function assignLevel(extents:Extents, row:int):Boolean
+        public function Bins()
         {
-            var half:Number = extents.halfX[row];
-            var other:Number = extents.halfY[row];
-            if (other > half)
-            {
-                half = other;
-            }
-            var level:BinLevel = byIndex[extents.level[row]];
-            var middleX:Number = extents.x[row];
-            var middleY:Number = extents.y[row];
-            var middleZ:Number = extents.z[row];
-            var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
-            if (level != null && 2 * half <= level.width && (4 * half > level.width || level.width == LEAST_WIDTH) && distanceSquared < level.maxDistanceSquared)
-            {
-                return false;
-            }
-            var width:Number = widthFor(2 * half);
-            var distant:Number = widthFor(Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
-            extents.level[row] = levelOf(Math.max(width, distant)).index;
-            return distant > width;
-        }
-
-        /**
-         * The square of the distance up to which all levels can be used. Rows farther out must be assigned a level again. Levels without
-         * members count too, because rows outside the search have levels, and a search of motions uses other levels.
-         */
-        public function get maxDistanceSquared():Number
-        {
-            return byWidth.length == 0 ? Infinity : byWidth[byWidth.length - 1].maxDistanceSquared;
+            _members = new SortedMembers(levels);
         }
 
         /**
@@ -107,17 +51,8 @@ package starlogo.broadphase
          */
         public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
         {
-            countMembers(extents.level, rows, count);
-            var bucketCount:int = layOutBuckets(count);
-            fillBuckets(extents, rows, count);
-            var slots:int = findStarts(bucketCount);
-            if (slots > _rows.length)
-            {
-                _rows.length = _xs.length = _ys.length = _radii.length = slots;
-            }
-            sortByBuckets(rows, count);
-            copyFirstBuckets();
-            copyCircles(extents, slots);
+            _members.sort(extents, rows, count);
+            var byWidth:Vector.<BinLevel> = levels.byWidth;
             for (var i:int = 0; i < byWidth.length; i++)
             {
                 var level:BinLevel = byWidth[i];
@@ -136,172 +71,11 @@ package starlogo.broadphase
             }
         }
 
-        // Counts the members of each level. indices: by row, the index of its level.
-        private function countMembers(indices:Vector.<int>, rows:Vector.<int>, count:int):void
-        {
-            var all:Vector.<BinLevel> = byIndex;
-            if (all.length == 2)
-            {
-                all[1].count = count;
-                return;
-            }
-            for (var i:int = 1; i < all.length; i++)
-            {
-                all[i].count = 0;
-            }
-            // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
-            // the optimised method in every frame.
-            for (i = 0; i < count; i++)
-            {
-                all[indices[rows[i]]].count++;
-            }
-        }
-
-        // Gives the levels their buckets. Returns the number of buckets.
-        private function layOutBuckets(count:int):int
-        {
-            var bucketCount:int = 0;
-            for (var i:int = 0; i < byWidth.length; i++)
-            {
-                if (byWidth[i].count > 0)
-                {
-                    bucketCount = byWidth[i].layOut(bucketCount);
-                }
-            }
-            if (bucketCount > _counts.length)
-            {
-                _counts.length = bucketCount;
-                _starts.length = bucketCount + 1;
-            }
-            if (count > _buckets.length)
-            {
-                _buckets.length = count;
-            }
-            return bucketCount;
-        }
-
-        // Finds each member's bucket. Counts the members of the buckets.
-        private function fillBuckets(extents:Extents, rows:Vector.<int>, count:int):void
-        {
-            var xs:Vector.<Number> = extents.x;
-            var ys:Vector.<Number> = extents.y;
-            var indices:Vector.<int> = extents.level;
-            var buckets:Vector.<int> = _buckets;
-            var counts:Vector.<int> = _counts;
-            var index:int = 0;
-            var cellsPerPatch:Number = 0;
-            var mask:int = 0;
-            var stride:int = 0;
-            var first:int = 0;
-            var copies:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var row:int = rows[i];
-                if (indices[row] != index)
-                {
-                    index = indices[row];
-                    var level:BinLevel = byIndex[index];
-                    cellsPerPatch = level.cellsPerPatch;
-                    mask = level.mask;
-                    stride = level.stride;
-                    first = level.firstBucket;
-                    copies = level.endBucket;
-                }
-                // BinLevel.bucketAt() as a loop. CellLists relies on the same buckets
-                var column:int = xs[row] * cellsPerPatch + BIAS;
-                var line:int = ys[row] * cellsPerPatch + BIAS;
-                var bucket:int = ((line & mask) * stride + column) & mask;
-                if (bucket < COPIED)
-                {
-                    counts[int(copies + bucket)]++;
-                }
-                bucket += first;
-                buckets[i] = bucket;
-                counts[bucket]++;
-            }
-        }
-
-        // Computes the slot where each bucket starts, and stores it one place further on: while the bucket is filled, its next free slot is there. When it
-        // is full, that is the slot where the next bucket starts. Returns the number of slots.
-        private function findStarts(bucketCount:int):int
-        {
-            var counts:Vector.<int> = _counts;
-            var starts:Vector.<int> = _starts;
-            var sum:int = 0;
-            for (var i:int = 0; i < bucketCount; i++)
-            {
-                var inBucket:int = counts[i];
-                counts[i] = 0;
-                starts[i + 1] = sum;
-                sum += inBucket;
-            }
-            return sum;
-        }
-
-        private function sortByBuckets(rows:Vector.<int>, count:int):void
-        {
-            var toRow:Vector.<int> = _rows;
-            var buckets:Vector.<int> = _buckets;
-            var starts:Vector.<int> = _starts;
-            for (var i:int = 0; i < count; i++)
-            {
-                var next:int = buckets[i] + 1;
-                var slot:int = starts[next];
-                toRow[slot] = rows[i];
-                starts[next] = slot + 1;
-            }
-        }
-
-        // Lists the members of the first buckets of each level after its last bucket once more.
-        private function copyFirstBuckets():void
-        {
-            for (var i:int = 0; i < byWidth.length; i++)
-            {
-                if (byWidth[i].count > 0)
-                {
-                    copyFirstBucketsOf(byWidth[i]);
-                }
-            }
-        }
-
-        private function copyFirstBucketsOf(level:BinLevel):void
-        {
-            var first:int = level.firstBucket;
-            var copies:int = level.endBucket;
-            var offset:int = _starts[copies] - _starts[first];
-            for (var i:int = 1; i <= COPIED; i++)
-            {
-                _starts[copies + i] = offset + _starts[first + i];
-            }
-            for (var slot:int = _starts[copies]; slot < _starts[copies + COPIED]; slot++)
-            {
-                _rows[slot] = _rows[slot - offset];
-            }
-        }
-
-        // Copies the circles of all members. The reads are scattered in memory and the writes are in order. The reverse would be slower.
-        private function copyCircles(extents:Extents, slots:int):void
-        {
-            var fromX:Vector.<Number> = extents.x;
-            var fromY:Vector.<Number> = extents.y;
-            var fromRadius:Vector.<Number> = extents.radius;
-            var rows:Vector.<int> = _rows;
-            var toX:Vector.<Number> = _xs;
-            var toY:Vector.<Number> = _ys;
-            var toRadius:Vector.<Number> = _radii;
-            for (var slot:int = 0; slot < slots; slot++)
-            {
-                var row:int = rows[slot];
-                toX[slot] = fromX[row];
-                toY[slot] = fromY[row];
-                toRadius[slot] = fromRadius[row];
-            }
-        }
-
         // The pairs of members of one level.
         private function findPairsWithin(level:BinLevel, sink:PairSink):void
         {
-            var starts:Vector.<int> = _starts;
+            var starts:Vector.<int> = _members.starts;
+            var rows:Vector.<int> = _members.rows;
             var first:int = level.firstBucket;
             var mask:int = level.mask;
             // added to a bucket, it gives the one of the next line and the column before, counted from the first
@@ -327,7 +101,7 @@ package starlogo.broadphase
                     found = collect(slot, nextLine, nextLineEnd, level.slack, found);
                     if (found > 0)
                     {
-                        sink.onCandidates(_rows[slot], _candidates, found, level);
+                        sink.onCandidates(rows[slot], _candidates, found, level);
                     }
                 }
             }
@@ -337,21 +111,24 @@ package starlogo.broadphase
         private function findPairsBetween(level:BinLevel, coarser:BinLevel, sink:PairSink):void
         {
             var distance:Number = level.width / 2 + coarser.width / 2 + coarser.slack;
-            var last:int = _starts[level.endBucket];
-            for (var slot:int = _starts[level.firstBucket]; slot < last; slot++)
+            var starts:Vector.<int> = _members.starts;
+            var xs:Vector.<Number> = _members.xs;
+            var ys:Vector.<Number> = _members.ys;
+            var last:int = starts[level.endBucket];
+            for (var slot:int = starts[level.firstBucket]; slot < last; slot++)
             {
-                var column:int = coarser.cellsAlong(_xs[slot] - distance);
-                var columns:int = coarser.cellsAlong(_xs[slot] + distance) - column + 1;
-                var lastLine:int = coarser.cellsAlong(_ys[slot] + distance);
+                var column:int = coarser.cellsAlong(xs[slot] - distance);
+                var columns:int = coarser.cellsAlong(xs[slot] + distance) - column + 1;
+                var lastLine:int = coarser.cellsAlong(ys[slot] + distance);
                 var found:int = 0;
-                for (var line:int = coarser.cellsAlong(_ys[slot] - distance); line <= lastLine; line++)
+                for (var line:int = coarser.cellsAlong(ys[slot] - distance); line <= lastLine; line++)
                 {
                     var bucket:int = coarser.bucketOf(column, line);
-                    found = collect(slot, _starts[bucket], _starts[bucket + columns], coarser.slack, found);
+                    found = collect(slot, starts[bucket], starts[bucket + columns], coarser.slack, found);
                 }
                 if (found > 0)
                 {
-                    sink.onCandidates(_rows[slot], _candidates, found, coarser);
+                    sink.onCandidates(_members.rows[slot], _candidates, found, coarser);
                 }
             }
         }
@@ -360,10 +137,11 @@ package starlogo.broadphase
         // is the inner loop of every frame, so all that it reads is in locals.
         private function collect(slot:int, from:int, end:int, slack:Number, found:int):int
         {
-            var rows:Vector.<int> = _rows;
-            var xs:Vector.<Number> = _xs;
-            var ys:Vector.<Number> = _ys;
-            var radii:Vector.<Number> = _radii;
+            var members:SortedMembers = _members;
+            var rows:Vector.<int> = members.rows;
+            var xs:Vector.<Number> = members.xs;
+            var ys:Vector.<Number> = members.ys;
+            var radii:Vector.<Number> = members.radii;
             var candidates:Vector.<int> = _candidates;
             var x:Number = xs[slot];
             var y:Number = ys[slot];
@@ -380,34 +158,6 @@ package starlogo.broadphase
                 }
             }
             return found;
-        }
-
-        // The smallest power of two that is at least this large, and not less than LEAST_WIDTH.
-        private static function widthFor(least:Number):Number
-        {
-            var width:Number = LEAST_WIDTH;
-            while (width < least && width < Infinity)
-            {
-                width *= 2;
-            }
-            return width;
-        }
-
-        // The level of a width, which is a power of two.
-        private function levelOf(width:Number):BinLevel
-        {
-            var index:int = 0;
-            while (index < byWidth.length && byWidth[index].width > width)
-            {
-                index++;
-            }
-            if (index == byWidth.length || byWidth[index].width != width)
-            {
-                var level:BinLevel = new BinLevel(byIndex.length, width);
-                byWidth.splice(index, 0, level);
-                byIndex.push(level);
-            }
-            return byWidth[index];
         }
     }
 }

@@ -16,7 +16,7 @@ package starlogo.broadphase
         // The rows that are found near a row.
         private var _near:Vector.<int> = new Vector.<int>();
 
-        private var _bins:Bins;
+        private var _levels:BinLevels;
         private var _extents:Extents;
 
         // By bucket: the first row of its list. By row: its bucket, or NONE; the level's index; the next row in the list.
@@ -25,10 +25,10 @@ package starlogo.broadphase
         private var _levelIndices:Vector.<int> = new Vector.<int>();
         private var _next:Vector.<int> = new Vector.<int>();
 
-        /** @param bins whose levels and buckets it takes over */
-        public function CellLists(bins:Bins)
+        /** @param levels those of the bins, with the buckets that it takes over */
+        public function CellLists(levels:BinLevels)
         {
-            _bins = bins;
+            _levels = levels;
         }
 
         /**
@@ -44,9 +44,9 @@ package starlogo.broadphase
             _extents = extents;
             this.count = count;
             var end:int = 0;
-            for (var i:int = 0; i < _bins.byWidth.length; i++)
+            for (var i:int = 0; i < _levels.byWidth.length; i++)
             {
-                var level:BinLevel = _bins.byWidth[i];
+                var level:BinLevel = _levels.byWidth[i];
                 if (level.count == 0)
                 {
                     level.dropBuckets();
@@ -67,7 +67,7 @@ package starlogo.broadphase
             for (i = 0; i < count; i++)
             {
                 var row:int = rows[i];
-                level = _bins.byIndex[extents.level[row]];
+                level = _levels.byIndex[extents.level[row]];
                 enter(row, level, level.bucketAt(extents.x[row], extents.y[row]));
             }
         }
@@ -99,7 +99,7 @@ package starlogo.broadphase
         /** Moves a row to the bucket of its extents, and makes it a member if it is none. Returns false if its level has no buckets. */
         public function update(row:int):Boolean
         {
-            var level:BinLevel = _bins.byIndex[_extents.level[row]];
+            var level:BinLevel = _levels.byIndex[_extents.level[row]];
             if (!level.hasBuckets)
             {
                 return false;
@@ -137,16 +137,16 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _buckets[row] = NONE;
-            _bins.byIndex[_levelIndices[row]].count--;
+            _levels.byIndex[_levelIndices[row]].count--;
             count--;
         }
 
         /** Whether each level with members has as many buckets as the bins would give it now. */
         public function haveRightBucketCounts():Boolean
         {
-            for (var i:int = 0; i < _bins.byWidth.length; i++)
+            for (var i:int = 0; i < _levels.byWidth.length; i++)
             {
-                if (!_bins.byWidth[i].hasRightBucketCount())
+                if (!_levels.byWidth[i].hasRightBucketCount())
                 {
                     return false;
                 }
@@ -161,10 +161,10 @@ package starlogo.broadphase
          */
         public function findNear(row:int, marks:Vector.<int>, mark:int, sink:PairSink):void
         {
-            var own:BinLevel = _bins.byIndex[_extents.level[row]];
-            for (var i:int = 0; i < _bins.byWidth.length; i++)
+            var own:BinLevel = _levels.byIndex[_extents.level[row]];
+            for (var i:int = 0; i < _levels.byWidth.length; i++)
             {
-                var level:BinLevel = _bins.byWidth[i];
+                var level:BinLevel = _levels.byWidth[i];
                 var coarser:BinLevel = own.width > level.width ? own : level;
                 var found:int = level.count == 0 ? 0 : findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
                 found = keepNear(row, found, coarser.slack, marks, mark);

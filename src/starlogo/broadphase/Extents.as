@@ -2,7 +2,7 @@ package starlogo.broadphase
 {
     /**
      * Columns of axis-aligned extents: the middle and the half lengths of each row, in patches, and the level of bins that fits the row.
-     * Bins.assignLevel finds the level.
+     * BinLevels.assign finds the level.
      *
      * @private
      */

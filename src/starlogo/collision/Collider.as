@@ -37,9 +37,6 @@ package starlogo.collision
         private static const SEARCHING:int = 1;
         private static const HANDLING:int = 2;
 
-        /** @private Has the choice of shapes and the settings, and tests pairs of agents, for questions too. */
-        engine var narrowPhase:NarrowPhase;
-
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
 
@@ -68,10 +65,16 @@ package starlogo.collision
         public function Collider(choice:BaseShapeChoice)
         {
             super();
-            narrowPhase = new NarrowPhase(choice);
-            choice.addTests(narrowPhase);
-            search = new CollisionSearch(narrowPhase);
+            var tests:NarrowPhase = new NarrowPhase(choice);
+            choice.addTests(tests);
+            search = new CollisionSearch(tests);
             _contactSearch = search;
+        }
+
+        /** @private Has the choice of shapes and the settings, and tests pairs of agents, for questions too. */
+        engine function get narrowPhase():NarrowPhase
+        {
+            return search.narrowPhase;
         }
 
         /** @inheritDoc */

@@ -1,6 +1,7 @@
 // This room is what a game calls: a Collision finds who touches, once a frame, and calls handlers. Collider is the base of the four collision
-// systems, and BaseCollider of a game's own; HandlerCalls makes the calls, FrameContacts computes contacts for them, and Snapshots (snapshots/)
-// goes back to earlier frames. Read this file first, then Collider, and then CollisionSearch in the room search.
+// systems, and BaseCollider of a game's own; OwnedSystem has the one of a Collision. HandlerCalls makes the calls, FrameContacts computes contacts
+// for them, and Snapshots (snapshots/) goes back to earlier frames. Read this file first, then Collider, and then CollisionSearch in the room
+// search.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
@@ -9,6 +10,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
     import starlogo.agents.Breeds;
+    import starlogo.collision.snapshots.LastFrame;
     import starlogo.collision.snapshots.Snapshots;
     import starlogo.data.requireGiven;
     import starlogo.data.textOf;
@@ -81,20 +83,14 @@ package starlogo.collision
          */
         public var filter:AgentPredicate = null;
 
-        private var _collisionSystem:CollisionSystem;
-        private var _system:BaseCollider;
+        private var _owned:OwnedSystem;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:HandlerTable = new HandlerTable();
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
-        private var _touches:TouchTracker = new TouchTracker();
         private var _calls:HandlerCalls = new HandlerCalls();
         private var _input:FrameInput = new FrameInput();
         private var _foreign:ForeignPairs = new ForeignPairs();
         private var _snapshots:Snapshots = new Snapshots();
-
-        // The system of the frame under way, or null. Its collider stays reserved until the frame's end.
-        private var _updatingSystem:BaseCollider = null;
-
         private var _lastFrame:LastFrame = new LastFrame();
 
         /**
@@ -105,6 +101,7 @@ package starlogo.collision
          */
         public function Collision(collisionSystem:CollisionSystem)
         {
+            _owned = new OwnedSystem(this);
             this.collisionSystem = collisionSystem;
         }
 
@@ -117,22 +114,13 @@ package starlogo.collision
          */
         public function get collisionSystem():CollisionSystem
         {
-            return _collisionSystem;
+            return _owned.given;
         }
 
         public function set collisionSystem(value:CollisionSystem):void
         {
             requireGiven("collisionSystem", value);
-            var system:BaseCollider = BaseCollider.wrap(value);
-            var inner:Collider = system.innerCollider;
-            if (inner != null)
-            {
-                inner.giveTo(this);
-            }
-            var before:BaseCollider = _system;
-            _collisionSystem = value;
-            _system = system;
-            release(before);
+            _owned.exchange(value);
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -250,10 +238,9 @@ package starlogo.collision
         public function reset():void
         {
             _handlers.clear();
-            _touches = new TouchTracker();
             // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
-            var inner:Collider = _system.innerCollider;
+            var inner:Collider = _owned.system.innerCollider;
             if (inner != null)
             {
                 inner.search.table.places.forgetMotions();
@@ -276,22 +263,15 @@ package starlogo.collision
             requireGiven("agents", agents);
             var start:Number = getTimer();
             _handlerErrors.length = 0;
-            var system:BaseCollider = _system;
-            var collider:Collider = system.innerCollider;
-            _updatingSystem = system;
+            var system:BaseCollider = _owned.beginFrame();
             try
             {
-                runFrame(agents, system, collider);
+                runFrame(agents, system);
             }
             finally
             {
-                _updatingSystem = null;
                 _calls.end();
-                if (collider != null)
-                {
-                    collider.endFrame();
-                }
-                release(system);
+                _owned.endFrame();
             }
             _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
@@ -318,14 +298,7 @@ package starlogo.collision
          */
         public function snapshot(withTraits:Boolean = false, withGround:Boolean = true):ByteArray
         {
-            requireEngineSystem("snapshot");
-            if (_lastFrame.hasFailed)
-            {
-                throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
-            }
-            var searched:Collider = _lastFrame.collider || _system.equivalentCollider;
-            return _snapshots.write(_touches, searched.search.table, _lastFrame.agents, _lastFrame.collider == _system.equivalentCollider,
-                    kindOfSystem(), ground, edges, withTraits, withGround);
+            return _snapshots.write(_lastFrame, engineCollider("snapshot").search, ground, edges, withTraits, withGround);
         }
 
         /**
@@ -342,20 +315,17 @@ package starlogo.collision
          */
         public function restore(bytes:ByteArray, agents:Vector.<Agent>):void
         {
-            requireEngineSystem("restore");
+            var collider:Collider = engineCollider("restore");
             requireGiven("bytes", bytes);
             requireGiven("agents", agents);
-            var collider:Collider = _system.equivalentCollider;
-            _touches = _snapshots.read(bytes, agents, collider.search, kindOfSystem(), ground, edges);
+            _snapshots.read(bytes, agents, collider.search, ground, edges, _lastFrame);
             collider.takeContactsFromFrame();
-            _lastFrame.keep(agents, collider);
-            _lastFrame.hasFailed = false;
         }
 
         /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
-            return _system.findNarrowPhase();
+            return _owned.system.findNarrowPhase();
         }
 
         /** @private */
@@ -371,16 +341,17 @@ package starlogo.collision
         }
 
         // Finds the pairs of a frame, and calls their handlers. What the filter or a handler exchanges counts from the next frame on.
-        private function runFrame(agents:Vector.<Agent>, system:BaseCollider, collider:Collider):void
+        private function runFrame(agents:Vector.<Agent>, system:BaseCollider):void
         {
-            var touches:TouchTracker = _touches;
+            var collider:Collider = system.innerCollider;
+            var touches:TouchTracker = _lastFrame.touches;
             _handlers.begin(agents);
             _input.setTo(agents, _handlers.interests, ground, edges);
             if (filter != null)
             {
                 _input.askFilter(filter);
             }
-            // the filter may have called reset(), which forgets the frames before this one
+            // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
             if (collider != null)
@@ -388,7 +359,8 @@ package starlogo.collision
                 collider.beginFrame();
             }
             var pairs:FoundPairs = system.findPairs(_input, _foreign, _statistics);
-            lastFrame.keep(_input.agents, system.equivalentCollider);
+            var searched:Collider = system.equivalentCollider;
+            lastFrame.keep(_input.agents, searched == null ? null : searched.search);
             if (collider != null)
             {
                 collider.holdFrame();
@@ -397,36 +369,24 @@ package starlogo.collision
             lastFrame.hasFailed = false;
         }
 
-        // Lets another Collision have a system's collider, unless this one still needs it.
-        private function release(system:BaseCollider):void
-        {
-            var collider:Collider = system == null ? null : system.innerCollider;
-            if (collider != null && collider !== _system.innerCollider && (_updatingSystem == null || collider !== _updatingSystem.innerCollider))
-            {
-                collider.giveTo(null);
-            }
-        }
-
         private function requireIdle(what:String):void
         {
-            if (_updatingSystem != null)
+            if (_owned.isUpdating)
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }
         }
 
-        private function requireEngineSystem(what:String):void
+        // The engine's collider for a snapshot.
+        private function engineCollider(what:String):Collider
         {
             requireIdle(what);
-            if (_system.equivalentCollider == null)
+            var collider:Collider = _owned.system.equivalentCollider;
+            if (collider == null)
             {
-                throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_collisionSystem, "a Collider"));
+                throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_owned.given, "a Collider"));
             }
-        }
-
-        private function kindOfSystem():int
-        {
-            return _system.equivalentCollider.narrowPhase.choice.system;
+            return collider;
         }
 
         private function get ground():WorldAgent

@@ -33,13 +33,11 @@ package starlogo.collision
         // Knows the touches; null if there are none and no handler is for starts or ends.
         private var _tracker:TouchTracker = null;
 
-        // The pairs whose handlers are called, by their indices; null for all pairs. Whether each pair has got its touch, with calls both ways.
-        private var _chosen:IntList;
+        // Whether each pair has got its touch, with calls both ways.
         private var _areTouchesComplete:Boolean;
 
-        // Where the calls are, because they go on from here if a handler throws: the number of touches and pairs whose calls are made, the handlers of
-        // the present one, and the index of the next of these. Whether a handler runs.
-        private var _done:int;
+        // The handlers of the present pair or touch, and the index of the next one, because the calls go on from there if a handler throws. Whether a
+        // handler runs.
         private var _handlers:PairHandlers;
         private var _next:int;
         private var _isCalling:Boolean;
@@ -59,9 +57,8 @@ package starlogo.collision
         {
             _pairs = pairs;
             _table = table;
-            _list.begin(agents, pairs);
+            _list.begin(agents);
             count = 0;
-            _chosen = null;
             _areTouchesComplete = true;
             _contacts.begin(system);
             var compared:IntList = tracker.pairsToCompare(pairs);
@@ -70,13 +67,14 @@ package starlogo.collision
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
                 findContacts((table.contactKinds & EACH_FRAME) == 0 ? compared : null);
             }
+            var chosen:IntList = null;
             if (tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0)
             {
                 _tracker = tracker;
                 tracker.begin(pairs, compared, table);
-                _chosen = (table.kinds & EACH_FRAME) == 0 ? compared : null;
+                chosen = (table.kinds & EACH_FRAME) == 0 ? compared : null;
             }
-            callAll(errors);
+            callAll(chosen, errors);
         }
 
         /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */
@@ -106,28 +104,29 @@ package starlogo.collision
             }
         }
 
-        // Makes all calls: for the touches that have ended, then for the pairs. The try is here and not around each call, because a method with a try
-        // makes an object for each of its calls in Adobe's VM, and takes longer than most handlers.
-        private function callAll(errors:Vector.<Error>):void
+        // Makes all calls: for the touches that have ended, then for the chosen pairs. Null stands for all pairs. The try is here and not around each
+        // call, because a method with a try makes an object for each of its calls in Adobe's VM, and takes longer than most handlers.
+        private function callAll(chosen:IntList, errors:Vector.<Error>):void
         {
             var ended:int = _tracker == null ? 0 : _tracker.endedCount;
-            var pairCount:int = _chosen == null ? _pairs.count : _chosen.count;
+            var pairCount:int = chosen == null ? _pairs.count : chosen.count;
             var end:int = ended + pairCount;
-            _done = _next = 0;
+            var done:int = 0;
+            _next = 0;
             _isCalling = false;
-            while (_done < end)
+            while (done < end)
             {
                 try
                 {
-                    for (; _done < end; _done++)
+                    for (; done < end; done++)
                     {
-                        if (_done < ended)
+                        if (done < ended)
                         {
-                            callForEnded(_tracker.endedAt(_done));
+                            callForEnded(_tracker.endedAt(done));
                         }
                         else
                         {
-                            callForPair(_chosen == null ? _done - ended : _chosen.numbers[_done - ended]);
+                            callForPair(chosen == null ? done - ended : chosen.numbers[done - ended]);
                         }
                         _next = 0;
                     }
@@ -196,7 +195,7 @@ package starlogo.collision
         private function touchOf(pair:int):Touch
         {
             var touch:Touch = _tracker.touchAt(_pairs, pair);
-            if (touch == null && _list.hasBoth(pair))
+            if (touch == null && _list.hasBoth(_pairs, pair))
             {
                 touch = _tracker.touchOrStartAt(_pairs, pair);
             }
@@ -213,7 +212,7 @@ package starlogo.collision
             {
                 var handler:CollisionHandler = handlers[_next];
                 var isMeant:Boolean = (kinds & 1 << handler.kind) != 0;
-                if (isMeant && pair != NO_PAIR && !_list.hasBoth(pair))
+                if (isMeant && pair != NO_PAIR && !_list.hasBoth(_pairs, pair))
                 {
                     return;
                 }

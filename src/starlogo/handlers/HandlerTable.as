@@ -115,7 +115,7 @@ package starlogo.handlers
                 contactKinds |= handler.needsContact ? 1 << handler.kind : 0;
                 if (handler.serial >= _calledCount)
                 {
-                    newNames.push(Breeds.nameOf(handler.breedNumber), Breeds.nameOf(handler.otherNumber));
+                    newNames.push(Breeds.NAMES.nameOf(handler.breedNumber), Breeds.NAMES.nameOf(handler.otherNumber));
                 }
             }
             warnOfBreeds(newNames, agents);
@@ -148,17 +148,17 @@ package starlogo.handlers
         /** The breeds that handlers of the last frame name, and that none of these agents has. */
         public function breedsWithout(agents:Vector.<Agent>):Vector.<String>
         {
-            var isThere:Vector.<Boolean> = new Vector.<Boolean>(Breeds.count);
+            var isThere:Vector.<Boolean> = new Vector.<Boolean>(Breeds.NAMES.count);
             for each (var agent:Agent in agents)
             {
                 isThere[agent.breedNumber] = true;
             }
             var missing:Vector.<String> = new Vector.<String>();
-            for (var number:int = Breeds.ANY + 1; number < Breeds.count; number++)
+            for (var number:int = Breeds.ANY + 1; number < Breeds.NAMES.count; number++)
             {
                 if (!isThere[number] && interests.representativeOf(number) == number)
                 {
-                    missing.push(Breeds.nameOf(number));
+                    missing.push(Breeds.NAMES.nameOf(number));
                 }
             }
             return missing;
@@ -203,7 +203,7 @@ package starlogo.handlers
         // The number of a breed's name, or of ANY_BREED; -1 if it has none yet.
         private static function knownNumberOf(breed:String):int
         {
-            return breed == BreedInterests.ANY_BREED ? Breeds.ANY : Breeds.knownNumberOf(breed);
+            return breed == BreedInterests.ANY_BREED ? Breeds.ANY : Breeds.NAMES.knownNumberOf(breed);
         }
 
         private static function require(breed:String, otherBreed:String, callback:Function):void

@@ -67,7 +67,7 @@ package starlogo.search
          */
         public function indexOf(breed:String):int
         {
-            var number:int = Breeds.knownNumberOf(breed);
+            var number:int = Breeds.NAMES.knownNumberOf(breed);
             // no pair names an unknown breed
             return representativeOf(number < 0 ? Breeds.ANY : number);
         }
@@ -85,7 +85,7 @@ package starlogo.search
         /** @private The number of a breed in the class Breeds, or Breeds.ANY for ANY_BREED. */
         engine static function numberOfName(name:String):int
         {
-            return name == ANY_BREED ? Breeds.ANY : Breeds.numberOf(name);
+            return name == ANY_BREED ? Breeds.ANY : Breeds.NAMES.numberOf(name);
         }
 
         /**
@@ -148,7 +148,7 @@ package starlogo.search
             if (breed >= _isNamed.length)
             {
                 // room for all breeds at once, because Adobe's VM copies a vector whenever its length is set
-                _isNamed.length = Breeds.count;
+                _isNamed.length = Breeds.NAMES.count;
             }
             if (!_isNamed[breed])
             {

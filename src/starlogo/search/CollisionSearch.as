@@ -29,10 +29,12 @@ package starlogo.search
      */
     public final class CollisionSearch
     {
+        /** Has the choice of the agents' shapes, and tests which of them touch. */
+        public var narrowPhase:NarrowPhase;
+
         /** The agents of the last search. */
         public var table:AgentTable;
 
-        private var _narrowPhase:NarrowPhase;
         private var _bins:Bins = new Bins();
         private var _motions:RowMotions;
 
@@ -51,16 +53,14 @@ package starlogo.search
         // The members of a search in which some rows may be none.
         private var _members:IntList = new IntList();
 
-        /**
-         * @param narrowPhase has the choice of the agents' shapes, and tests which of them touch
-         */
+        /** @param narrowPhase may have other searches too */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
-            _narrowPhase = narrowPhase;
-            table = new AgentTable(narrowPhase.choice, _bins);
-            _motions = new RowMotions(table, narrowPhase, _bins);
+            this.narrowPhase = narrowPhase;
+            table = new AgentTable(narrowPhase.choice, _bins.levels);
+            _motions = new RowMotions(table, narrowPhase, _bins.levels);
             _finder = new PairFinder(table, narrowPhase, _motions);
-            _keptPairs = new KeptPairs(table, _finder, _motions, _bins, _pairs);
+            _keptPairs = new KeptPairs(table, _finder, _motions, _bins.levels, _pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -68,7 +68,7 @@ package starlogo.search
         {
             var bodyA:Body = table.currentBodyOf(a, _bodyA);
             var bodyB:Body = table.currentBodyOf(b, _bodyB);
-            return bodyA.shape != null && bodyB.shape != null && _narrowPhase.areTouching(bodyA, bodyB);
+            return bodyA.shape != null && bodyB.shape != null && narrowPhase.areTouching(bodyA, bodyB);
         }
 
         /**
@@ -87,9 +87,9 @@ package starlogo.search
             table.readWorld(input.ground, input.edges);
             _hasMotions = input.isAnySweeping();
             // tests since the last search, as those of questions, do not count
-            _narrowPhase.takeCounts(counts);
+            narrowPhase.takeCounts(counts);
             var memberCount:int = findPairs(input, mayKeep);
-            _narrowPhase.takeCounts(counts);
+            narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
@@ -102,7 +102,7 @@ package starlogo.search
         // Finds the pairs, from those of the last search if that is wanted and possible. Returns the number of members.
         private function findPairs(input:FrameInput, mayKeep:Boolean):int
         {
-            if (mayKeep && _keptPairs.find(input, _hasMotions, _narrowPhase.treeLimits))
+            if (mayKeep && _keptPairs.find(input, _hasMotions, narrowPhase.treeLimits))
             {
                 return _keptPairs.memberCount;
             }
@@ -111,7 +111,7 @@ package starlogo.search
             var members:IntList = findAll(input);
             if (mayKeep)
             {
-                _keptPairs.keep(members, input, _hasMotions, _narrowPhase.treeLimits);
+                _keptPairs.keep(members, input, _hasMotions, narrowPhase.treeLimits);
             }
             return members.count;
         }
@@ -184,7 +184,7 @@ package starlogo.search
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            _narrowPhase.findContact(bodyA, bodyB, motion, out);
+            narrowPhase.findContact(bodyA, bodyB, motion, out);
         }
 
         // The rows that the bins get, called members: those with a shape that take part and whose breeds are of interest.

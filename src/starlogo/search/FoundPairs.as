@@ -12,8 +12,8 @@ package starlogo.search
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
      * <p>PairFinder has pairs added, and PairSorter sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
-     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter writes to the columns itself, and
-     * PairFinder to the times.</p>
+     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter exchanges the rows, and TouchTracker
+     * writes the touches.</p>
      *
      * @private
      */
@@ -30,9 +30,6 @@ package starlogo.search
 
         /** The rows: a0, b0, a1, b1, ... The list may be longer: rows after the last pair are left over from earlier frames. */
         public var rows:Vector.<int> = new Vector.<int>();
-
-        /** The time of each pair, if an agent sweeps. It is valid during the search only. */
-        public var times:Vector.<Number> = new Vector.<Number>();
 
         /** The list of the frame, which has the agent of each row. */
         public var list:ListedAgents = null;
@@ -126,11 +123,10 @@ package starlogo.search
         /**
          * Puts found pairs, which are in order, between the others.
          *
-         * @param haveTimes whether an agent sweeps. The others touch at the end of their motions, so found pairs that touch earlier come before them
+         * @param early the number of found pairs that come before all others
          */
-        internal function merge(found:FoundPairs, haveTimes:Boolean):void
+        internal function merge(found:FoundPairs, early:int):void
         {
-            var early:int = haveTimes ? found.countEarly() : 0;
             var from:int = count;
             count += found.count;
             var to:int = count;
@@ -157,17 +153,6 @@ package starlogo.search
                 rows[int(2 * to)] = a;
                 rows[int(2 * to + 1)] = b;
             }
-        }
-
-        // How many pairs touch before the end of their motions. They come first.
-        private function countEarly():int
-        {
-            var early:int = 0;
-            while (early < count && times[early] < 1)
-            {
-                early++;
-            }
-            return early;
         }
 
         // Grows by an eighth, because a vector that grows a little in each frame is copied each time.

@@ -1,6 +1,6 @@
 package starlogo.search
 {
-    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.CellLists;
     import starlogo.data.IntList;
     import starlogo.engine;
@@ -57,16 +57,16 @@ package starlogo.search
          * @param table has the rows
          * @param finder finds the pairs of changed rows
          * @param motions of the rows, if an agent sweeps
-         * @param bins that a search of all rows uses
+         * @param levels those of the bins that search all rows
          * @param pairs has the pairs of the last search, and gets those of the next one
          */
-        public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, bins:Bins, pairs:FoundPairs)
+        public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, levels:BinLevels, pairs:FoundPairs)
         {
             _pairs = pairs;
             _table = table;
             _finder = finder;
             _motions = motions;
-            _cells = new CellLists(bins);
+            _cells = new CellLists(levels);
         }
 
         /** The number of members of the search whose pairs are kept. */
@@ -151,7 +151,8 @@ package starlogo.search
             }
             findPairsOfChanged(input);
             _pairs.drop(_table.list, _marks, _mark);
-            _pairs.merge(_found, _anySweeps);
+            // the pairs that are kept touch at the end of their motions
+            _pairs.merge(_found, _finder.countEarly());
             _areValid = true;
             return true;
         }

@@ -106,7 +106,7 @@ package starlogo.search
         public function keepTouchingWorld(table:AgentTable, worldRow:int, others:Vector.<int>, count:int):int
         {
             var world:Body = table.bodyOf(worldRow);
-            var tests:PairTests = testsOfWorldAgent(world);
+            var tests:PairTests = pairTestsForWorldAgent(world);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
@@ -126,7 +126,7 @@ package starlogo.search
             {
                 return !b.isOfWorld && areTouching(b, a);
             }
-            return testsOf(a, b).areTouching(a, b);
+            return pairTestsFor(a, b).areTouching(a, b);
         }
 
         /**
@@ -141,7 +141,7 @@ package starlogo.search
         {
             motion.endAfter(0, 0, 0);
             motion.time = 1;
-            var tests:PairTests = testsOf(a, b);
+            var tests:PairTests = pairTestsFor(a, b);
             tests.findContactOfParts(a, b, motion, out);
             tests.separate(a, b, motion, out);
         }
@@ -160,7 +160,7 @@ package starlogo.search
                 out.swap();
                 return;
             }
-            var tests:PairTests = testsOf(a, b);
+            var tests:PairTests = pairTestsFor(a, b);
             var areTouchingNow:Boolean = tests.areTouching(a, b);
             if (areTouchingNow && !withPoints)
             {
@@ -233,12 +233,12 @@ package starlogo.search
         }
 
         /** The tests for two bodies, by their forms. The order of the two: see PairTests. */
-        public function testsOf(a:Body, b:Body):PairTests
+        public function pairTestsFor(a:Body, b:Body):PairTests
         {
             var last:int = a.form > b.form ? a.form : b.form;
             if (last >= ModelShape.GROUND)
             {
-                return testsOfWorldAgent(b);
+                return pairTestsForWorldAgent(b);
             }
             if (last == ModelShape.TREE)
             {
@@ -250,11 +250,11 @@ package starlogo.search
         /** The tests with the ground. */
         public function groundTestsOf(ground:Body):GroundPairTests
         {
-            return GroundPairTests(testsOfWorldAgent(ground));
+            return GroundPairTests(pairTestsForWorldAgent(ground));
         }
 
         // The tests with the ground or the edges of the world. Its shape adds them.
-        private function testsOfWorldAgent(body:Body):PairTests
+        private function pairTestsForWorldAgent(body:Body):PairTests
         {
             var isGround:Boolean = body.form == ModelShape.GROUND;
             if (isGround ? groundTests == null : edgeTests == null)

@@ -69,6 +69,17 @@ package starlogo.search
             _sorter.sort(_out, _anySweeps);
         }
 
+        /** The number of pairs, of those in order, that touch before the end of their motions. They come first. */
+        public function countEarly():int
+        {
+            var early:int = 0;
+            while (_anySweeps && early < _out.count && _sorter.times[early] < 1)
+            {
+                early++;
+            }
+            return early;
+        }
+
         /** @inheritDoc */
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
@@ -78,7 +89,7 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            var kept:int = _anySweeps ? keepTouchingMotions(row, others, count, level, _out) : _narrowPhase.keepTouching(_table, level, row, others, count);
+            var kept:int = _anySweeps ? keepTouchingMotions(row, others, count, level) : _narrowPhase.keepTouching(_table, level, row, others, count);
             _out.addPairs(row, others, kept);
         }
 
@@ -107,17 +118,19 @@ package starlogo.search
                 }
             }
             count = _input.interests.keepOfInterest(_table.breeds, worldRow, others, count);
-            var kept:int = _anySweeps ? keepTouchingMotions(worldRow, others, count, null, _out)
+            var kept:int = _anySweeps ? keepTouchingMotions(worldRow, others, count, null)
                 : _narrowPhase.keepTouchingWorld(_table, worldRow, others, count);
             _out.addPairs(worldRow, others, kept);
         }
 
-        // Keeps the rows that touch a row on their motions. The level is null for the ground and the edges, whose extents say nothing. The last argument
-        // receives the times of their pairs, which are added to it next.
-        private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, out:FoundPairs):int
+        // Keeps the rows that touch a row on their motions, and notes the times of their pairs, which are added next. The level is null for the ground
+        // and the edges, whose extents say nothing.
+        private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
             var ranks:Vector.<int> = _table.list.ranks;
             var rank:int = ranks[row];
+            var times:Vector.<Number> = _sorter.times;
+            var before:int = _out.count;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
@@ -128,7 +141,7 @@ package starlogo.search
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    out.times[int(out.count + kept)] = _motion.time;
+                    times[int(before + kept)] = _motion.time;
                     kept++;
                 }
             }

@@ -17,6 +17,9 @@ package starlogo.search
         // The factor of the first rank in a key of both ranks. All ranks are less.
         private static const RANK_FACTOR:Number = 1 << 26;
 
+        /** The times of the pairs that are sorted, if an agent sweeps. They get the order of the pairs. */
+        internal var times:Vector.<Number> = new Vector.<Number>();
+
         // The indices of the pairs in their new order, and their keys.
         private var _indices:SortableIntList = new SortableIntList();
 
@@ -105,7 +108,7 @@ package starlogo.search
             _indices.count = 0;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                _indices.add(i, pairs.times[i]);
+                _indices.add(i, times[i]);
             }
             _indices.sortFirst(pairs.count);
             arrange(pairs, true);
@@ -129,7 +132,7 @@ package starlogo.search
                 to[int(at + 1)] = from[int(i + 1)];
                 if (haveTimes)
                 {
-                    _spareTimes[at >> 1] = pairs.times[i >> 1];
+                    _spareTimes[at >> 1] = times[i >> 1];
                 }
             }
             exchange(pairs);
@@ -183,7 +186,7 @@ package starlogo.search
                 _spare[int(2 * i + 1)] = from[int(2 * pair + 1)];
                 if (haveTimes)
                 {
-                    _spareTimes[i] = pairs.times[pair];
+                    _spareTimes[i] = times[pair];
                 }
             }
             exchange(pairs);
@@ -195,9 +198,9 @@ package starlogo.search
             {
                 _spare.length = pairs.rows.length;
             }
-            if (_spareTimes.length < pairs.times.length)
+            if (_spareTimes.length < times.length)
             {
-                _spareTimes.length = pairs.times.length;
+                _spareTimes.length = times.length;
             }
         }
 
@@ -206,9 +209,9 @@ package starlogo.search
             var rows:Vector.<int> = pairs.rows;
             pairs.rows = _spare;
             _spare = rows;
-            var times:Vector.<Number> = pairs.times;
-            pairs.times = _spareTimes;
+            var spare:Vector.<Number> = _spareTimes;
             _spareTimes = times;
+            times = spare;
         }
     }
 }

@@ -3,7 +3,7 @@ package starlogo.search
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.BinLevel;
-    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.convex.ContactPoint;
@@ -36,7 +36,7 @@ package starlogo.search
 
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
-        private var _bins:Bins;
+        private var _levels:BinLevels;
 
         // When the extents of a pair overlap.
         private var _interval:ContactInterval = new ContactInterval();
@@ -45,13 +45,13 @@ package starlogo.search
         /**
          * @param table has the rows
          * @param narrowPhase tests which rows touch
-         * @param bins assign levels to the extents of motions
+         * @param levels for to the extents of motions
          */
-        public function RowMotions(table:AgentTable, narrowPhase:NarrowPhase, bins:Bins)
+        public function RowMotions(table:AgentTable, narrowPhase:NarrowPhase, levels:BinLevels)
         {
             _table = table;
             _narrowPhase = narrowPhase;
-            _bins = bins;
+            _levels = levels;
         }
 
         /**
@@ -111,7 +111,7 @@ package starlogo.search
             extents.halfY[row] = halfY;
             extents.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
             extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
-            _bins.assignLevel(extents, row);
+            _levels.assign(extents, row);
         }
 
         /**
@@ -164,7 +164,7 @@ package starlogo.search
                 _narrowPhase.findContact(bodyA, bodyB, motion, out);
                 return;
             }
-            _narrowPhase.testsOf(bodyA, bodyB).separate(bodyA, bodyB, motion, out);
+            _narrowPhase.pairTestsFor(bodyA, bodyB).separate(bodyA, bodyB, motion, out);
             // the motion was relative to b at its present place, so the point is moved back to where b was at that time
             var back:Number = motion.time - 1;
             out.x += back * _motions.x[b];
@@ -193,7 +193,7 @@ package starlogo.search
                 motion.time = time;
                 if (out != null)
                 {
-                    _narrowPhase.testsOf(bodyA, bodyB).findContactOfParts(bodyA, bodyB, motion, out);
+                    _narrowPhase.pairTestsFor(bodyA, bodyB).findContactOfParts(bodyA, bodyB, motion, out);
                 }
             }
         }
@@ -213,7 +213,7 @@ package starlogo.search
             }
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
-            _narrowPhase.testsOf(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
+            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.

@@ -43,7 +43,7 @@ package starlogo.search
         {
             // the name without its asterisk
             super(breed.substr(1));
-            breedNumber = Breeds.numberOf(breed);
+            breedNumber = Breeds.NAMES.numberOf(breed);
         }
 
         /** @private An id that is not counted: the edges'. A Terrain gives its agent a counted one. */

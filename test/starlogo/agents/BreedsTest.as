@@ -46,16 +46,16 @@ package starlogo.agents
         {
             for each (var name:String in NAMES)
             {
-                var number:int = Breeds.numberOf(name);
-                assertEquals(name, Breeds.nameOf(number));
-                assertEquals(name, number, Breeds.numberOf(name));
+                var number:int = Breeds.NAMES.numberOf(name);
+                assertEquals(name, Breeds.NAMES.nameOf(number));
+                assertEquals(name, number, Breeds.NAMES.numberOf(name));
                 assertEquals(name, number, new Agent("sphere", name).breedNumber);
             }
             var agent:Agent = _agents[0];
-            var count:int = Breeds.count;
+            var count:int = Breeds.NAMES.count;
             agent.breed = "cats";
             assertEquals(_agents[_agents.length - 1].breedNumber, agent.breedNumber);
-            assertEquals(count, Breeds.count);
+            assertEquals(count, Breeds.NAMES.count);
         }
 
         [Test]
@@ -70,13 +70,13 @@ package starlogo.agents
             queries.update(_agents);
             var filter:AgentFilter = new AgentFilter();
             filter.exceptBreeds = new <String>["unknown to filters"];
-            var count:int = Breeds.count;
+            var count:int = Breeds.NAMES.count;
             assertFalse(collision.removeHandler("unknown", "unknown to handlers", log([])));
             assertEquals("as any other breed", Breeds.ANY, interests.indexOf("unknown to interests"));
             assertEquals(-1, new BreedInterests().indexOf("unknown to interests"));
             assertEquals(0, queries.countNear(_agents[0], Infinity, AgentFilter.ofBreeds("unknown to questions")));
             assertEquals(_agents.length - 1, queries.countNear(_agents[0], Infinity, filter));
-            assertEquals(count, Breeds.count);
+            assertEquals(count, Breeds.NAMES.count);
         }
 
         [Test]
@@ -84,13 +84,13 @@ package starlogo.agents
         {
             var collision:Collision = new Collision(new BinCollider());
             var ground:Agent = new Terrain(2, 2).agent;
-            var count:int = Breeds.count;
+            var count:int = Breeds.NAMES.count;
             assertFalse(collision.removeHandler("a breed that nothing has", "nor this", log([])));
             assertFalse(collision.removeHandler("a breed that nothing has", Collision.ANY_BREED, log([])));
             assertThrows(ArgumentError, /breed must not be "another that nothing has"/, setBreed, ground, "another that nothing has");
-            assertEquals(count, Breeds.count);
-            assertEquals(-1, Breeds.knownNumberOf("nor this"));
-            assertEquals(_agents[0].breedNumber, Breeds.knownNumberOf(_agents[0].breed));
+            assertEquals(count, Breeds.NAMES.count);
+            assertEquals(-1, Breeds.NAMES.knownNumberOf("nor this"));
+            assertEquals(_agents[0].breedNumber, Breeds.NAMES.knownNumberOf(_agents[0].breed));
         }
 
         [Test]

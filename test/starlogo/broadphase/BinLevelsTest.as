@@ -6,7 +6,7 @@ package starlogo.broadphase
     /** There are few levels of bins, whatever fits them. */
     public class BinLevelsTest
     {
-        private var _bins:Bins = new Bins();
+        private var _levels:BinLevels = new BinLevels();
         private var _extents:Extents = new Extents();
 
         [Before]
@@ -22,7 +22,7 @@ package starlogo.broadphase
             {
                 fit(0, place);
                 assertEquals(1, count());
-                assertTrue(String(place), !_bins.assignLevel(_extents, 0));
+                assertTrue(String(place), !_levels.assign(_extents, 0));
             }
             // with a unit sphere there are two
             fit(0.5, 50);
@@ -39,7 +39,7 @@ package starlogo.broadphase
                 var before:int = count();
                 fit(0, place);
                 assertEquals(before + 1, count());
-                assertTrue(String(place), place * place < _bins.byIndex[_extents.level[0]].maxDistanceSquared);
+                assertTrue(String(place), place * place < _levels.byIndex[_extents.level[0]].maxDistanceSquared);
             }
         }
 
@@ -67,12 +67,12 @@ package starlogo.broadphase
         {
             _extents.halfX[0] = _extents.halfY[0] = half;
             _extents.x[0] = place;
-            _bins.assignLevel(_extents, 0);
+            _levels.assign(_extents, 0);
         }
 
         private function count():int
         {
-            return _bins.byWidth.length;
+            return _levels.byWidth.length;
         }
     }
 }

@@ -34,7 +34,7 @@ package starlogo.queries
         public function begin():void
         {
             _wolves = "wolves";
-            while (RowTree.breedBit(Breeds.numberOf(_wolves)) == RowTree.breedBit(Breeds.numberOf("sheep")))
+            while (RowTree.breedBit(Breeds.NAMES.numberOf(_wolves)) == RowTree.breedBit(Breeds.NAMES.numberOf("sheep")))
             {
                 _wolves += "!";
             }
@@ -114,14 +114,14 @@ package starlogo.queries
         [Test]
         public function newNamesInAFilterExcludeNoBreedThatSharesTheirBit():void
         {
-            while (Breeds.count < 32)
+            while (Breeds.NAMES.count < 32)
             {
-                Breeds.numberOf("breed " + Breeds.count);
+                Breeds.NAMES.numberOf("breed " + Breeds.NAMES.count);
             }
-            var only:Agent = new Agent("sphere", Breeds.nameOf(3));
+            var only:Agent = new Agent("sphere", Breeds.NAMES.nameOf(3));
             _seen.update(new <Agent>[only]);
             // the tree learns the breeds after a question about another breed
-            assertNull(_places.nearestToPoint(new Vector3D(), Infinity, AgentFilter.ofBreeds(Breeds.nameOf(4))));
+            assertNull(_places.nearestToPoint(new Vector3D(), Infinity, AgentFilter.ofBreeds(Breeds.NAMES.nameOf(4))));
             var filter:AgentFilter = new AgentFilter();
             filter.exceptBreeds = new <String>["new A", "new B", "new C", "new D"];
             assertStrictlyEquals(only, _places.nearestToPoint(new Vector3D(), Infinity, filter));

@@ -23,7 +23,7 @@ package starlogo.collision.snapshots
         /** The index of a breed's name. */
         public function ofBreed(number:int):int
         {
-            return indexOf(Breeds.nameOf(number), _ofBreeds, number);
+            return indexOf(Breeds.NAMES.nameOf(number), _ofBreeds, number);
         }
 
         /** The index of a model's name. */

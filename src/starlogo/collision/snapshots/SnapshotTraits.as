@@ -34,7 +34,7 @@ package starlogo.collision.snapshots
                 bytes.writeDouble(agent.z);
                 bytes.writeDouble(agent.size);
                 bytes.writeDouble(agent.color);
-                agent.writeTurn(bytes);
+                agent.turn.write(bytes);
             }
         }
 
@@ -64,7 +64,7 @@ package starlogo.collision.snapshots
                 agent.moveTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
                 agent.size = bytes.readDouble();
                 agent.color = bytes.readDouble();
-                agent.readTurn(bytes);
+                agent.turn.read(bytes, agent);
             }
         }
     }

@@ -52,20 +52,22 @@ package starlogo.collision.snapshots
         /**
          * Returns the bytes of a snapshot.
          *
-         * @param tracker knows the touching pairs
-         * @param table has the last frame's agents
-         * @param agents the last frame's list. It is empty if there was no frame
-         * @param keepsMotions whether the agents' next motions begin at their positions in the table
-         * @param system the kind of the collision system, as in BaseShapeChoice
+         * @param search makes the next frame. If it has not made the last one, no agent has a motion
          * @param ground the ground, or null
          * @param edges the edges of the world, or null
          * @param withTraits whether the agents' traits are written
          * @param withGround whether the ground's heights are written
-         * @throws IllegalOperationError if the collision system has searched another list
+         * @throws IllegalOperationError if the frame has failed, or if the collision system has searched another list since
          */
-        public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, system:int,
-                ground:WorldAgent, edges:WorldAgent, withTraits:Boolean, withGround:Boolean):ByteArray
+        public function write(frame:LastFrame, search:CollisionSearch, ground:WorldAgent, edges:WorldAgent, withTraits:Boolean,
+                withGround:Boolean):ByteArray
         {
+            if (frame.hasFailed)
+            {
+                throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
+            }
+            var agents:Vector.<Agent> = frame.agents;
+            var table:AgentTable = (frame.search || search).table;
             if (agents.length > 0 && !table.list.isListed(agents))
             {
                 throw new IllegalOperationError("the collision system has searched another list since the last frame");
@@ -73,8 +75,8 @@ package starlogo.collision.snapshots
             var hasHeights:Boolean = withGround && ground != null;
             var names:SnapshotNames = new SnapshotNames();
             var rest:ByteArray = newBytes();
-            SnapshotPlaces.write(rest, agents, table, keepsMotions);
-            writeTouches(rest, names, tracker, table, ground, edges);
+            SnapshotPlaces.write(rest, agents, table, frame.search === search);
+            writeTouches(rest, names, frame.touches, table, ground, edges);
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
@@ -86,7 +88,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + system * SYSTEM);
+            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + kindOf(search) * SYSTEM);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -98,14 +100,14 @@ package starlogo.collision.snapshots
         /**
          * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
          *
-         * @param system the kind of the collision system that will search
+         * @param search will make the next frame
          * @param ground the ground, or null. It gets the heights that are in the snapshot
          * @param edges the edges of the world, or null
-         * @return the tracker that knows which pairs touched then
+         * @param frame becomes the frame of the snapshot
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, system:int,
-                ground:WorldAgent, edges:WorldAgent):TouchTracker
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, ground:WorldAgent, edges:WorldAgent,
+                frame:LastFrame):void
         {
             search.table.list.propose(agents);
             var copy:ByteArray = newBytes();
@@ -118,7 +120,7 @@ package starlogo.collision.snapshots
             var parts:SnapshotParts = new SnapshotParts();
             try
             {
-                readParts(copy, agents, system, ground, edges, parts);
+                readParts(copy, agents, kindOf(search), ground, edges, parts);
             }
             catch (error:Error)
             {
@@ -132,7 +134,9 @@ package starlogo.collision.snapshots
             {
                 parts.ground.restore(ground.beginChange());
             }
-            return parts.touches;
+            frame.touches = parts.touches;
+            frame.keep(agents, search);
+            frame.hasFailed = false;
         }
 
         // Puts the agents back: their traits, which the bytes have next if they are in the snapshot, and their places in the last frame. If that
@@ -248,8 +252,8 @@ package starlogo.collision.snapshots
             {
                 var first:uint = bytes.readUnsignedInt();
                 var second:uint = bytes.readUnsignedInt();
-                var firstBreed:int = Breeds.numberOf(names.nameAt(bytes.readUnsignedInt()));
-                var secondBreed:int = Breeds.numberOf(names.nameAt(bytes.readUnsignedInt()));
+                var firstBreed:int = Breeds.NAMES.numberOf(names.nameAt(bytes.readUnsignedInt()));
+                var secondBreed:int = Breeds.NAMES.numberOf(names.nameAt(bytes.readUnsignedInt()));
                 var flag:int = bytes.readUnsignedByte();
                 check(first < agents.length && second < partners.length && first != second && flag <= 1);
                 if (partners[second] == null)
@@ -262,6 +266,11 @@ package starlogo.collision.snapshots
             // each pair is there once
             check(touches.count == pairs);
             return touches;
+        }
+
+        private static function kindOf(search:CollisionSearch):int
+        {
+            return search.narrowPhase.choice.system;
         }
 
         private static function check(isSnapshot:Boolean):void

@@ -99,7 +99,7 @@ package starlogo.queries.motion
                 var whole:Body = body.wholeAt(endOf(from, motion));
                 var other:Body = body.bodyOf(out.row);
                 _sweep.endAfter(motion.x, motion.y, motion.z);
-                body.testsOf(whole, other).findImpact(whole, other, _sweep, null);
+                body.pairTestsFor(whole, other).findImpact(whole, other, _sweep, null);
                 var isExpected:Boolean = Math.abs(_sweep.time - out.touchTime) <= out.touchTime - out.time;
                 out.touchTime = isExpected ? _sweep.time : out.time;
             }
@@ -154,11 +154,11 @@ package starlogo.queries.motion
             motion.time = RelativeMotion.NEVER;
             if (body.isNear(core, other, motion))
             {
-                body.testsOf(core, other).findImpact(core, other, motion, out);
+                body.pairTestsFor(core, other).findImpact(core, other, motion, out);
             }
             // a sheet may be wholly under the ground at the beginning, and then it touches no surface
             if (motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND
-                    && body.testsOf(core, other).areTouching(body.core.at(from), other))
+                    && body.pairTestsFor(core, other).areTouching(body.core.at(from), other))
             {
                 motion.time = 0;
                 out.setNormal(0, 0, 0);

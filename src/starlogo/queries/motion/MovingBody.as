@@ -217,9 +217,9 @@ package starlogo.queries.motion
         }
 
         /** The tests for two bodies: see NarrowPhase. */
-        public function testsOf(own:Body, other:Body):PairTests
+        public function pairTestsFor(own:Body, other:Body):PairTests
         {
-            return _seen.narrowPhase.testsOf(own, other);
+            return _seen.narrowPhase.pairTestsFor(own, other);
         }
 
         /** The whole body at a place. It is valid until the next call. */
@@ -246,7 +246,7 @@ package starlogo.queries.motion
         {
             var inner:Body = core.at(place);
             var other:Body = bodyOf(row);
-            return isNear(inner, other, RelativeMotion.NONE) && testsOf(inner, other).isOneInside(inner, other);
+            return isNear(inner, other, RelativeMotion.NONE) && pairTestsFor(inner, other).isOneInside(inner, other);
         }
 
         /**
@@ -279,7 +279,7 @@ package starlogo.queries.motion
             var other:Body = bodyOf(row);
             var whole:Body = wholeAt(place);
             var shallow:Number = BodyCore.SHALLOW * extentWith(other);
-            var pairTests:PairTests = testsOf(whole, other);
+            var pairTests:PairTests = pairTestsFor(whole, other);
             pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
             {

@@ -71,7 +71,7 @@ package starlogo.queries.trees
             }
             else if (filter.exceptBreeds != null)
             {
-                breeds = Breeds.count <= RowTree.BREED_BITS ? ~setOf(filter.exceptBreeds) : RowTree.ALL_BREEDS;
+                breeds = Breeds.NAMES.count <= RowTree.BREED_BITS ? ~setOf(filter.exceptBreeds) : RowTree.ALL_BREEDS;
             }
             except(filter.except);
         }
@@ -82,7 +82,7 @@ package starlogo.queries.trees
             var found:int = 0;
             for (var i:int = 0; i < names.length; i++)
             {
-                var breed:int = names[i] == null ? -1 : Breeds.knownNumberOf(names[i]);
+                var breed:int = names[i] == null ? -1 : Breeds.NAMES.knownNumberOf(names[i]);
                 if (breed >= 0)
                 {
                     found |= RowTree.breedBit(breed);
@@ -102,7 +102,7 @@ package starlogo.queries.trees
             var breed:int = agent.breedNumber;
             if (breed >= _breedMarks.length)
             {
-                _breedMarks.length = Breeds.count;
+                _breedMarks.length = Breeds.NAMES.count;
             }
             var known:int = _breedMarks[breed];
             if (known == _question || known == -_question)

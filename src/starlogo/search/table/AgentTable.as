@@ -1,7 +1,7 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
-    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
     import starlogo.data.IntList;
     import starlogo.engine;
@@ -70,12 +70,12 @@ package starlogo.search.table
 
         /**
          * @param choice has the shape of each model
-         * @param bins assign levels to extents; null if none are needed
+         * @param levels for extents; null if none are needed
          */
-        public function AgentTable(choice:BaseShapeChoice, bins:Bins)
+        public function AgentTable(choice:BaseShapeChoice, levels:BinLevels)
         {
             _choice = choice;
-            places = new PlaceHistory(bins);
+            places = new PlaceHistory(levels);
             extents = places.extents;
             grow(ListedAgents.FIRST_LISTED);
         }

@@ -1,7 +1,7 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
-    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.data.IntList;
@@ -39,17 +39,17 @@ package starlogo.search.table
         // By row: the way from the agent's place to the middle of its extents.
         private var _offsets:Points = new Points();
 
-        // Assign levels to extents; null if none are needed.
-        private var _bins:Bins;
+        // The levels for extents; null if none are needed.
+        private var _levels:BinLevels;
 
         // Whether a row ever had a coarser level because it was far out. From then on each row that moves is assigned a level, so it gets a finer one
         // when it comes back.
         private var _wasOneFarOut:Boolean = false;
 
-        /** @param bins assign levels to extents; null if none are needed */
-        public function PlaceHistory(bins:Bins)
+        /** @param levels for extents; null if none are needed */
+        public function PlaceHistory(levels:BinLevels)
         {
-            _bins = bins;
+            _levels = levels;
         }
 
         /**
@@ -162,7 +162,7 @@ package starlogo.search.table
             var middleX:Vector.<Number> = extents.x;
             var middleY:Vector.<Number> = extents.y;
             var middleZ:Vector.<Number> = extents.z;
-            var maxDistanceSquared:Number = _bins == null ? Infinity : _bins.maxDistanceSquared;
+            var maxDistanceSquared:Number = _levels == null ? Infinity : _levels.maxDistanceSquared;
             if (_wasOneFarOut)
             {
                 maxDistanceSquared = 0;
@@ -188,7 +188,7 @@ package starlogo.search.table
         // The ground and the edges of the world are in no bins.
         private function assignLevel(row:int):void
         {
-            if (_bins != null && row >= ListedAgents.FIRST_LISTED && _bins.assignLevel(extents, row))
+            if (_levels != null && row >= ListedAgents.FIRST_LISTED && _levels.assign(extents, row))
             {
                 _wasOneFarOut = true;
             }

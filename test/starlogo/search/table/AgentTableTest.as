@@ -5,7 +5,7 @@ package starlogo.search.table
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.BinLevels;
     import starlogo.collision.Collider;
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
@@ -22,7 +22,7 @@ package starlogo.search.table
     public class AgentTableTest
     {
         private var _land:GreatLand = landOf(BuiltInModel.cube());
-        private var _table:AgentTable = new AgentTable(new TightestFitChoice(_land), new Bins());
+        private var _table:AgentTable = new AgentTable(new TightestFitChoice(_land), new BinLevels());
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]

@@ -1,0 +1,43 @@
+package starlogo.collision.snapshots
+{
+    import starlogo.agents.Agent;
+    import starlogo.handlers.TouchTracker;
+    import starlogo.search.CollisionSearch;
+    import starlogo.search.FrameInput;
+
+    /**
+     * What a Collision keeps of its last frame: the list as it was when the frame began, which search has read it, and the touches.
+     *
+     * @private
+     */
+    public final class LastFrame
+    {
+        /** The search that has read the list; null before the first frame, and for a system that is not the engine's. */
+        public var search:CollisionSearch = null;
+
+        /** True while a frame runs, and after a frame that has refused its list or could not compute a contact. Errors of handlers do not count. */
+        public var hasFailed:Boolean = false;
+
+        /** The list. A game gets it, and may change it. */
+        public var agents:Vector.<Agent> = new Vector.<Agent>();
+
+        /** The pairs that touch. */
+        public var touches:TouchTracker = new TouchTracker();
+
+        /**
+         * Copies the list of a frame.
+         *
+         * @param readBy the search that has read it, or null
+         */
+        public function keep(list:Vector.<Agent>, readBy:CollisionSearch):void
+        {
+            if (list === agents)
+            {
+                // the game's own list, from now on
+                agents = new Vector.<Agent>();
+            }
+            FrameInput.copyList(list, agents);
+            search = readBy;
+        }
+    }
+}

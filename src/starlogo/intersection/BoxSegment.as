@@ -118,23 +118,42 @@ package starlogo.intersection
                 var isOnX:Boolean = outX == firstOut || inX == lastIn;
                 var isOnY:Boolean = outY == firstOut || inY == lastIn;
                 var isOnZ:Boolean = outZ == firstOut || inZ == lastIn;
-                var beyondX:Number = outX == firstOut ? px - halfX : px + halfX;
-                var beyondY:Number = outY == firstOut ? py - halfY : py + halfY;
-                var beyondZ:Number = outZ == firstOut ? pz - halfZ : pz + halfZ;
-                var slope:Number = (isOnX ? dx * beyondX : 0) + (isOnY ? dy * beyondY : 0) + (isOnZ ? dz * beyondZ : 0);
-                var curvature:Number = (isOnX ? dx * dx : 0) + (isOnY ? dy * dy : 0) + (isOnZ ? dz * dz : 0);
+                var slope:Number = 0;
+                var curvature:Number = 0;
+                var beyond:Number;
+                if (isOnX)
+                {
+                    beyond = outX == firstOut ? px - halfX : px + halfX;
+                    slope = dx * beyond;
+                    curvature = dx * dx;
+                }
+                if (isOnY)
+                {
+                    beyond = outY == firstOut ? py - halfY : py + halfY;
+                    slope += dy * beyond;
+                    curvature += dy * dy;
+                }
+                if (isOnZ)
+                {
+                    beyond = outZ == firstOut ? pz - halfZ : pz + halfZ;
+                    slope += dz * beyond;
+                    curvature += dz * dz;
+                }
                 share = -slope / curvature;
                 if (!isOnX && (share < inX || share > outX))
                 {
-                    share = -(slope + dx * (share < inX ? px + halfX : px - halfX)) / (curvature + dx * dx);
+                    beyond = share < inX ? px + halfX : px - halfX;
+                    share = -(slope + dx * beyond) / (curvature + dx * dx);
                 }
                 else if (!isOnY && (share < inY || share > outY))
                 {
-                    share = -(slope + dy * (share < inY ? py + halfY : py - halfY)) / (curvature + dy * dy);
+                    beyond = share < inY ? py + halfY : py - halfY;
+                    share = -(slope + dy * beyond) / (curvature + dy * dy);
                 }
                 else if (!isOnZ && (share < inZ || share > outZ))
                 {
-                    share = -(slope + dz * (share < inZ ? pz + halfZ : pz - halfZ)) / (curvature + dz * dz);
+                    beyond = share < inZ ? pz + halfZ : pz - halfZ;
+                    share = -(slope + dz * beyond) / (curvature + dz * dz);
                 }
             }
             nearest = share;

@@ -207,12 +207,7 @@ package starlogo.ground
         // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
         private function findOverlap(out:ContactPoint):Boolean
         {
-            if (!_pairs.kernel.areTouching(_pairs.triangle.corners, 0))
-            {
-                return false;
-            }
-            _pairs.kernel.findContact(_pairs.triangle.corners, 0, RelativeMotion.NONE, out);
-            return true;
+            return _pairs.kernel.tryContact(_pairs.triangle.corners, 0, RelativeMotion.NONE, out);
         }
 
         // Keeps a contact, with the current triangle.

@@ -5,7 +5,6 @@ package starlogo.hierarchy
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
-    import starlogo.intersection.ray.crossStructure;
     import starlogo.intersection.ray.rayBox;
 
     use namespace engine;
@@ -20,7 +19,6 @@ package starlogo.hierarchy
     public final class NodeRayVisitor extends NodeVisitor
     {
         private var _ray:Ray = new Ray();
-        private var _reversed:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
         private var _all:RayCrossings = null;
         private var _slack:Number = 0;
@@ -83,7 +81,7 @@ package starlogo.hierarchy
             tree.writeBox(node, _box);
             if (_all != null)
             {
-                crossStructure(_ray, _box, _slack, _reversed, _entry, null, _all);
+                _all.addStructure(_ray, _box, null, _slack);
                 return;
             }
             if (rayBox(_ray, _box, _entry) && (_entry.distance < limit || _first < 0))

@@ -13,7 +13,7 @@ package starlogo.hierarchy
     public final class TreeItems
     {
         /** The extents of all items together after <code>measure()</code>. */
-        public var bounds:Vector.<Number> = new <Number>[Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity];
+        public var bounds:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** After a division, the slot at which the second group begins. */
         public var middle:int;
@@ -44,6 +44,7 @@ package starlogo.hierarchy
         public function TreeItems(tree:BoxTree)
         {
             _tree = tree;
+            clear(bounds);
             tree.items = new Vector.<int>(tree.itemCount, true);
             for (var i:int = 0; i < tree.items.length; i++)
             {
@@ -59,13 +60,7 @@ package starlogo.hierarchy
             {
                 // the order is still that of the indices
                 _tree.writeExtents(i, i + 1, _extents, 6 * i);
-                for (var k:int = 0; k < 6; k += 2)
-                {
-                    var low:Number = _extents[int(6 * i + k)];
-                    var high:Number = _extents[int(6 * i + k + 1)];
-                    bounds[k] = low < bounds[k] ? low : bounds[k];
-                    bounds[k + 1] = high > bounds[k + 1] ? high : bounds[k + 1];
-                }
+                extend(bounds, i);
             }
         }
 
@@ -75,7 +70,7 @@ package starlogo.hierarchy
             var sum:Number = 0;
             for (var i:int = first; i < end; i++)
             {
-                sum += sumAlong(axis, i);
+                sum += sumOf(_tree.items[i], axis);
             }
             return sum / (end - first);
         }
@@ -96,8 +91,8 @@ package starlogo.hierarchy
             _waiting = 0;
             this.axis = axis;
             _split = split;
-            write(leftExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
-            write(rightExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
+            clear(leftExtents);
+            clear(rightExtents);
         }
 
         /**
@@ -119,7 +114,7 @@ package starlogo.hierarchy
                 var largest:Number = -Infinity;
                 for (var i:int = first; i < end; i++)
                 {
-                    var sum:Number = sumAlong(along, i);
+                    var sum:Number = sumOf(_tree.items[i], along);
                     least = sum < least ? sum : least;
                     largest = sum > largest ? sum : largest;
                 }
@@ -135,9 +130,8 @@ package starlogo.hierarchy
         }
 
         /**
-         * Continues the division. The steps for an item are: its extents, the side of the splitting point on which its centre is, its
-         * place, and the extents of its group, which are kept in locals. The first item on the wrong side waits until the last item on the
-         * wrong side is found. Then the two change places. So items that are divided already keep their places.
+         * Continues the division. The first item on the wrong side waits until the last item on the wrong side is found. Then the two change places.
+         * So items that are divided already keep their places.
          *
          * @param most the largest number of items to look at
          * @return whether there are more items
@@ -145,38 +139,15 @@ package starlogo.hierarchy
         public function divideSome(most:int):Boolean
         {
             var items:Vector.<int> = _tree.items;
-            var all:Vector.<Number> = _extents;
-            var along:int = axis;
-            var split:Number = _split;
             var i:int = middle;
             var last:int = _last;
             var waiting:int = _waiting;
             var rest:int = last - i - waiting + 1 - most;
             rest = rest < 0 ? 0 : rest;
-            var leftMinX:Number = leftExtents[0];
-            var leftMinY:Number = leftExtents[2];
-            var leftMinZ:Number = leftExtents[4];
-            var leftMaxX:Number = leftExtents[1];
-            var leftMaxY:Number = leftExtents[3];
-            var leftMaxZ:Number = leftExtents[5];
-            var rightMinX:Number = rightExtents[0];
-            var rightMinY:Number = rightExtents[2];
-            var rightMinZ:Number = rightExtents[4];
-            var rightMaxX:Number = rightExtents[1];
-            var rightMaxY:Number = rightExtents[3];
-            var rightMaxZ:Number = rightExtents[5];
             while (last - i - waiting >= rest)
             {
                 var item:int = items[waiting == 0 ? i : last];
-                var at:int = 6 * item;
-                var minX:Number = all[at];
-                var minY:Number = all[int(at + 2)];
-                var minZ:Number = all[int(at + 4)];
-                var maxX:Number = all[int(at + 1)];
-                var maxY:Number = all[int(at + 3)];
-                var maxZ:Number = all[int(at + 5)];
-                var sum:Number = along == 0 ? minX + maxX : (along == 1 ? minY + maxY : minZ + maxZ);
-                if (sum < split)
+                if (sumOf(item, axis) < _split)
                 {
                     if (waiting == 1)
                     {
@@ -186,49 +157,54 @@ package starlogo.hierarchy
                         waiting = 0;
                     }
                     i++;
-                    leftMinX = minX < leftMinX ? minX : leftMinX;
-                    leftMaxX = maxX > leftMaxX ? maxX : leftMaxX;
-                    leftMinY = minY < leftMinY ? minY : leftMinY;
-                    leftMaxY = maxY > leftMaxY ? maxY : leftMaxY;
-                    leftMinZ = minZ < leftMinZ ? minZ : leftMinZ;
-                    leftMaxZ = maxZ > leftMaxZ ? maxZ : leftMaxZ;
+                    extend(leftExtents, item);
                 }
                 else
                 {
                     last -= waiting;
                     waiting = 1;
-                    rightMinX = minX < rightMinX ? minX : rightMinX;
-                    rightMaxX = maxX > rightMaxX ? maxX : rightMaxX;
-                    rightMinY = minY < rightMinY ? minY : rightMinY;
-                    rightMaxY = maxY > rightMaxY ? maxY : rightMaxY;
-                    rightMinZ = minZ < rightMinZ ? minZ : rightMinZ;
-                    rightMaxZ = maxZ > rightMaxZ ? maxZ : rightMaxZ;
+                    extend(rightExtents, item);
                 }
             }
-            write(leftExtents, leftMinX, leftMinY, leftMinZ, leftMaxX, leftMaxY, leftMaxZ);
-            write(rightExtents, rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
             middle = i;
             _last = last;
             _waiting = waiting;
             return rest > 0;
         }
 
-        // Twice the centre of the extents of the item in a slot, along an axis.
-        private function sumAlong(axis:int, slot:int):Number
+        // Twice the centre of an item's extents along an axis.
+        private function sumOf(item:int, axis:int):Number
         {
-            var at:int = 6 * _tree.items[slot] + 2 * axis;
+            var at:int = 6 * item + 2 * axis;
             return _extents[at] + _extents[int(at + 1)];
         }
 
-        private static function write(extents:Vector.<Number>, minX:Number, minY:Number, minZ:Number,
-                maxX:Number, maxY:Number, maxZ:Number):void
+        private static function clear(extents:Vector.<Number>):void
         {
-            extents[0] = minX;
-            extents[1] = maxX;
-            extents[2] = minY;
-            extents[3] = maxY;
-            extents[4] = minZ;
-            extents[5] = maxZ;
+            for (var k:int = 0; k < 6; k += 2)
+            {
+                extents[k] = Infinity;
+                extents[k + 1] = -Infinity;
+            }
+        }
+
+        // Makes extents contain an item.
+        private function extend(extents:Vector.<Number>, item:int):void
+        {
+            var at:int = 6 * item;
+            for (var k:int = 0; k < 6; k += 2)
+            {
+                var low:Number = _extents[int(at + k)];
+                var high:Number = _extents[int(at + k + 1)];
+                if (low < extents[k])
+                {
+                    extents[k] = low;
+                }
+                if (high > extents[int(k + 1)])
+                {
+                    extents[int(k + 1)] = high;
+                }
+            }
         }
     }
 }

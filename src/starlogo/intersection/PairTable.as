@@ -46,7 +46,11 @@ package starlogo.intersection
             var kindB:int = b.kind;
             if (kindA > kindB)
             {
-                return areTouching(b, a);
+                var first:BoundingStructure = b;
+                b = a;
+                a = first;
+                kindA = a.kind;
+                kindB = b.kind;
             }
             // The tests are short, and calls take long in Adobe's VM. So no kernel stands between.
             switch (kindB)

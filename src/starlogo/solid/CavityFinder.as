@@ -22,79 +22,63 @@ package starlogo.solid
         // How much larger a shell has to be to have the other one inside, as a fraction.
         private static const LARGER:Number = 1e-9;
 
-        /** For each shell, its state with the cavities, when no step is left: see <code>SurfaceTopology.shellStates</code>. */
-        public var states:Vector.<int>;
-
         private var _windingCounter:WindingCounter;
         private var _surface:SurfaceTopology;
+        private var _corners:Vector.<Number>;
         private var _items:Vector.<int>;
         private var _balances:Vector.<int>;
 
-        // For each shell: its outermost points; one more than the index of the corner from which its volume is measured, or 0 if it has none; six times
-        // the volume; and 1 or -1 for its orientation, or 0 without a volume.
-        private var _extremes:PartExtremes;
-        private var _origins:Vector.<int>;
-        private var _volumes:Vector.<Number>;
-        private var _orientations:Vector.<int>;
+        // The shells that may bound cavities or have them, with null for the others. The outermost points of each.
+        private var _shells:Vector.<ClosedShell>;
+        private var _extremes:OutermostPoints;
 
-        // For each shell, the larger shells that enclose all of its points tested so far. Null before the first point.
-        private var _enclosing:Vector.<Vector.<int>>;
-
-        // The shells that enclose the last point, and for each shell whether it does.
+        // The shells that enclose the point that is tested.
         private var _enclosingPoint:Vector.<int> = new Vector.<int>();
-        private var _enclosesPoint:Vector.<Boolean>;
 
         private var _plane:TrianglePlane = new TrianglePlane();
         private var _windingCount:int = 0;
-        private var _mostWindings:int;
 
         /**
-         * @param windingCounter of the surface, which has the shells
+         * @param windingCounter of the surface, which has the shells and receives which of them bound cavities
          * @param balances for each shell, the number of its triangles that are not reversed, minus the number of those that are
          */
         public function CavityFinder(windingCounter:WindingCounter, balances:Vector.<int>)
         {
-            var shells:int = balances.length;
             _windingCounter = windingCounter;
             _surface = windingCounter.surface;
+            _corners = windingCounter.mesh.corners;
             _items = windingCounter.mesh.tree.items;
-            _mostWindings = WINDINGS_PER_TRIANGLE * _items.length;
-            states = _surface.shellStates.concat();
             _balances = balances;
-            if (shells > 1)
+            if (balances.length > 1)
             {
-                _extremes = new PartExtremes(windingCounter.mesh.corners, shells);
-                _origins = new Vector.<int>(shells, true);
-                _volumes = new Vector.<Number>(shells, true);
-                _orientations = new Vector.<int>(shells, true);
-                _enclosing = new Vector.<Vector.<int>>(shells, true);
-                _enclosesPoint = new Vector.<Boolean>(shells, true);
+                _shells = new Vector.<ClosedShell>(balances.length, true);
+                _extremes = new OutermostPoints(_corners, balances.length);
                 slices(_items.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orient);
             }
         }
 
         private function isSolid(shell:int):Boolean
         {
-            return shell >= 0 && states[shell] == SurfaceTopology.SOLID;
+            return shell >= 0 && _surface.shellStates[shell] == SurfaceTopology.SOLID;
         }
 
         private function addVolumes(first:int, end:int):void
         {
-            var corners:Vector.<Number> = _windingCounter.mesh.corners;
             for (var slot:int = first; slot < end; slot++)
             {
-                var shell:int = _surface.shellOf(_items[slot]);
-                if (!isSolid(shell))
+                var number:int = _surface.shellOf(_items[slot]);
+                if (!isSolid(number))
                 {
                     continue;
                 }
-                _origins[shell] ||= 9 * slot + 1;
-                _extremes.add(shell, slot);
-                _plane.setTriangle(corners, 9 * slot);
-                var from:int = _origins[shell] - 1;
-                var volume:Number = _plane.doubleArea * (_plane.normal.x * (corners[9 * slot] - corners[from])
-                        + _plane.normal.y * (corners[9 * slot + 1] - corners[from + 1]) + _plane.normal.z * (corners[9 * slot + 2] - corners[from + 2]));
-                _volumes[shell] += _surface.isReversed(_items[slot]) ? -volume : volume;
+                var at:int = 9 * slot;
+                _shells[number] ||= new ClosedShell(at);
+                _extremes.add(number, slot);
+                _plane.setTriangle(_corners, at);
+                var from:int = _shells[number].origin;
+                var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[at] - _corners[from])
+                        + _plane.normal.y * (_corners[at + 1] - _corners[from + 1]) + _plane.normal.z * (_corners[at + 2] - _corners[from + 2]));
+                _shells[number].volume += _surface.isReversed(_items[slot]) ? -volume : volume;
             }
         }
 
@@ -102,123 +86,129 @@ package starlogo.solid
         private function orient():void
         {
             var isFound:Vector.<Boolean> = new Vector.<Boolean>(3, true);
-            for (var shell:int = 0; shell < _balances.length; shell++)
+            for (var number:int = 0; number < _shells.length; number++)
             {
-                var sign:int = _volumes[shell] > 0 ? 1 : (_volumes[shell] < 0 ? -1 : 0);
-                _orientations[shell] = _balances[shell] > 0 ? sign : (_balances[shell] < 0 ? -sign : sign * sign);
-                isFound[_orientations[shell] + 1] = true;
+                var shell:ClosedShell = _shells[number];
+                if (shell != null)
+                {
+                    var sign:int = shell.volume > 0 ? 1 : (shell.volume < 0 ? -1 : 0);
+                    shell.orientation = _balances[number] > 0 ? sign : (_balances[number] < 0 ? -sign : sign * sign);
+                    isFound[shell.orientation + 1] = true;
+                }
             }
             if (isFound[0] && isFound[2])
             {
-                slices(_items.length, TRIANGLES_PER_STEP, testSome).call(decide);
+                slices(_items.length, TRIANGLES_PER_STEP, testPoints).call(decide);
             }
         }
 
         // Tests four points of each triangle: its middle, and points near its corners. Triangles that count as segments have no inner side.
-        private function testSome(first:int, end:int):void
+        private function testPoints(first:int, end:int):void
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                _plane.setTriangle(_windingCounter.mesh.corners, 9 * slot);
-                if (_plane.isFlat)
+                var number:int = _surface.shellOf(_items[slot]);
+                _plane.setTriangle(_corners, 9 * slot);
+                if (_plane.isFlat || !isSolid(number))
                 {
                     continue;
                 }
-                var shell:int = _surface.shellOf(_items[slot]);
-                for (var corner:int = 3; corner >= 0 && isSolid(shell) && isUndecided(shell); corner--)
+                for (var corner:int = 3; corner >= 0 && isUndecided(_shells[number]); corner--)
                 {
-                    findEnclosing(shell, slot, corner);
-                    keepEnclosing(shell);
+                    findEnclosing(number, slot, corner);
+                    keepEnclosing(number);
                 }
             }
         }
 
         // Whether more points decide about a shell.
-        private function isUndecided(shell:int):Boolean
+        private function isUndecided(shell:ClosedShell):Boolean
         {
-            return _enclosing[shell] == null || _enclosing[shell].length > 0 && _windingCount < _mostWindings;
+            return shell.enclosing == null || shell.enclosing.length > 0 && _windingCount < WINDINGS_PER_TRIANGLE * _items.length;
         }
 
-        // Finds the shells that enclose a point of a triangle, which is _plane. The point is a little inside of its shell.
-        private function findEnclosing(shell:int, slot:int, corner:int):void
+        // Finds the shells that enclose a point of a triangle of a shell. The triangle is _plane. The point is near a corner, or in the middle for corner 3,
+        // and a little inside of the shell.
+        private function findEnclosing(number:int, slot:int, corner:int):void
         {
-            var corners:Vector.<Number> = _windingCounter.mesh.corners;
             var at:int = 9 * slot;
-            var inwards:Number = INWARDS * _extremes.extentAt(_extremes.pointsAt[shell]);
-            inwards = _surface.isReversed(_items[slot]) == _volumes[shell] > 0 ? inwards : -inwards;
+            var inwards:Number = INWARDS * _extremes.extentOf(number);
+            inwards = _surface.isReversed(_items[slot]) == _shells[number].volume > 0 ? inwards : -inwards;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
             {
-                point[axis] += share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])
-                    + (corner == 3 ? 0 : 0.97 * corners[at + 3 * corner + axis]);
+                point[axis] += share * (_corners[at + axis] + _corners[at + 3 + axis] + _corners[at + 6 + axis])
+                    + (corner == 3 ? 0 : 0.97 * _corners[at + 3 * corner + axis]);
             }
             _windingCount += _windingCounter.findAround(point[0], point[1], point[2], _enclosingPoint);
         }
 
         // Keeps those of the shells around a shell that enclose the last point too; after its first point, all larger shells that do. Keeps none if all
         // of them have the orientation of this shell.
-        private function keepEnclosing(shell:int):void
+        private function keepEnclosing(number:int):void
         {
-            var before:Vector.<int> = _enclosing[shell];
+            var shell:ClosedShell = _shells[number];
             var kept:Vector.<int> = new Vector.<int>();
             var hasOpposite:Boolean = false;
-            for each (var found:int in _enclosingPoint)
+            markEnclosing(true);
+            for each (var other:int in shell.enclosing || _enclosingPoint)
             {
-                _enclosesPoint[found] = true;
-            }
-            for each (var other:int in before || _enclosingPoint)
-            {
-                if (before == null ? isLarger(other, shell) : _enclosesPoint[other])
+                if (shell.enclosing == null ? isLarger(other, number) : _shells[other].enclosesPoint)
                 {
                     kept.push(other);
-                    hasOpposite ||= _orientations[other] == -_orientations[shell];
+                    hasOpposite ||= _shells[other].orientation == -shell.orientation;
                 }
             }
-            for each (found in _enclosingPoint)
-            {
-                _enclosesPoint[found] = false;
-            }
+            markEnclosing(false);
             kept.length = hasOpposite ? kept.length : 0;
-            _enclosing[shell] = kept;
+            shell.enclosing = kept;
+        }
+
+        private function markEnclosing(enclosesPoint:Boolean):void
+        {
+            for each (var number:int in _enclosingPoint)
+            {
+                if (_shells[number] != null)
+                {
+                    _shells[number].enclosesPoint = enclosesPoint;
+                }
+            }
         }
 
         // Whether a shell may have another one inside.
         private function isLarger(outer:int, inner:int):Boolean
         {
-            var points:Vector.<Number> = _extremes.points;
-            var isAround:Boolean = isSolid(outer) && Math.abs(_volumes[outer]) > (1 + LARGER) * Math.abs(_volumes[inner]);
-            for (var axis:int = 0; axis < 3 && isAround; axis++)
-            {
-                var a:int = _extremes.pointsAt[outer] + 7 * axis;
-                var b:int = _extremes.pointsAt[inner] + 7 * axis;
-                var rounding:Number = LARGER * (points[b + 3] - points[b]);
-                isAround = points[a] <= points[b] + rounding && points[a + 3] >= points[b + 3] - rounding;
-            }
-            return isAround;
+            return isSolid(outer) && Math.abs(_shells[outer].volume) > (1 + LARGER) * Math.abs(_shells[inner].volume)
+                && _extremes.contains(outer, inner, LARGER);
         }
 
         // Decides about the largest shells first. A shell that encloses another one is larger.
         private function decide():void
         {
             var sizes:Array = [];
-            for each (var volume:Number in _volumes)
+            for each (var shell:ClosedShell in _shells)
             {
-                sizes.push(-Math.abs(volume));
+                sizes.push(shell == null ? 0 : -Math.abs(shell.volume));
             }
-            for each (var shell:int in sizes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
+            for each (var number:int in sizes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
             {
+                shell = _shells[number];
+                if (shell == null || shell.enclosing == null)
+                {
+                    continue;
+                }
                 var innermost:int = -1;
-                for each (var outer:int in _enclosing[shell] || new Vector.<int>())
+                for each (var outer:int in shell.enclosing)
                 {
                     if (innermost < 0 || sizes[outer] > sizes[innermost])
                     {
                         innermost = outer;
                     }
                 }
-                if (isSolid(innermost) && _orientations[innermost] == -_orientations[shell])
+                if (isSolid(innermost) && _shells[innermost].orientation == -shell.orientation)
                 {
-                    states[shell] = innermost;
+                    _surface.shellStates[number] = innermost;
                 }
             }
         }

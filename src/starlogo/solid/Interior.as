@@ -16,21 +16,18 @@ package starlogo.solid
         public var partPoints:Vector.<Number>;
 
         /** The extent of the smallest part: the longest of its three extents. */
-        public var leastPartExtent:Number = Infinity;
+        public var leastPartExtent:Number;
 
         /**
          * @param windingCounter counts the windings of a complete surface
-         * @param extremes the outermost points of its parts
+         * @param parts the outermost points of its parts
          */
-        public function Interior(windingCounter:WindingCounter, extremes:PartExtremes)
+        public function Interior(windingCounter:WindingCounter, parts:OutermostPoints)
         {
             this.windingCounter = windingCounter;
             hasClosedShell = windingCounter.surface.hasClosedShell;
-            partPoints = extremes.points;
-            for (var at:int = 0; at < partPoints.length; at += PartExtremes.STRIDE)
-            {
-                leastPartExtent = Math.min(leastPartExtent, extremes.extentAt(at));
-            }
+            partPoints = parts.points;
+            leastPartExtent = parts.leastExtent;
         }
     }
 }

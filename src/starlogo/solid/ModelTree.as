@@ -25,10 +25,10 @@ package starlogo.solid
      */
     public final class ModelTree
     {
+        private static const OPEN_SIDES:OpenSideVisitor = new OpenSideVisitor();
+
         /** @private The tree of the model's triangles or vertices. */
         engine var boxTree:BoxTree;
-
-        private static const ESCAPE:OpenSideVisitor = new OpenSideVisitor();
 
         /** @private The root, as clients see it. */
         engine var root:HierarchyNode;
@@ -150,7 +150,7 @@ package starlogo.solid
                 || Math.abs(middle.z - box[2]) > box[5] - radius;
             if (!isOutside && interior == null)
             {
-                isOutside = ESCAPE.hasOpenSide(middle, boxTree);
+                isOutside = OPEN_SIDES.hasOpenSide(middle, boxTree);
             }
             return !isOutside && prepareInterior().hasClosedShell && interior.windingCounter.isInside(middle);
         }

@@ -85,9 +85,9 @@ package starlogo.solid
         private function findPartInside(tree:BoxTree, outer:Interior, inner:Interior, pose:Placement):Boolean
         {
             var points:Vector.<Number> = inner.partPoints;
-            for (var end:int = PartExtremes.STRIDE; end <= points.length; end += PartExtremes.STRIDE)
+            for (var end:int = OutermostPoints.STRIDE; end <= points.length; end += OutermostPoints.STRIDE)
             {
-                var at:int = end - PartExtremes.STRIDE;
+                var at:int = end - OutermostPoints.STRIDE;
                 while (at < end && moveInto(tree.boxes, pose, points, at))
                 {
                     at += 3;

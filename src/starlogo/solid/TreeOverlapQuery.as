@@ -56,6 +56,7 @@ package starlogo.solid
         {
             if (pair.b != null)
             {
+                // only the traversal knows whether the roots overlap
                 return areOverlapping(pair);
             }
             pair.relate();

@@ -21,14 +21,8 @@ package starlogo.solid
         /** The surface that they make. */
         public var surface:SurfaceTopology;
 
-        /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
-        internal var weldedCorners:Vector.<Number> = new Vector.<Number>();
-
-        /**
-         * For each slot, the index of its triangle's first number in <code>weldedCorners</code>, or -1. Null if all vertices of each seam are at one
-         * place.
-         */
-        internal var weldedAt:Vector.<int> = null;
+        /** The corners that are moved because seams are welded. Null if all vertices of each seam are at one place. */
+        public var welded:WeldedCorners;
 
         // How often each shell winds around the point of the last count(), or 0 if a cavity of it does.
         private var _windings:Vector.<int>;
@@ -39,9 +33,6 @@ package starlogo.solid
         private var _crossedCount:int = 0;
 
         private var _search:BoxSearch = new BoxSearch();
-
-        // How many numbers weldedCorners has.
-        private var _weldedCount:int = 0;
 
         // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
         private var _axis:int;
@@ -57,54 +48,19 @@ package starlogo.solid
         /**
          * @param mesh the triangles
          * @param surface the surface that they make: its shells must be known
+         * @param welded the corners that are moved because seams are welded; null if none are
          */
-        public function WindingCounter(mesh:TriangleMesh, surface:SurfaceTopology)
+        public function WindingCounter(mesh:TriangleMesh, surface:SurfaceTopology, welded:WeldedCorners)
         {
             var box:Vector.<Number> = mesh.tree.boxes;
             this.mesh = mesh;
             this.surface = surface;
+            this.welded = welded;
             _windings = new Vector.<int>(surface.shellStates.length, true);
             limit = Infinity;
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             _axisB = (_axis + 1) % 3;
             _axisC = (_axis + 2) % 3;
-        }
-
-        /**
-         * Moves the corners of triangles whose vertices are welded to others. Must be called for all slots in their order.
-         *
-         * @param welded for each vertex, the vertex whose place it has
-         */
-        public function weld(first:int, end:int, welded:Vector.<int>):void
-        {
-            weldedAt ||= new Vector.<int>(mesh.tree.itemCount, true);
-            for (var slot:int = first; slot < end; slot++)
-            {
-                // Writes each triangle after the moved ones, and keeps it if it is elsewhere than its corners.
-                mesh.writeCorners(slot, slot + 1, welded, weldedCorners, _weldedCount);
-                var at:int = -1;
-                if (isElsewhere(slot))
-                {
-                    at = _weldedCount;
-                    _weldedCount += 9;
-                }
-                weldedAt[slot] = at;
-            }
-        }
-
-        // Whether the corners behind the moved ones are not those of a triangle.
-        private function isElsewhere(slot:int):Boolean
-        {
-            for (var k:int = 0; k < 9; k++)
-            {
-                var welded:Number = weldedCorners[int(_weldedCount + k)];
-                var corner:Number = mesh.corners[int(9 * slot + k)];
-                if (welded != corner)
-                {
-                    return true;
-                }
-            }
-            return false;
         }
 
         /**
@@ -197,10 +153,10 @@ package starlogo.solid
         {
             var points:Vector.<Number> = mesh.corners;
             var at:int = 9 * slot;
-            if (weldedAt != null && weldedAt[slot] >= 0)
+            if (welded != null && welded.starts[slot] >= 0)
             {
-                points = weldedCorners;
-                at = weldedAt[slot];
+                points = welded.corners;
+                at = welded.starts[slot];
             }
             var b:Number = _b;
             var c:Number = _c;
@@ -214,7 +170,7 @@ package starlogo.solid
             var pb:Number = points[int(at + _axisB)] - b;
             var qb:Number = points[int(at + 3 + _axisB)] - b;
             var rb:Number = points[int(at + 6 + _axisB)] - b;
-            var crossing:int = passes(pb, pc, qb, qc) + passes(qb, qc, rb, rc) + passes(rb, rc, pb, pc);
+            var crossing:int = crossingOf(pb, pc, qb, qc) + crossingOf(qb, qc, rb, rc) + crossingOf(rb, rc, pb, pc);
             if (crossing == 0)
             {
                 return;
@@ -238,9 +194,9 @@ package starlogo.solid
             }
         }
 
-        // Whether the edge from p to q, seen along the ray, crosses the half-line from the ray: 1 if upwards, -1 if downwards, 0 if not. From
+        // How the edge from p to q, seen along the ray, crosses the half-line from the ray: 1 upwards, -1 downwards, 0 not at all. From
         // q to p it is exactly the negative.
-        private static function passes(pb:Number, pc:Number, qb:Number, qc:Number):int
+        private static function crossingOf(pb:Number, pc:Number, qb:Number, qc:Number):int
         {
             if (pc > 0 == qc > 0)
             {

@@ -87,7 +87,7 @@ package starlogo.solid
         [Test]
         public function piecesThatOverlapAreOnePart():void
         {
-            var points:int = PartExtremes.STRIDE;
+            var points:int = OutermostPoints.STRIDE;
             for each (var expected:Array in [[SolidModels.crossed(), 1], [SolidModels.doll(), 2], [SolidModels.apart(), 3], [BuiltInModel.sphere(), 1]])
             {
                 var hierarchy:ModelTree = hierarchyOf(expected[0].vertices, expected[0].triangles);

@@ -21,7 +21,8 @@ package starlogo.solid
             var windings:WindingCounter = interior.windingCounter;
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
-            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.weldedCorners, windings.weldedAt, interior.leastPartExtent, interior.partPoints, mesh.corners,
+            var seams:Array = windings.welded == null ? [] : [windings.welded.corners, windings.welded.starts];
+            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, seams, interior.leastPartExtent, interior.partPoints, mesh.corners,
                     mesh.prepareExtents(), axesOf(hierarchy.boxTree)].join("\n");
         }
 

@@ -1,7 +1,9 @@
 package starlogo.intersection.ray
 {
+    import starlogo.bounding.BoundingStructure;
+
     /**
-     * Where a ray crosses the surface of one shape, as a record: the crossings, in any order.
+     * Where a ray crosses the surface of one shape: the crossings, in any order.
      *
      * @private
      */
@@ -40,6 +42,10 @@ package starlogo.intersection.ray
         /** The unit normal at each crossing, against the ray: x, y, z. */
         public var normals:Vector.<Number> = new Vector.<Number>();
 
+        // For addStructure(): the ray in the opposite direction, and a place where it enters the structure.
+        private var _reversed:Ray = new Ray();
+        private var _entry:RayEntry = new RayEntry();
+
         /** Adds a crossing without a normal. */
         public function add(distance:Number, slack:Number, end:Number, side:int, triangle:int):void
         {
@@ -56,6 +62,34 @@ package starlogo.intersection.ray
         {
             add(entry.distance, slack, entry.distance, side, -1);
             setNormal(count - 1, entry);
+        }
+
+        /**
+         * Adds where a ray enters a structure and where it leaves it. If it begins inside, it enters where it begins. If it ends inside, it does not
+         * leave.
+         *
+         * @param ray in the space of the structure
+         * @param structure see rayStructure
+         * @param convex see rayStructure
+         * @param slack how far a distance may be wrong because of rounding
+         */
+        public function addStructure(ray:Ray, structure:BoundingStructure, convex:ConvexRay, slack:Number):void
+        {
+            var entry:RayEntry = _entry;
+            if (!rayStructure(ray, structure, convex, entry))
+            {
+                return;
+            }
+            var entered:Number = entry.distance;
+            addEntry(entry, entered > ray.from ? slack : 0, ENTERS);
+            // the same line in the opposite direction enters where the ray leaves
+            _reversed.setReversed(ray);
+            if (rayStructure(_reversed, structure, convex, entry) && -entry.distance <= ray.to)
+            {
+                entry.setNormal(ray, entry.normalX, entry.normalY, entry.normalZ);
+                entry.distance = -entry.distance > entered ? -entry.distance : entered;
+                addEntry(entry, slack, LEAVES);
+            }
         }
 
         /** Reads the distance of a crossing, with the normal and the triangle there. */

@@ -1,7 +1,6 @@
 package starlogo.queries.rays
 {
     import starlogo.engine;
-    import starlogo.intersection.ray.crossStructure;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
@@ -24,11 +23,10 @@ package starlogo.queries.rays
         private var _inModel:Ray = new Ray();
         private var _solid:TreeRayQuery = new TreeRayQuery();
 
-        // The crossings with a row's shape, those that are surfaces, one of them, and a scratch ray.
+        // The crossings with a row's shape, those that are surfaces, and one of them.
         private var _crossings:RayCrossings = new RayCrossings();
         private var _surfaces:SurfaceCrossings = new SurfaceCrossings();
         private var _entry:RayEntry = new RayEntry();
-        private var _reversed:Ray = new Ray();
 
         /** @param seen has the rows */
         public function RowSurfaceQuery(seen:SeenAgents)
@@ -82,7 +80,7 @@ package starlogo.queries.rays
             {
                 return _solid.findAll(shape.hierarchy, _seen.narrowPhase.treeLimits.depthOf(body), _seen.narrowPhase.treeLimits.exact, line, out);
             }
-            crossStructure(line, shape.structure, 0, _reversed, _entry, _seen.narrowPhase.convexRay, out);
+            out.addStructure(line, shape.structure, _seen.narrowPhase.convexRay, 0);
             return false;
         }
     }

@@ -1,0 +1,27 @@
+package starlogo.solid
+{
+    /** A closed shell with two sides, as a record of CavityFinder. */
+    internal final class ClosedShell
+    {
+        /** The index of the corner from which its volume is measured. */
+        public var origin:int;
+
+        /** Six times its volume. It is negative if most triangles face inwards, after those to be reversed are reversed. */
+        public var volume:Number = 0;
+
+        /** 1 if its triangles face outwards as the model has them, -1 if they face inwards, 0 without a volume. */
+        public var orientation:int = 0;
+
+        /** The larger shells that enclose all of its points tested so far. Null before the first point. */
+        public var enclosing:Vector.<int> = null;
+
+        /** Whether it encloses the point that is tested. */
+        public var enclosesPoint:Boolean = false;
+
+        /** @param origin the index of one of its corners */
+        public function ClosedShell(origin:int)
+        {
+            this.origin = origin;
+        }
+    }
+}

@@ -1,0 +1,151 @@
+package starlogo.solid
+{
+    import starlogo.engine;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    use namespace engine;
+
+    /**
+     * Finds the surface that a model's triangles make, in steps: its parts, which are the sets of triangles with common vertices; which shells the
+     * triangles form, and which of these bound cavities; and at last which parts overlap, because these become one.
+     */
+    internal final class SurfaceBuilder extends StepSequence
+    {
+        private static const TRIANGLES_PER_STEP:int = 400;
+        private static const PARTS_PER_STEP:int = 50;
+
+        // After so many windings of shells for each triangle, the parts that are left stay as they are. The answers are the same.
+        private static const WINDINGS_PER_TRIANGLE:int = 20;
+
+        /** The surface. It is complete when no step is left. */
+        public var surface:SurfaceTopology;
+
+        private var _mesh:TriangleMesh;
+        private var _tree:BoxTree;
+
+        // For each vertex, the first one at its place. The corners that are moved there; null if none are.
+        private var _places:Vector.<int>;
+        private var _welded:WeldedCorners;
+
+        // The sets of connected vertices. For the representative of a set, one more than its part's number, or 0.
+        private var _sets:DisjointSets;
+        private var _numbers:Vector.<int>;
+
+        private var _shells:ShellFinder;
+        private var _windingCounter:WindingCounter;
+
+        // The outermost points of each part; for each shell, its part; and the parts that are one because they overlap.
+        private var _extremes:OutermostPoints;
+        private var _partOf:Vector.<int>;
+        private var _joined:DisjointSets;
+        private var _windingCount:int = 0;
+
+        /**
+         * @param mesh the triangles
+         * @param welding says which vertices are at the same place
+         * @param welded the corners that are moved by this; null if none are
+         */
+        public function SurfaceBuilder(mesh:TriangleMesh, welding:Welding, welded:WeldedCorners)
+        {
+            var edges:EdgeMatcher = new EdgeMatcher(mesh.tree.triangles, welding);
+            var vertexCount:int = mesh.tree.vertices.length / 3;
+            _mesh = mesh;
+            _tree = mesh.tree;
+            _places = welding.welded;
+            _welded = welded;
+            surface = new SurfaceTopology(_tree.itemCount);
+            surface.widestSeam = welding.widestSeam;
+            _sets = new DisjointSets(vertexCount);
+            _numbers = new Vector.<int>(vertexCount, true);
+            _shells = new ShellFinder(surface, edges);
+            slices(_tree.itemCount, TRIANGLES_PER_STEP, joinVertices).slices(_tree.itemCount, TRIANGLES_PER_STEP, numberParts);
+            add(edges).add(_shells).begin(findCavities).call(beginJoining);
+        }
+
+        private function joinVertices(first:int, end:int):void
+        {
+            var triangles:Vector.<uint> = _tree.triangles;
+            for (var corner:int = 3 * first; corner < 3 * end; corner += 3)
+            {
+                _sets.join(_places[triangles[corner]], _places[triangles[int(corner + 1)]]);
+                _sets.join(_places[triangles[corner]], _places[triangles[int(corner + 2)]]);
+            }
+        }
+
+        private function numberParts(first:int, end:int):void
+        {
+            for (var triangle:int = first; triangle < end; triangle++)
+            {
+                var root:int = _sets.rootOf(_places[_tree.triangles[3 * triangle]]);
+                if (_numbers[root] == 0)
+                {
+                    _numbers[root] = ++surface.partNumberEnd;
+                }
+                surface.parts[triangle] = _numbers[root] - 1;
+            }
+        }
+
+        private function findCavities():Steps
+        {
+            _windingCounter = new WindingCounter(_mesh, surface, _welded);
+            return new CavityFinder(_windingCounter, _shells.balances);
+        }
+
+        // A figure often consists of shells that overlap. Another model contains all of them or none, unless that model is inside one of them. So
+        // overlapping shells are joined to one part, and each pair of agents needs fewer points.
+        private function beginJoining():void
+        {
+            if (!surface.hasClosedShell || surface.partNumberEnd == 1)
+            {
+                return;
+            }
+            _extremes = new OutermostPoints(_mesh.corners, surface.partNumberEnd);
+            _partOf = new Vector.<int>(surface.shellStates.length, true);
+            _joined = new DisjointSets(surface.partNumberEnd);
+            slices(_tree.itemCount, TRIANGLES_PER_STEP, measureParts).slices(surface.partNumberEnd, PARTS_PER_STEP, joinParts);
+            slices(_tree.itemCount, TRIANGLES_PER_STEP, numberJoined);
+        }
+
+        private function measureParts(first:int, end:int):void
+        {
+            for (var slot:int = first; slot < end; slot++)
+            {
+                var triangle:int = _tree.items[slot];
+                var shell:int = surface.shellOf(triangle);
+                if (shell >= 0)
+                {
+                    _partOf[shell] = surface.parts[triangle];
+                }
+                _extremes.add(surface.parts[triangle], slot);
+            }
+        }
+
+        private function joinParts(first:int, end:int):void
+        {
+            var points:Vector.<Number> = _extremes.points;
+            var around:Vector.<int> = new Vector.<int>();
+            for (var part:int = first; part < end && _windingCount < WINDINGS_PER_TRIANGLE * _tree.itemCount; part++)
+            {
+                var start:int = _extremes.startOf(part);
+                for (var i:int = start; i < start + OutermostPoints.STRIDE; i += 3)
+                {
+                    _windingCount += _windingCounter.findAround(points[i], points[i + 1], points[i + 2], around);
+                    for each (var shell:int in around)
+                    {
+                        _joined.join(_partOf[shell], part);
+                    }
+                }
+            }
+        }
+
+        private function numberJoined(first:int, end:int):void
+        {
+            for (var triangle:int = first; triangle < end; triangle++)
+            {
+                surface.parts[triangle] = _joined.rootOf(surface.parts[triangle]);
+            }
+        }
+    }
+}

@@ -149,10 +149,10 @@ const turnOf = (ask) => () => {
 
 const bytes = {};
 const answers = {};
-// the least of some passes, until it is few enough: what one kind has made the compiler expect, another may void
-for (let pass = 0; pass < PASSES; pass++) {
+const isFew = (name) => bytes[name] < (mostOf[name] ?? mostOf.others) * ASKED;
+// All kinds in turns, as in a game, until each leaves little: what one kind has made the compiler expect, another may void.
+for (let pass = 0; pass < PASSES && !Object.keys(questions).every(isFew); pass++) {
 	for (const [name, ask] of Object.entries(questions)) {
-		if (bytes[name] < (mostOf[name] ?? mostOf.others) * ASKED) continue;
 		// to where they were not at the update
 		for (const agent of agents) agent.moveTo(agent.x + 0.01, agent.y, agent.z);
 		found = 0;

@@ -558,7 +558,12 @@ package starlogo.agents
         /** @private How the agent is turned. It is made when it is first needed, because many agents are never turned. */
         engine function get turn():Turn
         {
-            return _turn ||= new Turn(placement);
+            // not with ||=, which stores the turn again in each call
+            if (_turn == null)
+            {
+                _turn = new Turn(placement);
+            }
+            return _turn;
         }
 
         /** @private Turns the agent by three angles. @throws RangeError if one is not finite; the agent is then unchanged */

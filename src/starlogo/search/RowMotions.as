@@ -45,7 +45,7 @@ package starlogo.search
         /**
          * @param table has the rows
          * @param narrowPhase tests which rows touch
-         * @param levels for to the extents of motions
+         * @param levels for the extents of motions
          */
         public function RowMotions(table:AgentTable, narrowPhase:NarrowPhase, levels:BinLevels)
         {

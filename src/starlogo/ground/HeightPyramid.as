@@ -99,6 +99,7 @@ package starlogo.ground
         private function findRangeOfHeights(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightRange):void
         {
             var all:Vector.<Number> = _grid.heights;
+            var hasHoles:Boolean = _grid.holes != null;
             var columns:int = _grid.columns;
             var low:Number = Infinity;
             var high:Number = -Infinity;
@@ -119,7 +120,7 @@ package starlogo.ground
                     step = row == firstRow ? 0 : here - all[int(at - columns)];
                     alongY = step > alongY ? step : alongY;
                     alongY = -step > alongY ? -step : alongY;
-                    if (_grid.isHole(at))
+                    if (hasHoles && _grid.isHole(at))
                     {
                         out.hasHole = true;
                     }

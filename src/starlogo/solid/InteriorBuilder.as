@@ -24,8 +24,6 @@ package starlogo.solid
         /** What is inside of it, when no step is left. */
         public var interior:Interior = null;
 
-        private var _tree:BoxTree;
-
         // Which vertices are at the same place; null if it is known that none are.
         private var _welding:Welding = null;
 
@@ -41,7 +39,6 @@ package starlogo.solid
          */
         public function InteriorBuilder(tree:BoxTree, knownMesh:TriangleMesh, knownSurface:SurfaceTopology)
         {
-            _tree = tree;
             mesh = knownMesh || new TriangleMesh(tree);
             surface = knownSurface;
             if (knownMesh == null)
@@ -51,7 +48,7 @@ package starlogo.solid
             if (knownSurface == null || knownSurface.widestSeam > 0)
             {
                 _welding = new Welding(tree.vertices);
-                add(_welding).begin(weldCorners);
+                add(_welding).begin(beginWelding);
             }
             if (knownSurface == null)
             {
@@ -60,9 +57,19 @@ package starlogo.solid
             call(beginParts).slices(tree.itemCount, TRIANGLES_PER_STEP, addToParts).call(conclude);
         }
 
-        private function weldCorners():Steps
+        private function beginWelding():Steps
         {
-            return _welded = _welding.widestSeam > 0 ? new WeldedCorners(mesh, _welding.welded) : null;
+            if (_welding.widestSeam == 0)
+            {
+                return null;
+            }
+            _welded = new WeldedCorners(mesh.tree.itemCount);
+            return new StepSequence().slices(mesh.tree.itemCount, TRIANGLES_PER_STEP, weld);
+        }
+
+        private function weld(first:int, end:int):void
+        {
+            _welded.weld(first, end, mesh, _welding.welded);
         }
 
         private function buildSurface():Steps
@@ -81,7 +88,7 @@ package starlogo.solid
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                _parts.add(surface.parts[_tree.items[slot]], slot);
+                _parts.add(surface.parts[mesh.tree.items[slot]], slot);
             }
         }
 

@@ -1,7 +1,6 @@
 package starlogo.solid
 {
     import starlogo.engine;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -23,7 +22,6 @@ package starlogo.solid
         public var surface:SurfaceTopology;
 
         private var _mesh:TriangleMesh;
-        private var _tree:BoxTree;
 
         // For each vertex, the first one at its place. The corners that are moved there; null if none are.
         private var _places:Vector.<int>;
@@ -49,24 +47,24 @@ package starlogo.solid
          */
         public function SurfaceBuilder(mesh:TriangleMesh, welding:Welding, welded:WeldedCorners)
         {
+            var count:int = mesh.tree.itemCount;
             var edges:EdgeMatcher = new EdgeMatcher(mesh.tree.triangles, welding);
             var vertexCount:int = mesh.tree.vertices.length / 3;
             _mesh = mesh;
-            _tree = mesh.tree;
             _places = welding.welded;
             _welded = welded;
-            surface = new SurfaceTopology(_tree.itemCount);
+            surface = new SurfaceTopology(count);
             surface.widestSeam = welding.widestSeam;
             _sets = new DisjointSets(vertexCount);
             _numbers = new Vector.<int>(vertexCount, true);
             _shells = new ShellFinder(surface, edges);
-            slices(_tree.itemCount, TRIANGLES_PER_STEP, joinVertices).slices(_tree.itemCount, TRIANGLES_PER_STEP, numberParts);
+            slices(count, TRIANGLES_PER_STEP, joinVertices).slices(count, TRIANGLES_PER_STEP, numberParts);
             add(edges).add(_shells).begin(findCavities).call(beginJoining);
         }
 
         private function joinVertices(first:int, end:int):void
         {
-            var triangles:Vector.<uint> = _tree.triangles;
+            var triangles:Vector.<uint> = _mesh.tree.triangles;
             for (var corner:int = 3 * first; corner < 3 * end; corner += 3)
             {
                 _sets.join(_places[triangles[corner]], _places[triangles[int(corner + 1)]]);
@@ -76,9 +74,10 @@ package starlogo.solid
 
         private function numberParts(first:int, end:int):void
         {
+            var triangles:Vector.<uint> = _mesh.tree.triangles;
             for (var triangle:int = first; triangle < end; triangle++)
             {
-                var root:int = _sets.rootOf(_places[_tree.triangles[3 * triangle]]);
+                var root:int = _sets.rootOf(_places[triangles[3 * triangle]]);
                 if (_numbers[root] == 0)
                 {
                     _numbers[root] = ++surface.partNumberEnd;
@@ -101,18 +100,19 @@ package starlogo.solid
             {
                 return;
             }
+            var count:int = _mesh.tree.itemCount;
             _extremes = new OutermostPoints(_mesh.corners, surface.partNumberEnd);
             _partOf = new Vector.<int>(surface.shellStates.length, true);
             _joined = new DisjointSets(surface.partNumberEnd);
-            slices(_tree.itemCount, TRIANGLES_PER_STEP, measureParts).slices(surface.partNumberEnd, PARTS_PER_STEP, joinParts);
-            slices(_tree.itemCount, TRIANGLES_PER_STEP, numberJoined);
+            slices(count, TRIANGLES_PER_STEP, measureParts).slices(surface.partNumberEnd, PARTS_PER_STEP, joinParts);
+            slices(count, TRIANGLES_PER_STEP, numberJoined);
         }
 
         private function measureParts(first:int, end:int):void
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var triangle:int = _tree.items[slot];
+                var triangle:int = _mesh.tree.items[slot];
                 var shell:int = surface.shellOf(triangle);
                 if (shell >= 0)
                 {
@@ -126,7 +126,7 @@ package starlogo.solid
         {
             var points:Vector.<Number> = _extremes.points;
             var around:Vector.<int> = new Vector.<int>();
-            for (var part:int = first; part < end && _windingCount < WINDINGS_PER_TRIANGLE * _tree.itemCount; part++)
+            for (var part:int = first; part < end && _windingCount < WINDINGS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
             {
                 var start:int = _extremes.startOf(part);
                 for (var i:int = start; i < start + OutermostPoints.STRIDE; i += 3)

@@ -11,7 +11,7 @@ package starlogo.solid
 
     /**
      * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a visitor, it counts the triangles that a
-     * ray along an axis crosses. An InteriorBuilder makes it.
+     * ray along an axis crosses.
      */
     internal final class WindingCounter extends NodeVisitor
     {

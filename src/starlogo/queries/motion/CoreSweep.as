@@ -124,26 +124,32 @@ package starlogo.queries.motion
         private function findStop(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
             var end:Vector3D = endOf(from, motion);
+            _sweep.endAfter(motion.x, motion.y, motion.z);
+            if (!sweepCore(body, row, from, end, _sweep, out.contact))
+            {
+                return false;
+            }
             var length:Number = lengthOf(motion);
             var clearance:Number = body.core.clearance / length;
             var against:Number = -SlidePlanes.PARALLEL_SINE * length;
-            _sweep.endAfter(motion.x, motion.y, motion.z);
-            var isMet:Boolean = sweepCore(body, row, from, end, _sweep, out.contact);
             out.time = _sweep.time;
-            if (isMet && out.time > 0 && !(out.contact.along(motion) < against) && !body.core.isFlat)
+            if (out.time > 0 && !(out.contact.along(motion) < against) && !body.core.isFlat)
             {
                 var part:Number = Math.min(1, out.time + clearance);
                 var rest:Number = 1 - part;
                 _beyond.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
                 _sweep.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-                isMet = sweepCore(body, row, _beyond, end, _sweep, out.contact);
+                if (!sweepCore(body, row, _beyond, end, _sweep, out.contact))
+                {
+                    return false;
+                }
                 out.time = part + rest * _sweep.time;
             }
             out.row = row;
             out.along = out.contact.along(motion);
             out.isNormalFallback = !(out.along < against);
             out.comparedTime = out.isNormalFallback && out.time > 0 ? out.time + clearance : out.time;
-            return isMet;
+            return true;
         }
 
         // Finds when and how the core first meets a row on a motion, which receives the time. Returns whether it meets the row.

@@ -4,7 +4,7 @@
  *
  * node js/playground/build.mjs MODULE OUT API     MODULE is the npm package of the engine (bin/module), API the pages of its API (bin/typedoc)
  */
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";

@@ -52,12 +52,16 @@ function changeOf(name, operands) {
 	return effect.leaves - effect.takes - effect.each * count - (isNameOnStack ? 1 : 0);
 }
 
-/** How many values a function keeps at most. After a jump without condition the next label says how many there are. */
+/**
+ * How many values a function keeps at most. After a jump without condition the next label says how many there are. Where an error is caught it is
+ * the only one.
+ */
 function deepestOf(instructions) {
 	const atLabels = new Map();
 	let [depth, deepest, isReached] = [0, 0, true];
 	for (const { label, name, operands } of instructions) {
 		depth = isReached ? depth : atLabels.get(label) ?? 0;
+		depth = name === 'newcatch' ? 1 : depth;
 		depth += changeOf(name, operands);
 		deepest = Math.max(deepest, depth);
 		for (const target of /^(?:if|jump|lookupswitch)/.test(name) ? operands.match(/L\d+/g) ?? [] : []) {
@@ -90,9 +94,10 @@ export function stacksIn(dump) {
 					+ 'Write it in another order, so that no local is read twice just after it is written');
 			}
 			header = '';
-		} else if (header && instructions) {
-			const [, label, name, operands] = /^\s+(?:(L\d+):\s*)?(\w+)\s*(.*?)\s*$/.exec(line) ?? [];
-			if (name && name !== 'function') {
+		} else if (header) {
+			// the end of a text with a line end stands before the next instruction
+			const [, label, name, operands] = /^(?:\S*")?\s+(?:(L\d+):\s*)?(\w+)\s*(.*?)\s*$/s.exec(line) ?? [];
+			if (name) {
 				instructions.push({ label, name, operands });
 			}
 		}

@@ -52,6 +52,42 @@ test('each arm of a condition begins with what is there before it', () => {
 	assert.match(stacksIn(dumpOf(3, ARMS)).faults.join(), /keeps 4 values/);
 });
 
+// catch (error:Error) { note(error, 1); }, where the machine puts the error on the stack
+const CATCH = `        jump          \tL0
+
+        getlocal0     \t
+        pushscope     \t
+        newcatch      \t0
+        dup           \t
+        setlocal      \t4
+        dup           \t
+        pushscope     \t
+        swap          \t
+        setslot       \t1
+        popscope      \t
+    L0: returnvoid    \t`;
+
+// replace("\n", ""), replace("\r", "")
+const LINE_ENDS = `        getlocal1     \t
+        pushstring    \t"
+"        pushstring    \t""
+        callpropvoid  \t:replace (2)
+        getlocal1     \t
+        pushstring    \t"\r"
+        pushstring    \t""
+        callpropvoid  \t:replace (2)
+        returnvoid    \t`;
+
+test('what is caught is on the stack', () => {
+	assert.deepEqual(stacksIn(dumpOf(3, CATCH)).faults, []);
+	assert.match(stacksIn(dumpOf(2, CATCH)).faults.join(), /keeps 3 values/);
+});
+
+test('texts may have line ends', () => {
+	assert.deepEqual(stacksIn(dumpOf(3, LINE_ENDS)).faults, []);
+	assert.match(stacksIn(dumpOf(2, LINE_ENDS)).faults.join(), /keeps 3 values/);
+});
+
 test('an instruction that is not known is an error, not passed over', () => {
 	assert.throws(() => stacksIn(dumpOf(4, '        callnative    \t3')), /does not know the instruction callnative/);
 });

@@ -538,7 +538,7 @@ package starlogo.agents
         /** The class, id, breed and shape, as errors name the agent. */
         public function toString():String
         {
-            if (modelNumber < 0)
+            if (idNumber == 0)
             {
                 return "a new agent";
             }

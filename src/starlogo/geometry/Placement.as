@@ -14,7 +14,7 @@ package starlogo.geometry
      *
      * <p>This package has the plain maths that all others share: placements, and functions with the same results on every machine. Tolerances
      * has the limits for rounding that more than one class needs. Its folders are <code>vertices</code>, for lists of points, and
-     * <code>hull</code>, whose ConvexHull is built of QuickHull. Read Touching next, which says when two shapes touch.</p>
+     * <code>hull</code>, which builds convex hulls. Read Touching next, which says when two shapes touch.</p>
      */
     public final class Placement
     {

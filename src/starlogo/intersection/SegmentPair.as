@@ -56,7 +56,7 @@ package starlogo.intersection
 
         /**
          * Finds the closest points (Ericson, "Real-Time Collision Detection", §5.1.9), at s on u and at t on v. The squared distance is smallest
-         * where both its derivatives are 0: uu * s - uv * t + alongU = 0 and uv * s - vv * t + alongV = 0. After one of s and t is clamped, the other is
+         * where both its derivatives are 0: uu s - uv t + alongU = 0 and uv s - vv t + alongV = 0. After one of s and t is clamped, the other is
          * computed again.
          */
         public function findClosest():void

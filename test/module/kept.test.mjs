@@ -10,7 +10,7 @@ import { measure } from "./bytes.mjs";
 
 const folder = fileURLToPath(new URL("../../bin/module", import.meta.url));
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
-const { Agent, BuiltInModel, CollisionBlocks, GreatLand, StructureBlocks } = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
+const { Agent, BuiltInModel, CollisionBlocks, GreatLand, Model, StructureBlocks, TightestFitCollider } = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 
 setFlagsFromString("--expose-gc");
 const collect = runInNewContext("gc");
@@ -32,6 +32,28 @@ test("blocks that show the structures of an agent do not keep it when it has lef
 	collect();
 	assert.equal(left.deref(), undefined);
 	assert.ok(blocks.isShown(agents[0]), "the one that stays is shown");
+});
+
+// The model of the last agent of a list, which is replaced.
+function replace(collider, land, agents) {
+	const model = new Model("replaced", [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
+	land.addModel(model);
+	collider.findCollisions(agents);
+	land.addModel(new Model("replaced", [0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 1]));
+	collider.findCollisions(agents);
+	return new WeakRef(model);
+}
+
+test("a collider does not keep a model that was replaced", async () => {
+	const land = new GreatLand();
+	land.addModel(BuiltInModel.sphere());
+	const collider = new TightestFitCollider(land);
+	const agents = [new Agent("sphere"), new Agent("replaced")];
+	const replaced = replace(collider, land, agents);
+	await new Promise((resolve) => setTimeout(resolve, 10));
+	collect();
+	assert.equal(replaced.deref(), undefined);
+	assert.equal(collider.findCollisions(agents).length, 2, "the collider is still there");
 });
 
 // Bytes a triangle: the corners of a triangle alone are 72. Extents of all triangles would be 48 more, and nodes of the whole tree 105.

@@ -384,11 +384,14 @@ package starlogo.search.table
             for (var i:int = 0; i < reshaped.count; i++)
             {
                 var row:int = reshaped.numbers[i];
-                if (found[i] !== shapes[row])
+                var shape:ModelShape = found[i];
+                // a shape of a model that is replaced later would stay in memory
+                found[i] = null;
+                if (shape !== shapes[row])
                 {
-                    setShape(row, found[i]);
+                    setShape(row, shape);
                 }
-                if (found[i] == null)
+                if (shape == null)
                 {
                     loading++;
                 }

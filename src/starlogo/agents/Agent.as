@@ -89,8 +89,8 @@ package starlogo.agents
         /** @private The number of the breed's name. */
         engine var breedNumber:int;
 
-        /** @private The number of the model's name in MODELS. -1 in the constructor. */
-        engine var modelNumber:int = -1;
+        /** @private The number of the model's name in MODELS. */
+        engine var modelNumber:int;
 
         /** @private The value of <code>traversalDepth</code>, without a call. */
         engine var depthLimit:int = 0;
@@ -609,7 +609,7 @@ package starlogo.agents
         private function requireBreed(value:String):void
         {
             requireName("breed", value);
-            if (value == Breeds.TERRAIN || value == Breeds.EDGE || (modelNumber >= 0 && isOfWorld))
+            if (value == Breeds.TERRAIN || value == Breeds.EDGE || (idNumber != 0 && isOfWorld))
             {
                 throw new ArgumentError(this + ": breed must not be \"" + value + "\": only the ground and the edges of the world have such a breed, and they keep it");
             }

@@ -6,7 +6,6 @@ package starlogo.search.pairs
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.search.Body;
-    import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.OverlapMiddle;
 
     use namespace engine;

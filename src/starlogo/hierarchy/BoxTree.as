@@ -90,7 +90,7 @@ package starlogo.hierarchy
             this.triangles = triangles;
         }
 
-        /** Whether the nodes are made. From then on only their boxes change. */
+        /** Whether there are nodes. When <code>complete()</code> has ended the making, only their boxes change. */
         public function get isMade():Boolean
         {
             return left.length > 0;

@@ -3,7 +3,7 @@ package starlogo.solid
     import flash.utils.ByteArray;
 
     /**
-     * The properties of a model's surface as a whole: its parts, its shells, and which of these are closed. An InteriorBuilder computes them,
+     * The properties of a model's surface as a whole: its parts, its shells, and which of these are closed. A SurfaceBuilder computes them,
      * and a cooked file stores them.
      *
      * @private

@@ -105,7 +105,7 @@ package starlogo.solid
          *
          * @param corners has nine numbers of the triangle
          * @param at index of the first of them
-         * @param motion has the latest time: they stay apart until then. All else of it is that of <code>setTo()</code>
+         * @param motion has the latest time: they stay apart until then. Nothing else of it counts
          */
         public function stayApart(corners:Vector.<Number>, at:int, motion:RelativeMotion):Boolean
         {

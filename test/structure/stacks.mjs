@@ -53,21 +53,27 @@ function changeOf(name, operands) {
 }
 
 /**
- * How many values a function keeps at most. After a jump without condition the next label says how many there are. Where an error is caught it is
- * the only one.
+ * How many values a function keeps at most. At a label there are as many as at the jumps there, which may stand below it. Where an error is caught
+ * it is the only one. What no jump leads to begins without values.
  */
 function deepestOf(instructions) {
-	const atLabels = new Map();
-	let [depth, deepest, isReached] = [0, 0, true];
-	for (const { label, name, operands } of instructions) {
-		depth = isReached ? depth : atLabels.get(label) ?? 0;
-		depth = name === 'newcatch' ? 1 : depth;
-		depth += changeOf(name, operands);
-		deepest = Math.max(deepest, depth);
-		for (const target of /^(?:if|jump|lookupswitch)/.test(name) ? operands.match(/L\d+/g) ?? [] : []) {
-			atLabels.set(target, depth);
+	const atLabels = new Map(instructions.map(({ label }, at) => [label, at]));
+	const catches = [...instructions.keys()].filter((at) => instructions[at].name === 'newcatch').map((at) => [at, 1]);
+	// the last one is next
+	const open = [...[...instructions.keys()].reverse().map((at) => [at, 0]), ...catches];
+	const done = new Set();
+	let deepest = 0;
+	while (open.length > 0) {
+		let [at, depth] = open.pop();
+		for (let isEnd = false; !isEnd && at < instructions.length && !done.has(at); at++) {
+			const { name, operands } = instructions[at];
+			done.add(at);
+			depth += changeOf(name, operands);
+			deepest = Math.max(deepest, depth);
+			const targets = /^(?:if|jump|lookupswitch)/.test(name) ? operands.match(/L\d+/g) ?? [] : [];
+			open.push(...targets.map((target) => [atLabels.get(target), depth]));
+			isEnd = ENDS.test(name);
 		}
-		isReached = !ENDS.test(name);
 	}
 	return deepest;
 }

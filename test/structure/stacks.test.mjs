@@ -83,6 +83,30 @@ test('what is caught is on the stack', () => {
 	assert.match(stacksIn(dumpOf(2, CATCH)).faults.join(), /keeps 3 values/);
 });
 
+// try { begin(); } finally { end(); }, where what goes on after the finally stands before it
+const FINALLY = `        getlocal0     \t
+        callpropvoid  \t:begin (0)
+        pushbyte      \t-1
+        jump          \tL1
+
+    L2: label         \t
+        pop           \t
+    L3: label         \t
+        getlocal0     \t
+        pushbyte      \t1
+        pushbyte      \t2
+        callpropvoid  \t:note (2)
+        returnvoid    \t
+    L1: getlocal0     \t
+        callpropvoid  \t:end (0)
+        lookupswitch  \tdefault:L4 maxcase:0 L3
+    L4: returnvoid    \t`;
+
+test('what goes on after a finally begins with what is there after it', () => {
+	assert.deepEqual(stacksIn(dumpOf(3, FINALLY)).faults, []);
+	assert.match(stacksIn(dumpOf(2, FINALLY)).faults.join(), /keeps 3 values/);
+});
+
 test('texts may have line ends', () => {
 	assert.deepEqual(stacksIn(dumpOf(3, LINE_ENDS)).faults, []);
 	assert.match(stacksIn(dumpOf(2, LINE_ENDS)).faults.join(), /keeps 3 values/);

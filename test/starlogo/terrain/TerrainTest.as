@@ -341,7 +341,6 @@ package starlogo.terrain
             checkBounds(_terrain);
         }
 
-        // The bounds of every square are those of its heights and of the heights around them.
         private static function countHoles(terrain:Terrain):int
         {
             var count:int = 0;
@@ -352,6 +351,7 @@ package starlogo.terrain
             return count;
         }
 
+        // The bounds of every square are those of its heights and of the heights around them.
         private function checkBounds(terrain:Terrain):void
         {
             var grid:HeightGrid = terrain.grid;

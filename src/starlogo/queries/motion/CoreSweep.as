@@ -29,7 +29,7 @@ package starlogo.queries.motion
         /**
          * Finds what the core meets first.
          *
-         * @param body the body that moves. What it meets are its obstacles. Of rows that are met at the same time, the first one counts
+         * @param body the body that moves. What it meets are its obstacles. Of rows with the same <code>comparedTime</code>, the first one counts
          * @param from where the motion begins
          * @param out receives the answer, without the time of the touch
          * @return whether anything is met

@@ -86,17 +86,15 @@ package starlogo.convex
         {
             beginContact(a, b, motion);
             _distance.find(_cores, _witness);
-            if (_witness.distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
+            var distance:Number = _witness.distance;
+            if (distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
             {
-                _witness.normalX = _witness.gap.x / _witness.distance;
-                _witness.normalY = _witness.gap.y / _witness.distance;
-                _witness.normalZ = _witness.gap.z / _witness.distance;
-                _witness.separation = _witness.distance;
+                _witness.setAxis(_witness.gap.x / distance, _witness.gap.y / distance, _witness.gap.z / distance, distance);
             }
             else
             {
                 _overlap.find(_cores, _witness);
-                if (_witness.distance > 0)
+                if (distance > 0)
                 {
                     _overlap.tryGap(_cores, _witness.gap, _witness);
                 }

@@ -121,10 +121,7 @@ package starlogo.convex
             var separation:Number = x * (p[i] - q[k] + cores.x) + y * (p[int(i + 1)] - q[int(k + 1)] + cores.y) + z * (p[int(i + 2)] - q[int(k + 2)] + cores.z);
             if (separation > out.separation)
             {
-                out.separation = separation;
-                out.normalX = x;
-                out.normalY = y;
-                out.normalZ = z;
+                out.setAxis(x, y, z, separation);
                 if (areTooFar(cores, out))
                 {
                     out.distance = Infinity;

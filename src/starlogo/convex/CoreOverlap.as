@@ -219,15 +219,12 @@ package starlogo.convex
             setAxisToSegment(cores.second);
             setAxisToSegment(cores.first);
             setAxisUpwards();
-            var up:int = cores.isSwapped ? -1 : 1;
-            _axis.x *= up;
-            _axis.y *= up;
-            _axis.z *= up;
+            _axis.scaleBy(cores.isSwapped ? -1 : 1);
             projectDifferences(cores, _differences);
             // rounding hides on which side they are
             var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
-            out.separation = isDown ? -_differences.greatest : _differences.least;
-            write(isDown ? -1 : 1, out);
+            var side:int = isDown ? -1 : 1;
+            out.setAxis(side * _axis.x, side * _axis.y, side * _axis.z, isDown ? -_differences.greatest : _differences.least);
         }
 
         // Replaces the axis by a unit vector perpendicular to it that points upwards as far as possible. If the axis is vertical, up to
@@ -312,17 +309,8 @@ package starlogo.convex
             var separation:Number = side < 0 ? -back : -forth;
             if (separation > out.separation + rounding)
             {
-                out.separation = separation;
-                write(side, out);
+                out.setAxis(side * axis.x, side * axis.y, side * axis.z, separation);
             }
-        }
-
-        // Writes the axis that was tried, or the opposite one if the side is -1.
-        private function write(side:int, out:CoreWitness):void
-        {
-            out.normalX = side * _axis.x;
-            out.normalY = side * _axis.y;
-            out.normalZ = side * _axis.z;
         }
 
         // Finds how far the differences of the cores' points extend along the axis. The cores are apart if 0 is not between.

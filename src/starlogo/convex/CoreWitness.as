@@ -23,5 +23,14 @@ package starlogo.convex
         public var normalY:Number = 0;
         public var normalZ:Number = 1;
         public var separation:Number = 0;
+
+        /** Sets the unit vector, and how far the cores are apart along it. */
+        public function setAxis(x:Number, y:Number, z:Number, separation:Number):void
+        {
+            normalX = x;
+            normalY = y;
+            normalZ = z;
+            this.separation = separation;
+        }
     }
 }

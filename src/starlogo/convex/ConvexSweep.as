@@ -62,7 +62,6 @@ package starlogo.convex
         {
             motion.time = 0;
             cores.setMotion(motion);
-            motion.measureMargin();
             cores.touchingDistance += motion.margin;
             skipToBalls(cores, motion);
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
@@ -116,10 +115,7 @@ package starlogo.convex
             _overlap.find(cores, _exact);
             if (_exact.separation > witness.separation)
             {
-                witness.separation = _exact.separation;
-                witness.normalX = _exact.normalX;
-                witness.normalY = _exact.normalY;
-                witness.normalZ = _exact.normalZ;
+                witness.setAxis(_exact.normalX, _exact.normalY, _exact.normalZ, _exact.separation);
             }
         }
 

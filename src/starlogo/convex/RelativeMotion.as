@@ -6,9 +6,9 @@ package starlogo.convex
      * The straight motion of one shape past another that stands still, from time 0 to time 1, without rotation or growth, as a record. If both
      * move, it is the first shape's motion minus the second's.
      *
-     * <p>Whoever asks when the two first touch sets the two vectors, and may set the part of the motion that is asked about. The answer is
-     * <code>time</code>: from 0 to the latest time of that part, or NEVER if the two do not touch until then. It is so in each kernel and each query
-     * of trees and the ground. Whoever asks for a contact sets the time too: the shape is where it is then.</p>
+     * <p>Its <code>time</code> says where on it the shape is. All <code>findTime()</code> of kernels and queries of trees and the ground move the
+     * time to when the two first touch, if that is within the part of the motion that is asked about. All <code>findContact()</code> read the
+     * time.</p>
      *
      * @private
      */
@@ -36,21 +36,18 @@ package starlogo.convex
         /** Where that part ends, from 0 to 1. No answer is later. */
         public var latest:Number = 1;
 
-        /** When the two first touch, or NEVER. */
+        /** The time at which the shape is on the motion. NEVER if it was to be when the two first touch, and they do not touch. */
         public var time:Number;
-
-        /** The margins of both vectors: see Touching. Whoever needs it calls <code>measureMargin()</code> before. */
-        public var margin:Number = 0;
 
         public function RelativeMotion(time:Number = NEVER)
         {
             this.time = time;
         }
 
-        /** Computes the margin from the vectors. */
-        public function measureMargin():void
+        /** The margins of both vectors: see Touching. */
+        public function get margin():Number
         {
-            margin = Touching.marginOfMotion(startX, startY, startZ) + Touching.marginOfMotion(x, y, z);
+            return Touching.marginOfMotion(startX, startY, startZ) + Touching.marginOfMotion(x, y, z);
         }
 
         /** Whether the shape does not move. */

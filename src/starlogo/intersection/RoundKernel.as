@@ -44,7 +44,6 @@ package starlogo.intersection
         {
             var gap:CoreGap = _gap;
             motion.time = 0;
-            motion.measureMargin();
             _finder.find(a, b, motion, gap);
             var radii:Number = gap.radiusA + gap.radiusB;
             var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin;
@@ -110,6 +109,8 @@ package starlogo.intersection
             // Radii allow for the rounding of the gap at each step. Where there are hardly any, the extent does.
             var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.extent : 0;
             var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin + rounding;
+            // At this length no gap is left, or one as short as the margins, which has no direction for another step.
+            var closed:Number = Math.max(radii, touchingDistance - radii);
             var lastTime:Number = 0;
             var lastDistance:Number = Math.sqrt(gap.squaredLength);
             var hasOvershot:Boolean = false;
@@ -125,9 +126,8 @@ package starlogo.intersection
                     hasOvershot = true;
                     continue;
                 }
-                if (squared <= radii * radii || squared <= (touchingDistance - radii) * (touchingDistance - radii))
+                if (squared <= closed * closed)
                 {
-                    // No gap is left, or one as short as the margins, which has no direction for another step.
                     return true;
                 }
                 var distance:Number = Math.sqrt(squared);

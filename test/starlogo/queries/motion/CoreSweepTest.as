@@ -59,7 +59,7 @@ package starlogo.queries.motion
                     row.count = 0;
                     row.add(body.rows.numbers[k]);
                     body.obstacles.copyFrom(row);
-                    if (new CoreSweep().findFirst(body, from, motion, alone) && alone.time < expected.time)
+                    if (new CoreSweep().findFirst(body, from, motion, alone) && alone.comparedTime < expected.comparedTime)
                     {
                         expected = alone;
                     }

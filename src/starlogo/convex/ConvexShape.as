@@ -41,7 +41,7 @@ package starlogo.convex
 
         /**
          * How far beyond its surface other shapes still touch it, because its place or its surface is rounded (see Touching). Distances do not
-         * include it. A new core has none, but for hulls.
+         * include it. A new core has none, except for a hull.
          */
         public var margin:Number = 0;
 
@@ -55,12 +55,12 @@ package starlogo.convex
         public var points:Vector.<Number>;
         public var end:int = 0;
 
-        /** Three points of each of the core's faces, as indices of their first numbers. Of two opposite faces of a box there is one. */
+        /** Three points of each of the core's faces, as indices of their first numbers. A box has three faces: one for each axis. */
         public var faces:Vector.<int> = NONE;
 
         /**
-         * The core's edges, as four indices each: both ends, and one more point of each of the two faces. A segment, a triangle and a box have the
-         * edge's start in place of both points. Of parallel edges of a box there is one: three from the first point on.
+         * The core's edges, as four indices each: both ends, and one more point of each of the two faces beside the edge. The edges of a segment, a
+         * triangle and a box say nothing of faces: they have their start in place of both points. A box has three edges: those at its first point.
          */
         public var edges:Vector.<int> = NONE;
 
@@ -162,6 +162,7 @@ package starlogo.convex
             begin(points.length, faces, edges);
             this.points = points;
             setExtent();
+            // half of the extent counts as a radius: see Touching
             margin = (Tolerances.TOUCHING - 1) * extent / 2;
         }
 

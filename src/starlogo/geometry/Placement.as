@@ -13,7 +13,7 @@ package starlogo.geometry
      * numbers have double precision in every player. A Matrix3D does not, because Flash Player keeps it in single precision.</p>
      *
      * <p>This package has the plain maths that all others share: placements, and functions with the same results on every machine. Tolerances
-     * has the limits for rounding that more than one class needs. Its folders are <code>vertices</code>, for lists of points, and
+     * has the limits for rounding. Its folders are <code>vertices</code>, for lists of points, and
      * <code>hull</code>, which builds convex hulls. Read Touching next, which says when two shapes touch.</p>
      */
     public final class Placement
@@ -151,14 +151,7 @@ package starlogo.geometry
             r22 = cosPitch * cosRoll;
         }
 
-        /**
-         * Sets the rotation from a quaternion x i + y j + z k + w of length 1.
-         *
-         * @param x of the quaternion
-         * @param y of the quaternion
-         * @param z of the quaternion
-         * @param w of the quaternion
-         */
+        /** Sets the rotation from a quaternion x i + y j + z k + w of length 1. */
         public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void
         {
             r00 = 1 - 2 * (y * y + z * z);

@@ -39,7 +39,10 @@ package starlogo.intersection.ray
             // the part of the line that may be inside
             var middle:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
             var boundingRadius:Number = 2 * (_shape.extent + _shape.radius) + Number.MIN_VALUE;
-            var near:Number = middle - boundingRadius + 2 * boundingRadius * timeFrom(ray, middle - boundingRadius, 2 * boundingRadius);
+            var start:Number = middle - boundingRadius;
+            var end:Number = middle + boundingRadius;
+            var length:Number = 2 * boundingRadius;
+            var near:Number = start + length * timeFrom(ray, start, length);
             out.begin(ray);
             if (near > ray.from && near < Infinity)
             {
@@ -47,7 +50,7 @@ package starlogo.intersection.ray
                 out.distance = near;
                 out.setNormal(ray, _contact.normalX, _contact.normalY, _contact.normalZ);
             }
-            var far:Number = middle + boundingRadius - 2 * boundingRadius * timeFrom(ray, middle + boundingRadius, -2 * boundingRadius);
+            var far:Number = end - length * timeFrom(ray, end, -length);
             return near < Infinity && out.distance <= far && out.distance <= ray.to;
         }
 

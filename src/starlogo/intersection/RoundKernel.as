@@ -15,7 +15,8 @@ package starlogo.intersection
      * <p>Two cores have a distance that is a convex function of time if one moves along a straight line. So Newton's method finds the time of
      * impact (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection", 2004). ConvexSweep
      * takes such steps for all other shapes. It finds the gap of each step by a search, and gets the direction of a short gap from faces and
-     * edges. Here a formula gives the gap, and chords take the place of a direction that is not certain.</p>
+     * edges. Here a formula gives the gap. With hardly any radius the last gaps are so short that rounding hides their direction, so the
+     * ConvexPairKernel finds the time.</p>
      *
      * @private
      */
@@ -31,7 +32,7 @@ package starlogo.intersection
 
         /**
          * @param finder finds the gap of the kernel's pairs
-         * @param convex finds their contact if the cores overlap
+         * @param convex finds their contact if the cores overlap, and their time of impact if they have hardly any radius
          */
         public function RoundKernel(finder:GapFinder, convex:ConvexPairKernel)
         {
@@ -39,31 +40,61 @@ package starlogo.intersection
             _convex = convex;
         }
 
-        /** @inheritDoc */
+        /**
+         * Finds when the gap is as long as the sum of the radii. Newton's method never steps over the first zero when it starts to the left of it. Each
+         * step shrinks the product of the gap and its slope to a quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding need
+         * more, the time of the last step is the time of impact: the structures do not touch before, and their gap is at most rounding.
+         *
+         * @inheritDoc
+         */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             var gap:CoreGap = _gap;
             motion.time = 0;
             _finder.find(a, b, motion, gap);
             var radii:Number = gap.radiusA + gap.radiusB;
-            var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin;
-            var squared:Number = gap.squaredLength;
-            if (squared <= touchingDistance * touchingDistance)
+            var margins:Number = motion.margin;
+            var touchingDistance:Number = radii * Tolerances.TOUCHING + margins;
+            if (gap.squaredLength <= touchingDistance * touchingDistance)
             {
                 return;
             }
-            var closing:Number = gap.closing;
-            if (closing > 0)
+            if (radii < Tolerances.DIRECTION * gap.extent)
             {
-                // most pairs need only this step of Newton's method
-                var distance:Number = Math.sqrt(squared);
-                motion.time = (distance - radii) * distance / closing;
-                if (motion.time <= motion.latest && findZero(a, b, motion))
+                _convex.findTime(a, b, motion);
+                return;
+            }
+            // at this length no gap is left, or one as short as rounding, which has no direction for another step
+            var closed:Number = radii > margins ? radii : margins;
+            var isTouching:Boolean = false;
+            for (var step:int = 1; step < MOST_STEPS; step++)
+            {
+                // when the plane between the closest points, moved along, has no gap left
+                var distance:Number = Math.sqrt(gap.squaredLength);
+                var next:Number = gap.closing > 0 ? motion.time + (distance - radii) * distance / gap.closing : RelativeMotion.NEVER;
+                if (isTouching)
+                {
+                    motion.time = next <= motion.latest ? next : motion.time;
+                    return;
+                }
+                if (!(next > motion.time))
+                {
+                    // the rest of the gap is so short that rounding leaves no step, so they touch now
+                    return;
+                }
+                motion.time = next <= motion.latest ? next : RelativeMotion.NEVER;
+                if (motion.time == RelativeMotion.NEVER)
                 {
                     return;
                 }
+                _finder.find(a, b, motion, gap);
+                if (gap.squaredLength <= closed * closed)
+                {
+                    return;
+                }
+                // If they touch to within rounding only, one more step makes up for a step that rounding may have skipped.
+                isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
             }
-            motion.time = RelativeMotion.NEVER;
         }
 
         /** @inheritDoc */
@@ -93,76 +124,6 @@ package starlogo.intersection
             {
                 out.swap();
             }
-        }
-
-        // Finds when the gap is as long as the sum of the radii, by Newton's method, which never steps over the first zero when it starts to the left of
-        // it. When it begins, the gap is that of time 0, and the motion's time is that of the first step. When it ends, the motion's time is the time of
-        // impact. Returns false if that is after the motion's latest time.
-        // Each step shrinks the product of the gap and its slope to a quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding
-        // need more, the time of the last step is the time of impact: the structures do not touch before, and their gap is at most rounding.
-        private function findZero(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Boolean
-        {
-            var gap:CoreGap = _gap;
-            var radii:Number = gap.radiusA + gap.radiusB;
-            // A gap that is no longer than this has no certain direction.
-            var uncertain:Number = Tolerances.DIRECTION * gap.extent;
-            // Radii allow for the rounding of the gap at each step. Where there are hardly any, the extent does.
-            var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.extent : 0;
-            var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin + rounding;
-            // At this length no gap is left, or one as short as the margins, which has no direction for another step.
-            var closed:Number = Math.max(radii, touchingDistance - radii);
-            var lastTime:Number = 0;
-            var lastDistance:Number = Math.sqrt(gap.squaredLength);
-            var hasOvershot:Boolean = false;
-            for (var step:int = 1; step < MOST_STEPS; step++)
-            {
-                _finder.find(a, b, motion, gap);
-                var time:Number = motion.time;
-                var squared:Number = gap.squaredLength;
-                if (4 * squared < radii * radii)
-                {
-                    // the slope had so large a rounding error that the step went beyond the zero, so half of it is taken
-                    motion.time = (lastTime + time) / 2;
-                    hasOvershot = true;
-                    continue;
-                }
-                if (squared <= closed * closed)
-                {
-                    return true;
-                }
-                var distance:Number = Math.sqrt(squared);
-                var closing:Number = gap.closing;
-                var next:Number = RelativeMotion.NEVER;
-                if ((hasOvershot || distance < uncertain) && distance < lastDistance)
-                {
-                    // rounding hides the slope, so the chord through this distance and the last one takes its place. It does not step over the zero either
-                    next = time + (distance - radii) * (time - lastTime) / (lastDistance - distance);
-                }
-                else if (closing > 0)
-                {
-                    // when the plane between the closest points, moved along, has no gap left
-                    next = time + (distance - radii) * distance / closing;
-                }
-                if (squared <= touchingDistance * touchingDistance)
-                {
-                    // They touch to within rounding. One more step makes up for a step that rounding may have skipped.
-                    motion.time = next <= motion.latest ? next : time;
-                    return true;
-                }
-                if (!(next > time))
-                {
-                    // The rest of the gap is so short that rounding leaves no step. They touch at this time.
-                    return true;
-                }
-                if (!(next <= motion.latest))
-                {
-                    return false;
-                }
-                lastTime = time;
-                lastDistance = distance;
-                motion.time = next;
-            }
-            return true;
         }
     }
 }

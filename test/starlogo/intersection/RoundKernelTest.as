@@ -46,7 +46,7 @@ class Halves extends GapFinder
         out.x = length;
         out.squaredLength = length * length;
         out.closing = count == 0 ? length : 1e3 * out.squaredLength;
-        out.extent = 1e-300;
+        out.extent = 0;
         length /= 2;
         count++;
     }

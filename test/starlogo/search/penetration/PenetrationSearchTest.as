@@ -68,8 +68,9 @@ package starlogo.search.penetration
         }
 
         /**
-         * The point of a contact is in the middle of the way out: once the collider is out, both touch a little ball there, half of the depth on. Those
-         * that touch at several places may have their point between these.
+         * The point of a contact is in the middle of the way out: once the collider is out, both touch a little ball there, half of the depth on. Nodes
+         * of hierarchies that touch at several places may have their point between these. A collider that is shorter than the way out has its point in
+         * its own middle, so only contacts count that are shallower than half of the smaller size.
          */
         [Test]
         public function pointsAreInTheMiddleOfTheWayOut():void
@@ -87,7 +88,7 @@ package starlogo.search.penetration
                     place(a, b, 1, 10);
                     var contact:Contact = collider.areColliding(a, b) ? collider.contactOf(a, b) : null;
                     var extent:Number = Math.max(a.size, b.size);
-                    if (contact == null || contact.depth < 0.05 * extent)
+                    if (contact == null || contact.depth < 0.05 * extent || contact.depth > 0.5 * Math.min(a.size, b.size))
                     {
                         continue;
                     }
@@ -99,7 +100,8 @@ package starlogo.search.penetration
                     a.moveTo(a.x + contact.depth * n.x, a.y + contact.depth * n.y, a.z + contact.depth * n.z);
                     elsewhere += collider.areColliding(ball, a) && collider.areColliding(ball, b) ? 0 : 1;
                 }
-                assertTrue(name + ": " + elsewhere + " of " + deep + " elsewhere", deep > 20 && elsewhere < 0.25 * deep);
+                var allowed:Number = name == "hierarchies" || name == "combinations" ? 0.2 * deep : 0;
+                assertTrue(name + ": " + elsewhere + " of " + deep + " elsewhere", deep > 20 && elsewhere <= allowed);
             }
         }
 

@@ -68,8 +68,8 @@ package starlogo.search.penetration
         }
 
         /**
-         * The point of a contact is in the middle of the way out: once the collider is out, both touch a little ball there, half of the depth on. Nodes
-         * of hierarchies that touch at several places may have their point between these. A collider that is shorter than the way out has its point in
+         * The point of a contact is in the middle of the way out: once the collider is out, both touch a little ball there, half of the depth on. Trees
+         * that touch at several places may have their point between these. A collider that is shorter than the way out has its point in
          * its own middle, so only contacts count that are shallower than half of the smaller size.
          */
         [Test]
@@ -100,7 +100,7 @@ package starlogo.search.penetration
                     a.moveTo(a.x + contact.depth * n.x, a.y + contact.depth * n.y, a.z + contact.depth * n.z);
                     elsewhere += collider.areColliding(ball, a) && collider.areColliding(ball, b) ? 0 : 1;
                 }
-                var allowed:Number = name == "hierarchies" || name == "combinations" ? 0.2 * deep : 0;
+                var allowed:Number = name == "bins" || name == "tightest fits" ? 0 : 0.2 * deep;
                 assertTrue(name + ": " + elsewhere + " of " + deep + " elsewhere", deep > 20 && elsewhere <= allowed);
             }
         }

@@ -51,6 +51,7 @@ package starlogo.convex
                 }
                 advance(cores, motion);
             }
+            // The step after a touch has led out of it, or there is none in time. If all steps are used up, the time is that of the last one.
             if (lastTouch <= 1 || !(motion.time <= motion.latest))
             {
                 motion.time = lastTouch;

@@ -17,8 +17,8 @@ package starlogo.convex
      */
     internal final class CoreOverlap
     {
-        // How many numbers describe an edge: from 0 on its vector; from 3 on and from 6 on, for each of its faces, a normal of the face with the length of
-        // the edge and of what the face's other point is across it; from 9 on its start. The normals of bare edges are 0.
+        // How many numbers describe an edge: 0 to 2 its vector; 3 to 5 and 6 to 8 a normal of each of its two faces, as long as the edge times the height of
+        // the face's other point over it; 9 to 11 its start. The normals of bare edges are 0.
         private static const PER_EDGE:int = 12;
 
         // An edge of the first core, and all edges of the second.
@@ -152,7 +152,8 @@ package starlogo.convex
             var vy:Number = v[int(k + 1)];
             var vz:Number = v[int(k + 2)];
             setAxisAcross(ux, uy, uz, vx, vy, vz);
-            // The cores overlap along it by at least as much as the two edges do. On which side is known unless both cores end at their edges.
+            // The displacement is at least as long as that of the two edges alone. If that is too long, nothing has to be projected. The faces beside the
+            // edges say on which side of them the cores are; bare edges do not.
             var side:Number = vx * (u[3] + u[6]) + vy * (u[4] + u[7]) + vz * (u[5] + u[8])
                 + ux * (v[int(k + 3)] + v[int(k + 6)]) + uy * (v[int(k + 4)] + v[int(k + 7)]) + uz * (v[int(k + 5)] + v[int(k + 8)]);
             if (side != 0)

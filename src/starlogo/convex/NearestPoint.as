@@ -43,8 +43,10 @@ package starlogo.convex
         /** The rounding error of a corner. */
         public var rounding:Number = 0;
 
-        // The simplex's corners.
+        // The simplex's corners, and the one that was added last. The simplex before was nearer than any part without it. -1 if any part may be the
+        // nearest.
         private var _corners:Vector.<Number>;
+        private var _newest:int;
 
         /** @param corners of the simplex, x, y, z of each; kept */
         public function NearestPoint(corners:Vector.<Number>)
@@ -68,6 +70,7 @@ package starlogo.convex
          */
         public function find(count:int, newest:int, isApart:Boolean):int
         {
+            _newest = newest;
             squaredDistance = Infinity;
             if (count == 1)
             {
@@ -75,13 +78,13 @@ package starlogo.convex
             }
             else if (count == 2)
             {
-                tryEdge(0, 1, newest);
+                tryEdge(0, 1);
             }
             else if (count == 3)
             {
-                tryTriangle(0, 1, 2, newest);
+                tryTriangle(0, 1, 2);
             }
-            else if (tryTetrahedron(isApart, newest))
+            else if (tryTetrahedron(isApart))
             {
                 return INSIDE;
             }
@@ -90,7 +93,7 @@ package starlogo.convex
 
         // Returns whether the origin is inside of the tetrahedron. If not, tries the faces that the origin is beyond; the face of the first three
         // corners is none of them, because the fourth corner was nearer. The shares are those of the nearest point in that face until now.
-        private function tryTetrahedron(isApart:Boolean, newest:int):Boolean
+        private function tryTetrahedron(isApart:Boolean):Boolean
         {
             shares[3] = 0;
             var isFlat:Boolean = !moveToOrigin();
@@ -105,15 +108,15 @@ package starlogo.convex
             }
             if (isBeyond01 || isBeyondNone)
             {
-                tryTriangle(3, 0, 1, newest);
+                tryTriangle(3, 0, 1);
             }
             if (isBeyond12 || isBeyondNone)
             {
-                tryTriangle(3, 1, 2, newest);
+                tryTriangle(3, 1, 2);
             }
             if (isBeyond20 || isBeyondNone)
             {
-                tryTriangle(3, 2, 0, newest);
+                tryTriangle(3, 2, 0);
             }
             return false;
         }
@@ -189,7 +192,7 @@ package starlogo.convex
             }
         }
 
-        private function tryEdge(i:int, j:int, newest:int):void
+        private function tryEdge(i:int, j:int):void
         {
             var w:Vector.<Number> = _corners;
             var from:int = 3 * i;
@@ -205,7 +208,7 @@ package starlogo.convex
             if (!(along > 0) || along >= uu)
             {
                 var end:int = along > 0 ? j : i;
-                if (newest < 0 || newest == end)
+                if (_newest < 0 || _newest == end)
                 {
                     tryCorner(end);
                 }
@@ -243,24 +246,24 @@ package starlogo.convex
         }
 
         // Tries a triangle. Its longest edge becomes the base.
-        private function tryTriangle(i:int, j:int, k:int, newest:int):void
+        private function tryTriangle(i:int, j:int, k:int):void
         {
             if (!isLonger(i, j, j, k) && !isLonger(k, i, j, k))
             {
-                tryTriangleOnBase(j, k, i, newest);
+                tryTriangleOnBase(j, k, i);
             }
             else if (isLonger(k, i, i, j))
             {
-                tryTriangleOnBase(k, i, j, newest);
+                tryTriangleOnBase(k, i, j);
             }
             else
             {
-                tryTriangleOnBase(i, j, k, newest);
+                tryTriangleOnBase(i, j, k);
             }
         }
 
         // Tries a triangle on its base, the longest edge, which goes from i to j. If the origin is not over its inside, tries its edges.
-        private function tryTriangleOnBase(i:int, j:int, k:int, newest:int):void
+        private function tryTriangleOnBase(i:int, j:int, k:int):void
         {
             var w:Vector.<Number> = _corners;
             var from:int = 3 * i;
@@ -290,7 +293,7 @@ package starlogo.convex
             var low:Number = along - foot * up;
             if (!(hh > NARROWEST * uu && up > 0 && low > 0 && low < 1 - up))
             {
-                tryEdges(i, j, k, newest);
+                tryEdges(i, j, k);
                 return;
             }
             toX += up * hx;
@@ -323,20 +326,20 @@ package starlogo.convex
             }
         }
 
-        // Tries a triangle's edges, but not the one without the newest corner: the simplex before was nearer than that.
-        private function tryEdges(i:int, j:int, k:int, newest:int):void
+        // Tries a triangle's edges, but not the one without the newest corner.
+        private function tryEdges(i:int, j:int, k:int):void
         {
-            if (newest != k)
+            if (_newest != k)
             {
-                tryEdge(i, j, newest);
+                tryEdge(i, j);
             }
-            if (newest != i)
+            if (_newest != i)
             {
-                tryEdge(j, k, newest);
+                tryEdge(j, k);
             }
-            if (newest != j)
+            if (_newest != j)
             {
-                tryEdge(k, i, newest);
+                tryEdge(k, i);
             }
         }
 

@@ -18,8 +18,8 @@ package starlogo.intersection
      * PairKernel next, which explains the questions, then RoundKernel and SphereBoxGapFinder.
      *
      * <p>Spheres, capsules and boxes have kernels of their own, because the package convex takes two to eleven times as long. That package decides
-     * about hulls. It also finds the distance of two boxes and their contact, and the contact of a sphere or capsule whose core overlaps the core of
-     * a capsule or box.</p>
+     * about hulls. It also finds the distance of two boxes and their contact, and what RoundKernel leaves to it: the contact if cores overlap, and the
+     * time of impact if there is hardly any radius.</p>
      *
      * @private
      */

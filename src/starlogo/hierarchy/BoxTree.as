@@ -221,9 +221,10 @@ package starlogo.hierarchy
         engine function refit():void
         {
             finish(refitting());
+            measureRadius();
         }
 
-        /** The work of <code>refit()</code>, for makers of trees too. Until it is done, there are extents in place of boxes. */
+        /** For makers of trees: the work that computes all boxes, to be followed by <code>complete()</code>. Until it is done, there are extents in their place. */
         engine function refitting():StepSequence
         {
             var count:int = left.length;
@@ -233,7 +234,7 @@ package starlogo.hierarchy
                 }).call(function():void
                 {
                     measureRadiusAboutOrigin(boxes);
-                }).slices(count, NODES_PER_STEP, encloseNodes).call(measureRadius);
+                }).slices(count, NODES_PER_STEP, encloseNodes);
         }
 
         // Writes the extents of the parts of some nodes in place of their boxes: minX, maxX, minY, maxY, minZ, maxZ of each. Children come after their

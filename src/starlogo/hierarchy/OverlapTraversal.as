@@ -69,6 +69,10 @@ package starlogo.hierarchy
             var tolerance:Number = pose.tolerance;
             var boxesA:Vector.<Number> = trees.a.boxes;
             var boxesB:Vector.<Number> = trees.b.boxes;
+            var endsA:Vector.<int> = trees.a.endsUpToDepth;
+            var endsB:Vector.<int> = trees.b.endsUpToDepth;
+            var depthA:int = trees.depthA;
+            var depthB:int = trees.depthB;
             var pair:BoxPair = _pair;
             var stack:Vector.<int> = _nodes;
             var result:int = APART;
@@ -113,8 +117,8 @@ package starlogo.hierarchy
                 pair.y = y;
                 pair.z = z;
                 var overlap:int = overlapBesideFirst(pose, boxesA, atA, boxesB, atB);
-                var aEnds:Boolean = trees.a.endsUpToDepth[a] >= trees.depthA;
-                var bEnds:Boolean = trees.b.endsUpToDepth[b] >= trees.depthB;
+                var aEnds:Boolean = endsA[a] >= depthA;
+                var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && visitor == null;
                 if (overlap == APART || overlap == SHALLOW && doBoxesDecide && !overlapAcrossEdges(pose, boxesA, atA, boxesB, atB))
                 {
@@ -147,7 +151,10 @@ package starlogo.hierarchy
                 stack[top] = 2 * trees.a.left[a] + 1 - nearer;
                 stack[top + 1] = b;
                 top += 2;
-                beginPairAt(trees.a.boxes, 6 * nearer, 6 * a);
+                if (dividesB)
+                {
+                    beginPairAt(trees.a.boxes, 6 * nearer, 6 * a);
+                }
                 a = nearer;
             }
             if (dividesB)

@@ -67,7 +67,7 @@ package benchmark
             {
                 var a:Placement = place(spread);
                 var b:Placement = place(spread);
-                _pair.setTo(tree, a, DEPTH, tree, null, b, DEPTH, false);
+                _pair.setTrees(tree, a, DEPTH, tree, b, DEPTH, false);
                 if (!_overlaps.areOverlapping(_pair))
                 {
                     firsts.push(a);
@@ -76,22 +76,22 @@ package benchmark
             }
             add(name + " at depth 5", function(i:int):void
                 {
-                    _pair.setTo(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, false);
+                    _pair.setTrees(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, false);
                     _distances.findClosest(_pair, false, _closest);
                 });
             add("  by triangles", function(i:int):void
                 {
-                    _pair.setTo(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, true);
+                    _pair.setTrees(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true);
                     _distances.findClosest(_pair, false, _closest);
                 });
             add("  the other one a box", function(i:int):void
                 {
-                    _pair.setTo(tree, firsts[i], DEPTH, null, tree.root.bounds, seconds[i], 1, false);
+                    _pair.setTreeAndStructure(tree, firsts[i], DEPTH, tree.root.bounds, seconds[i], false);
                     _distances.findClosest(_pair, false, _closest);
                 });
             add("  whether they touch, by triangles", function(i:int):void
                 {
-                    _pair.setTo(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, true);
+                    _pair.setTrees(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true);
                     _overlaps.areOverlapping(_pair);
                 });
         }

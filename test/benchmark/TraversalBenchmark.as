@@ -11,7 +11,7 @@ package benchmark
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.OverlapTraversal;
-    import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
@@ -43,7 +43,7 @@ package benchmark
         private var _counts:TreeCounts = new TreeCounts();
         private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(_counts);
         private var _impacts:TreeImpactQuery = new TreeImpactQuery(_pair, _overlaps, _counts);
-        private var _pose:RelativePose = new RelativePose();
+        private var _trees:PosedTrees = new PosedTrees();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _ball:ModelTree;
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
@@ -87,7 +87,7 @@ package benchmark
             var second:Vector.<Placement> = places(spread, size, isUpright);
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTo(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
+                    _pair.setTrees(a, first[i], DEPTH, b, second[i], DEPTH, exact);
                     var answer:Boolean = _overlaps.areOverlapping(_pair);
                     if (answers != null)
                     {
@@ -104,8 +104,10 @@ package benchmark
             var second:Vector.<Placement> = places(1.3, 1, false);
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pose.relate(first[i], second[i]);
-                    var answer:Boolean = traversal.find(_pose, a.boxTree, DEPTH, a.boxTree, DEPTH, null) == OverlapTraversal.OVERLAPPING;
+                    _trees.a = _trees.b = a.boxTree;
+                    _trees.depthA = _trees.depthB = DEPTH;
+                    _trees.pose.relate(first[i], second[i]);
+                    var answer:Boolean = traversal.find(_trees, null) == OverlapTraversal.OVERLAPPING;
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -120,7 +122,7 @@ package benchmark
             var structures:Vector.<BoundingStructure> = randomStructures();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTo(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
+                    _pair.setTreeAndStructure(a, first[i], DEPTH, structures[i], second[i], exact);
                     var answer:Boolean = _overlaps.areOverlapping(_pair);
                     if (answers != null)
                     {
@@ -137,7 +139,7 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTo(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
+                    _pair.setTrees(a, first[i], DEPTH, b, second[i], DEPTH, exact);
                     _impacts.findFirst(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
@@ -161,7 +163,7 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTo(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
+                    _pair.setTreeAndStructure(a, first[i], DEPTH, structures[i], second[i], exact);
                     _impacts.findFirst(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)

@@ -35,7 +35,6 @@ const COLD = {
 	'starlogo.solid.ShellFinder': 'when a model loads',
 	'starlogo.solid.SurfaceBuilder': 'when a model loads',
 	'starlogo.solid.SurfaceTopology': 'when a model loads',
-	'starlogo.solid.WeldedCorners': 'when a model loads',
 	'starlogo.solid.Welding': 'when a model loads',
 	'starlogo.search.BaseShapeChoice': 'when agents get other models, and when models are replaced',
 	'starlogo.search.BreedInterests': 'made when handlers change',

@@ -3,8 +3,8 @@ package starlogo.hierarchy
     import starlogo.convex.ClosestPoints;
 
     /**
-     * The best pair of a BestPairTraversal so far, and the bounds of the search: times or distances. They are fields and not arguments or results,
-     * because JavaScript engines allocate an object for each Number that functions pass.
+     * The best pair of a BestPairTraversal so far, as a record. It has the time or distance and the bound too, because JavaScript engines allocate an
+     * object for each Number that functions pass.
      *
      * @private
      */
@@ -20,7 +20,7 @@ package starlogo.hierarchy
         /** For distances: the closest points of the best pair, and their distance. */
         public var points:ClosestPoints = new ClosestPoints();
 
-        /** A lower bound of the current pair's time or distance. Before it is estimated, the parent pair's lower bound. */
-        public var current:Number = 0;
+        /** No part of the pair of nodes that is estimated has a smaller time or distance. Before it is estimated, the bound of its parent pair. */
+        public var bound:Number = 0;
     }
 }

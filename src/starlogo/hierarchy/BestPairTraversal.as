@@ -34,16 +34,13 @@ package starlogo.hierarchy
         /**
          * Finds the best pair of nodes that decide. A subclass calls it when all is set that does not depend on the nodes.
          *
-         * @param pose the pose of the second tree's nodes in the first model's space
-         * @param treeA the first tree
-         * @param depthA how many of its levels are visited
-         * @param treeB the second tree
-         * @param depthB how many of its levels are visited
          * @param visitor decides about such nodes; null if their boxes decide
          * @return the best pair; the next search overwrites it
          */
-        protected final function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, visitor:BestPairVisitor):BestPair
+        protected final function find(trees:PosedTrees, visitor:NodePairVisitor):BestPair
         {
+            var treeA:BoxTree = trees.a;
+            var treeB:BoxTree = trees.b;
             var endsA:Vector.<int> = treeA.endsUpToDepth;
             var endsB:Vector.<int> = treeB.endsUpToDepth;
             var nodes:Vector.<int> = _nodes;
@@ -52,47 +49,39 @@ package starlogo.hierarchy
             var visits:int = 1;
             var top:int = 1;
             out.least = out.points.distance = Infinity;
-            out.current = 0;
-            estimate(pose, treeA, 0, treeB, 0, out);
+            out.bound = 0;
+            estimate(trees, 0, 0, out);
             nodes[0] = 0;
             nodes[1] = 0;
-            bounds[0] = out.current;
+            bounds[0] = out.bound;
             while (top > 0 && out.least > 0)
             {
                 top--;
                 var a:int = nodes[2 * top];
                 var b:int = nodes[2 * top + 1];
                 var bound:Number = bounds[top];
-                out.current = bound;
                 if (!(bound < out.least))
                 {
                     continue;
                 }
-                var aEnds:Boolean = endsA[a] >= depthA;
-                var bEnds:Boolean = endsB[b] >= depthB;
+                var aEnds:Boolean = endsA[a] >= trees.depthA;
+                var bEnds:Boolean = endsB[b] >= trees.depthB;
                 if (aEnds && bEnds)
                 {
-                    if (visitor != null)
-                    {
-                        visitor.findBest(treeA, a, treeB, b, out);
-                    }
-                    else
-                    {
-                        measure(pose, treeA, a, treeB, b, out);
-                    }
-                    out.least = out.current < out.least ? out.current : out.least;
+                    measure(trees, a, b, visitor, out);
                     continue;
                 }
-                var dividesA:Boolean = bEnds || !aEnds && pose.isFirstLarger(treeA, a, treeB, b);
+                var dividesA:Boolean = bEnds || !aEnds && trees.isFirstLarger(a, b);
                 var leftA:int = dividesA ? treeA.left[a] : a;
                 var leftB:int = dividesA ? b : treeB.left[b];
                 var rightA:int = dividesA ? leftA + 1 : a;
                 var rightB:int = dividesA ? b : leftB + 1;
-                estimate(pose, treeA, leftA, treeB, leftB, out);
-                var leftBound:Number = out.current;
-                out.current = bound;
-                estimate(pose, treeA, rightA, treeB, rightB, out);
-                var rightBound:Number = out.current;
+                out.bound = bound;
+                estimate(trees, leftA, leftB, out);
+                var leftBound:Number = out.bound;
+                out.bound = bound;
+                estimate(trees, rightA, rightB, out);
+                var rightBound:Number = out.bound;
                 visits += 2;
                 // The better of the two pairs is last, so it is visited first.
                 var isLeftBetter:Boolean = leftBound < rightBound;
@@ -109,17 +98,14 @@ package starlogo.hierarchy
             return out;
         }
 
-        /** Sets <code>out.current</code> for a pair of nodes. A bound that is not less than <code>out.least</code> need not be exact. */
-        protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
+        /** Sets <code>out.bound</code> for a pair of nodes. A bound that is not less than <code>out.least</code> need not be exact. */
+        protected function estimate(trees:PosedTrees, a:int, b:int, out:BestPair):void
         {
             throw new IllegalOperationError(this + " does not implement estimate");
         }
 
-        /**
-         * Sets <code>out.current</code> to the time or distance of two boxes that decide. If it is less than <code>out.least</code>, also sets what
-         * <code>out</code> has of the best pair. Otherwise it need not be exact.
-         */
-        protected function measure(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
+        /** Measures two nodes that decide, by the visitor or by their boxes if it is null. If they are better than the best pair so far, they become it. */
+        protected function measure(trees:PosedTrees, a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
         {
             throw new IllegalOperationError(this + " does not implement measure");
         }

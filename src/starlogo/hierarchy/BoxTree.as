@@ -36,9 +36,6 @@ package starlogo.hierarchy
 
         private static const NODES_PER_STEP:int = 300;
 
-        // The extents of all nodes while a tree is refitted.
-        private static var sExtents:Vector.<Number> = new Vector.<Number>();
-
         /** The model's vertices: x, y, z of each. */
         public var vertices:Vector.<Number>;
 
@@ -223,30 +220,28 @@ package starlogo.hierarchy
          */
         engine function refit():void
         {
-            sExtents.length = Math.max(sExtents.length, 6 * left.length);
-            finish(refitting(sExtents));
+            finish(refitting());
+            measureRadius();
         }
 
-        /** The work of <code>refit()</code>, for makers of trees too. @param extents room for six numbers for each node */
-        engine function refitting(extents:Vector.<Number>):StepSequence
+        /** For makers of trees: the work that computes all boxes, to be followed by <code>complete()</code>. Until it is done, there are extents in their place. */
+        engine function refitting():StepSequence
         {
             var count:int = left.length;
             return new StepSequence().slices(count, NODES_PER_STEP, function(from:int, to:int):void
                 {
-                    measureNodes(count - to, count - from, extents);
+                    measureNodes(count - to, count - from);
                 }).call(function():void
                 {
-                    measureRadiusAboutOrigin(extents);
-                }).slices(count, NODES_PER_STEP, function(from:int, to:int):void
-                {
-                    encloseNodes(from, to, extents);
-                }).call(measureRadius);
+                    measureRadiusAboutOrigin(boxes);
+                }).slices(count, NODES_PER_STEP, encloseNodes);
         }
 
-        // Writes the extents of the parts of some nodes: minX, maxX, minY, maxY, minZ, maxZ of each. Children come after their parents, so the last
-        // node is the first.
-        private function measureNodes(from:int, to:int, extents:Vector.<Number>):void
+        // Writes the extents of the parts of some nodes in place of their boxes: minX, maxX, minY, maxY, minZ, maxZ of each. Children come after their
+        // parents, so the last node is the first.
+        private function measureNodes(from:int, to:int):void
         {
+            var extents:Vector.<Number> = boxes;
             for (var node:int = to - 1; node >= from; node--)
             {
                 var at:int = 6 * node;
@@ -268,11 +263,11 @@ package starlogo.hierarchy
             }
         }
 
-        private function encloseNodes(from:int, to:int, extents:Vector.<Number>):void
+        private function encloseNodes(from:int, to:int):void
         {
             for (var node:int = from; node < to; node++)
             {
-                enclose(node, extents, 6 * node);
+                enclose(node, boxes, 6 * node);
             }
         }
 
@@ -330,7 +325,7 @@ package starlogo.hierarchy
          * For makers of trees: sets a node's box. It is larger than the node's part by a margin. So everything that touches the surface touches
          * the boxes, and boxes are inside of their parents' boxes in spite of rounding.
          *
-         * @param extents contains the extents of the part: minX, maxX, minY, maxY, minZ, maxZ
+         * @param extents contains the extents of the part: minX, maxX, minY, maxY, minZ, maxZ. It may be the list of boxes
          * @param at index at which they begin
          */
         engine function enclose(node:int, extents:Vector.<Number>, at:int = 0):void

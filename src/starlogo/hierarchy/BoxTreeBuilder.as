@@ -111,16 +111,8 @@ package starlogo.hierarchy
             while (rest > 0 && _waiting.length > 0)
             {
                 var node:int = _waiting[_waiting.length - 1];
-                if (!_isDividing)
-                {
-                    _isDividing = beginNode(node);
-                    rest -= ITEMS_PER_NODE;
-                }
-                if (_isDividing)
-                {
-                    _isDividing = advance(node);
-                    rest -= _tree.end[node] - _tree.first[node];
-                }
+                rest -= _isDividing ? _tree.end[node] - _tree.first[node] : ITEMS_PER_NODE;
+                _isDividing = _isDividing ? advance(node) : beginNode(node);
                 if (!_isDividing)
                 {
                     goOn(node);
@@ -146,10 +138,7 @@ package starlogo.hierarchy
         private function beginNode(node:int):Boolean
         {
             var top:int = _waiting.length - 1;
-            if (!_areBelow[top] && !isSplit(node))
-            {
-                _areBelow[top] = true;
-            }
+            _areBelow[top] ||= !isSplit(node);
             if (_areBelow[top] && !isLarge(_tree, node))
             {
                 return false;

@@ -47,15 +47,17 @@ package starlogo.hierarchy
         }
 
         /**
-         * Finds the closest points of two trees. The other parameters are those of <code>BestPairTraversal.find()</code>.
+         * Finds the closest points of two trees.
          *
+         * @param visitor decides about nodes that decide; null if their boxes do
          * @param out receives the points and their distance, in the first model's space
          */
-        public function findClosest(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, visitor:BestPairVisitor, out:ClosestPoints):void
+        public function findClosest(trees:PosedTrees, visitor:NodePairVisitor, out:ClosestPoints):void
         {
-            _radii = treeA.radius + treeB.radius * pose.placement.size;
-            _axes.readAxes(pose.placement, pose.placement.size);
-            out.copyFrom(find(pose, treeA, depthA, treeB, depthB, visitor).points);
+            var relative:Placement = trees.pose.placement;
+            _radii = trees.a.radius + trees.b.radius * relative.size;
+            _axes.readAxes(relative, relative.size);
+            out.copyFrom(find(trees, visitor).points);
         }
 
         /**
@@ -64,11 +66,12 @@ package starlogo.hierarchy
          * <p>The bound is the greatest of three: the distance along a's axes, along b's axes, and along the line between the closest points so far. A
          * pair that is too far away along a's axes need not be estimated exactly.</p>
          */
-        override protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
+        override protected function estimate(trees:PosedTrees, a:int, b:int, out:BestPair):void
         {
             var axes:BoxAxes = _axes;
+            var pose:RelativePose = trees.pose;
             var relative:Placement = pose.placement;
-            var boxes:Vector.<Number> = treeB.boxes;
+            var boxes:Vector.<Number> = trees.b.boxes;
             var at:int = 6 * b;
             var bX:Number = boxes[at];
             var bY:Number = boxes[int(at + 1)];
@@ -79,7 +82,7 @@ package starlogo.hierarchy
             bX = boxes[int(at + 3)];
             bY = boxes[int(at + 4)];
             bZ = boxes[int(at + 5)];
-            boxes = treeA.boxes;
+            boxes = trees.a.boxes;
             at = 6 * a;
             x -= boxes[at];
             y -= boxes[int(at + 1)];
@@ -99,7 +102,7 @@ package starlogo.hierarchy
             var far:Number = out.least + pose.tolerance + 2 * SLACK * (out.least + _radii);
             if (squared > far * far)
             {
-                out.current = out.least;
+                out.bound = out.least;
                 return;
             }
             var between:Vector3D = _between;
@@ -107,18 +110,20 @@ package starlogo.hierarchy
             between.y = y;
             between.z = z;
             raise(Math.sqrt(squared), pose, out);
-            estimateAlongSecond(pose, between, boxes, at, treeB.boxes, 6 * b, out);
+            estimateAlongSecond(trees, between, at, 6 * b, out);
             if (out.points.distance < Infinity)
             {
-                estimateAlongLine(pose, between, boxes, at, treeB.boxes, 6 * b, out);
+                estimateAlongLine(trees, between, at, 6 * b, out);
             }
         }
 
-        // Raises the bound to the distance of two boxes along the axes of the second one. The products contain its scale.
-        private function estimateAlongSecond(pose:RelativePose, between:Vector3D, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, out:BestPair):void
+        // Raises the bound to the distance of two boxes, whose numbers begin at two indices, along the axes of the second one. The products contain its scale.
+        private function estimateAlongSecond(trees:PosedTrees, between:Vector3D, a:int, b:int, out:BestPair):void
         {
             var axes:BoxAxes = _axes;
-            var scale:Number = pose.placement.size;
+            var boxesA:Vector.<Number> = trees.a.boxes;
+            var boxesB:Vector.<Number> = trees.b.boxes;
+            var scale:Number = trees.pose.placement.size;
             var x:Number = between.x;
             var y:Number = between.y;
             var z:Number = between.z;
@@ -140,14 +145,16 @@ package starlogo.hierarchy
             distance = (distance - axes.abs02 * halfX - axes.abs12 * halfY - axes.abs22 * halfZ) / scale - scale * boxesB[int(b + 5)];
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            raise(Math.sqrt(squared), pose, out);
+            raise(Math.sqrt(squared), trees.pose, out);
         }
 
         // Raises the bound to the distance of two boxes along the line between the closest points so far. It rules out most of the pairs that are not
         // nearer.
-        private function estimateAlongLine(pose:RelativePose, between:Vector3D, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, out:BestPair):void
+        private function estimateAlongLine(trees:PosedTrees, between:Vector3D, a:int, b:int, out:BestPair):void
         {
             var axes:BoxAxes = _axes;
+            var boxesA:Vector.<Number> = trees.a.boxes;
+            var boxesB:Vector.<Number> = trees.b.boxes;
             var points:ClosestPoints = out.points;
             var toX:Number = points.bX - points.aX;
             var toY:Number = points.bY - points.aY;
@@ -168,27 +175,32 @@ package starlogo.hierarchy
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
             toZ = toZ < 0 ? -toZ : toZ;
-            raise((distance - boxesA[int(a + 3)] * toX - boxesA[int(a + 4)] * toY - boxesA[int(a + 5)] * toZ) / length, pose, out);
+            raise((distance - boxesA[int(a + 3)] * toX - boxesA[int(a + 4)] * toY - boxesA[int(a + 5)] * toZ) / length, trees.pose, out);
         }
 
         // Raises the bound to a computed distance, less its rounding error.
         private function raise(distance:Number, pose:RelativePose, out:BestPair):void
         {
             var bound:Number = distance - SLACK * (distance + _radii) - pose.tolerance;
-            if (bound > out.current)
+            if (bound > out.bound)
             {
-                out.current = bound;
+                out.bound = bound;
             }
         }
 
         /** @inheritDoc */
-        override protected function measure(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
+        override protected function measure(trees:PosedTrees, a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
         {
-            PairTable.findClosest(treeA.writeBox(a, _boxA), pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
-            reduce(_measured, treeA.levelOf(a), treeB.levelOf(b), _radii);
-            out.current = _measured.distance;
-            if (out.current < out.least)
+            if (visitor != null)
             {
+                visitor.findCloser(a, b, out);
+                return;
+            }
+            PairTable.findClosest(trees.a.writeBox(a, _boxA), trees.pose.placeWidened(trees.b.writeBox(b, _boxB)), _measured);
+            reduce(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
+            if (_measured.distance < out.least)
+            {
+                out.least = _measured.distance;
                 out.points.copyFrom(_measured);
             }
         }

@@ -30,23 +30,23 @@ package starlogo.hierarchy
         }
 
         /**
-         * Finds when two trees first touch. The other parameters are those of <code>BestPairTraversal.find()</code>.
+         * Finds when two trees first touch.
          *
          * @param motion of the second tree, from the pose on
+         * @param visitor decides about nodes that decide; null if their boxes do
          * @return the nodes that touch first, and the time as <code>least</code>; the next search overwrites it
          */
-        public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int,
-                visitor:BestPairVisitor):BestPair
+        public function findTouch(trees:PosedTrees, motion:RelativeMotion, visitor:NodePairVisitor):BestPair
         {
-            var relative:Placement = pose.placement;
+            var relative:Placement = trees.pose.placement;
             _pair.axes.readAxes(relative, 1);
             _latest = motion.latest;
             _pair.motionX = motion.x;
             _pair.motionY = motion.y;
             _pair.motionZ = motion.z;
-            _pair.margin = pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
+            _pair.margin = trees.pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
-            return find(pose, treeA, depthA, treeB, depthB, visitor);
+            return find(trees, visitor);
         }
 
         /**
@@ -54,29 +54,37 @@ package starlogo.hierarchy
          *
          * <p>The bound is the first time at which no face separates the boxes.</p>
          */
-        override protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
+        override protected function estimate(trees:PosedTrees, a:int, b:int, out:BestPair):void
         {
-            readPair(pose.placement, treeA.boxes, 6 * a, treeB.boxes, 6 * b, out);
+            readPair(trees, 6 * a, 6 * b, out);
             _sweep.findTimeOfFaces(_pair);
-            out.current = _pair.time;
+            out.bound = _pair.time;
         }
 
         /** @inheritDoc */
-        override protected function measure(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
+        override protected function measure(trees:PosedTrees, a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
         {
-            readPair(pose.placement, treeA.boxes, 6 * a, treeB.boxes, 6 * b, out);
-            _sweep.findTime(_pair);
-            out.current = _pair.time;
-            if (out.current < out.least)
+            if (visitor != null)
             {
+                visitor.findTouch(a, b, out);
+                return;
+            }
+            readPair(trees, 6 * a, 6 * b, out);
+            _sweep.findTime(_pair);
+            if (_pair.time < out.least)
+            {
+                out.least = _pair.time;
                 out.a = a;
                 out.b = b;
             }
         }
 
-        // Reads two boxes. Times after the best one so far do not count.
-        private function readPair(relative:Placement, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, best:BestPair):void
+        // Reads the boxes whose numbers begin at two indices. Times after the best one so far do not count.
+        private function readPair(trees:PosedTrees, a:int, b:int, best:BestPair):void
         {
+            var relative:Placement = trees.pose.placement;
+            var boxesA:Vector.<Number> = trees.a.boxes;
+            var boxesB:Vector.<Number> = trees.b.boxes;
             var pair:BoxPair = _pair;
             var scale:Number = relative.size;
             var x:Number = boxesB[b] * scale;

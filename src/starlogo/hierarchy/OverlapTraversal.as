@@ -58,21 +58,21 @@ package starlogo.hierarchy
          * <p>An axis of a's box separates most pairs of boxes a and b, mostly z. So these axes are tested in the loop, because a call for each pair
          * takes about a tenth more time.</p>
          *
-         * @param pose the pose of the second tree's nodes in the first model's space
-         * @param treeA the first tree
-         * @param depthA how many of its levels are visited
-         * @param treeB the second tree
-         * @param depthB how many of its levels are visited
          * @param visitor decides about such nodes; null if their boxes decide
          * @return APART, ONLY_ROOTS or OVERLAPPING
          */
-        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, visitor:OverlapVisitor):int
+        public function find(trees:PosedTrees, visitor:NodePairVisitor):int
         {
+            var pose:RelativePose = trees.pose;
             var axes:BoxAxes = _pair.axes;
             var relative:Placement = pose.placement;
             var tolerance:Number = pose.tolerance;
-            var boxesA:Vector.<Number> = treeA.boxes;
-            var boxesB:Vector.<Number> = treeB.boxes;
+            var boxesA:Vector.<Number> = trees.a.boxes;
+            var boxesB:Vector.<Number> = trees.b.boxes;
+            var endsA:Vector.<int> = trees.a.endsUpToDepth;
+            var endsB:Vector.<int> = trees.b.endsUpToDepth;
+            var depthA:int = trees.depthA;
+            var depthB:int = trees.depthB;
             var pair:BoxPair = _pair;
             var stack:Vector.<int> = _nodes;
             var result:int = APART;
@@ -117,18 +117,19 @@ package starlogo.hierarchy
                 pair.y = y;
                 pair.z = z;
                 var overlap:int = overlapBesideFirst(pose, boxesA, atA, boxesB, atB);
-                var aEnds:Boolean = treeA.endsUpToDepth[a] >= depthA;
-                var bEnds:Boolean = treeB.endsUpToDepth[b] >= depthB;
-                if (overlap == APART || overlap == SHALLOW && aEnds && bEnds && visitor == null && !overlapAcrossEdges(pose, boxesA, atA, boxesB, atB))
+                var aEnds:Boolean = endsA[a] >= depthA;
+                var bEnds:Boolean = endsB[b] >= depthB;
+                var doBoxesDecide:Boolean = aEnds && bEnds && visitor == null;
+                if (overlap == APART || overlap == SHALLOW && doBoxesDecide && !overlapAcrossEdges(pose, boxesA, atA, boxesB, atB))
                 {
                     continue;
                 }
                 result = ONLY_ROOTS;
                 if (!aEnds || !bEnds)
                 {
-                    top = pushChildren(pose, treeA, a, aEnds, treeB, b, bEnds, overlap == DEEP, top);
+                    top = pushChildren(trees, a, aEnds, b, bEnds, overlap == DEEP, top);
                 }
-                else if (visitor == null || visitor.areTouching(treeA, a, treeB, b))
+                else if (doBoxesDecide || visitor.areTouching(a, b))
                 {
                     result = OVERLAPPING;
                 }
@@ -138,26 +139,29 @@ package starlogo.hierarchy
         }
 
         // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
-        private function pushChildren(pose:RelativePose, treeA:BoxTree, a:int, aEnds:Boolean, treeB:BoxTree, b:int, bEnds:Boolean, isDeep:Boolean,
-                top:int):int
+        private function pushChildren(trees:PosedTrees, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
         {
             var stack:Vector.<int> = _nodes;
-            var dividesA:Boolean = !aEnds && (bEnds || isDeep || pose.isFirstLarger(treeA, a, treeB, b));
+            var dividesA:Boolean = !aEnds && (bEnds || isDeep || trees.isFirstLarger(a, b));
             var dividesB:Boolean = isDeep ? !bEnds : !dividesA;
             var nearer:int;
             if (dividesA)
             {
-                nearer = nearerChildOfA(treeA, a);
-                stack[top] = 2 * treeA.left[a] + 1 - nearer;
+                nearer = nearerChildOfA(trees.a, a);
+                stack[top] = 2 * trees.a.left[a] + 1 - nearer;
                 stack[top + 1] = b;
                 top += 2;
+                if (dividesB)
+                {
+                    beginPairAt(trees.a.boxes, 6 * nearer, 6 * a);
+                }
                 a = nearer;
             }
             if (dividesB)
             {
-                nearer = nearerChildOfB(pose.placement, treeB, b);
+                nearer = nearerChildOfB(trees.pose.placement, trees.b, b);
                 stack[top] = a;
-                stack[top + 1] = 2 * treeB.left[b] + 1 - nearer;
+                stack[top + 1] = 2 * trees.b.left[b] + 1 - nearer;
                 top += 2;
                 b = nearer;
             }
@@ -222,24 +226,20 @@ package starlogo.hierarchy
             return BoxSeparation.overlapAcrossEdges(pair);
         }
 
-        // Returns the child of a node of the first tree that is nearer to the second one's node. _pair then begins at this child.
+        // Returns the child of a node of the first tree that is nearer to the second one's node.
         private function nearerChildOfA(tree:BoxTree, node:int):int
         {
-            var pair:BoxPair = _pair;
             var axis:int = tree.axisOf(node);
-            var child:int = tree.left[node];
-            var along:Number = axis == 0 ? pair.x : (axis == 1 ? pair.y : pair.z);
-            if (along > 0)
-            {
-                child++;
-            }
-            var boxes:Vector.<Number> = tree.boxes;
-            var from:int = 6 * node;
-            var to:int = 6 * child;
-            pair.x += boxes[from] - boxes[to];
-            pair.y += boxes[int(from + 1)] - boxes[int(to + 1)];
-            pair.z += boxes[int(from + 2)] - boxes[int(to + 2)];
-            return child;
+            var along:Number = axis == 0 ? _pair.x : (axis == 1 ? _pair.y : _pair.z);
+            return along > 0 ? tree.left[node] + 1 : tree.left[node];
+        }
+
+        // Makes the vector of _pair begin at another node of the first tree than before. The boxes' numbers begin at the two indices.
+        private function beginPairAt(boxes:Vector.<Number>, node:int, before:int):void
+        {
+            _pair.x += boxes[before] - boxes[node];
+            _pair.y += boxes[int(before + 1)] - boxes[int(node + 1)];
+            _pair.z += boxes[int(before + 2)] - boxes[int(node + 2)];
         }
 
         // Returns the child of a node of the second tree that is nearer to the first one's node.

@@ -77,21 +77,6 @@ package starlogo.hierarchy
             out.latest = worldMotion.latest;
         }
 
-        /** Whether the sphere around the box of a node of the first model is at least as large as the one around the box of a node of the second. */
-        public function isFirstLarger(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
-        {
-            var boxesA:Vector.<Number> = treeA.boxes;
-            var boxesB:Vector.<Number> = treeB.boxes;
-            var scale:Number = placement.size;
-            var aX:Number = boxesA[int(6 * a + 3)];
-            var aY:Number = boxesA[int(6 * a + 4)];
-            var aZ:Number = boxesA[int(6 * a + 5)];
-            var bX:Number = boxesB[int(6 * b + 3)];
-            var bY:Number = boxesB[int(6 * b + 4)];
-            var bZ:Number = boxesB[int(6 * b + 5)];
-            return aX * aX + aY * aY + aZ * aZ >= scale * scale * (bX * bX + bY * bY + bZ * bZ);
-        }
-
         /**
          * A structure of the second model in the first model's space. The next call for the same kind overwrites it.
          *

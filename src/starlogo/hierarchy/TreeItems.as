@@ -32,10 +32,10 @@ package starlogo.hierarchy
         // The extents of each item, by its index: minX, maxX, minY, maxY, minZ, maxZ.
         private var _extents:Vector.<Number>;
 
-        // The current division. The last item not looked at yet is at _last. The first one is at middle + _waiting, because the item at the
-        // middle may wait to be put last.
+        // The current division. The items before the middle are in the first group, those after _last in the second one. If an item is held, it is the one
+        // at the middle, and belongs to the second group. It changes places with the last item that belongs to the first one.
         private var _last:int;
-        private var _waiting:int;
+        private var _isHeld:Boolean;
         private var _split:Number;
 
         /**
@@ -88,7 +88,7 @@ package starlogo.hierarchy
         {
             middle = first;
             _last = end - 1;
-            _waiting = 0;
+            _isHeld = false;
             this.axis = axis;
             _split = split;
             clear(leftExtents);
@@ -130,8 +130,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Continues the division. The first item on the wrong side waits until the last item on the wrong side is found. Then the two change places.
-         * So items that are divided already keep their places.
+         * Continues the division. Items that are on the right side keep their places.
          *
          * @param most the largest number of items to look at
          * @return whether there are more items
@@ -139,37 +138,39 @@ package starlogo.hierarchy
         public function divideSome(most:int):Boolean
         {
             var items:Vector.<int> = _tree.items;
+            var extents:Vector.<Number> = _extents;
+            var along:int = 2 * axis;
             var i:int = middle;
             var last:int = _last;
-            var waiting:int = _waiting;
-            var rest:int = last - i - waiting + 1 - most;
-            rest = rest < 0 ? 0 : rest;
-            while (last - i - waiting >= rest)
+            var isHeld:Boolean = _isHeld;
+            var count:int = last - i + (isHeld ? 0 : 1);
+            for (var rest:int = Math.min(count, most); rest > 0; rest--)
             {
-                var item:int = items[waiting == 0 ? i : last];
-                if (sumOf(item, axis) < _split)
+                var item:int = items[isHeld ? last : i];
+                var at:int = 6 * item + along;
+                if (extents[at] + extents[int(at + 1)] < _split)
                 {
-                    if (waiting == 1)
+                    if (isHeld)
                     {
                         items[last] = items[i];
                         items[i] = item;
                         last--;
-                        waiting = 0;
+                        isHeld = false;
                     }
                     i++;
                     extend(leftExtents, item);
                 }
                 else
                 {
-                    last -= waiting;
-                    waiting = 1;
+                    last -= isHeld ? 1 : 0;
+                    isHeld = true;
                     extend(rightExtents, item);
                 }
             }
             middle = i;
             _last = last;
-            _waiting = waiting;
-            return rest > 0;
+            _isHeld = isHeld;
+            return count > most;
         }
 
         // Twice the centre of an item's extents along an axis.

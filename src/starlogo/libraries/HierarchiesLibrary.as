@@ -6,7 +6,6 @@ package starlogo.libraries
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.solid.ModelTree;
-    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -141,14 +140,14 @@ package starlogo.libraries
         }
 
         /**
-         * Begins the work that makes the tree of a shape, by the settings as they are now, and returns it.
+         * Begins the work that makes the tree of a shape, by the settings as they are now.
          *
          * @param restoring as for <code>ModelTree.beginBuilding()</code>
          * @private
          */
-        engine function beginBuilding(tree:ModelTree, restoring:Function = null):Steps
+        engine function beginBuilding(tree:ModelTree, restoring:Function = null):void
         {
-            return tree.beginBuilding(minVerticesToSplit, maxDepth, splitByMean, prepareExact, restoring);
+            tree.beginBuilding(minVerticesToSplit, maxDepth, splitByMean, prepareExact, restoring);
         }
 
         private static function requirePositive(setting:String, value:int):void

@@ -8,8 +8,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Prepares a model for exact tests, in steps: the corners of its triangles by slot; the surface that they make; the outermost points of its
-     * parts. A SurfaceBuilder finds the surface, which takes most of the work, unless it is known already.
+     * Prepares a model for exact tests, in steps: the corners of its triangles by slot; which vertices are at the same place; the surface that the
+     * triangles make; the outermost points of its parts. What is known already is not found again. A SurfaceBuilder takes most of the time.
      */
     internal final class InteriorBuilder extends StepSequence
     {
@@ -24,12 +24,10 @@ package starlogo.solid
         /** What is inside of it, when no step is left. */
         public var interior:Interior = null;
 
-        // Which vertices are at the same place; null if it is known that none are.
+        // Which vertices are at the same place; null if the surface is known, and no vertices of its seams are apart.
         private var _welding:Welding = null;
 
-        // The corners that are moved by this; null if none are.
-        private var _welded:WeldedCorners = null;
-
+        private var _windingCounter:WindingCounter;
         private var _parts:OutermostPoints;
 
         /**
@@ -48,35 +46,17 @@ package starlogo.solid
             if (knownSurface == null || knownSurface.widestSeam > 0)
             {
                 _welding = new Welding(tree.vertices);
-                add(_welding).begin(beginWelding);
+                add(_welding);
             }
-            if (knownSurface == null)
-            {
-                begin(buildSurface);
-            }
-            call(beginParts).slices(tree.itemCount, TRIANGLES_PER_STEP, addToParts).call(conclude);
+            begin(findSurface).call(beginParts).slices(tree.itemCount, TRIANGLES_PER_STEP, addToParts).call(conclude);
         }
 
-        private function beginWelding():Steps
+        private function findSurface():Steps
         {
-            if (_welding.widestSeam == 0)
-            {
-                return null;
-            }
-            _welded = new WeldedCorners(mesh.tree.itemCount);
-            return new StepSequence().slices(mesh.tree.itemCount, TRIANGLES_PER_STEP, weld);
-        }
-
-        private function weld(first:int, end:int):void
-        {
-            _welded.weld(first, end, mesh, _welding.welded);
-        }
-
-        private function buildSurface():Steps
-        {
-            var builder:SurfaceBuilder = new SurfaceBuilder(mesh, _welding, _welded);
-            surface = builder.surface;
-            return builder;
+            var isKnown:Boolean = surface != null;
+            surface ||= new SurfaceTopology(mesh.tree.itemCount);
+            _windingCounter = new WindingCounter(mesh, surface, _welding == null || _welding.widestSeam == 0 ? null : _welding.welded);
+            return isKnown ? null : new SurfaceBuilder(_windingCounter, _welding);
         }
 
         private function beginParts():void
@@ -94,7 +74,7 @@ package starlogo.solid
 
         private function conclude():void
         {
-            interior = new Interior(new WindingCounter(mesh, surface, _welded), _parts);
+            interior = new Interior(_windingCounter, _parts);
         }
     }
 }

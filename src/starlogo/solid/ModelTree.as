@@ -17,9 +17,9 @@ package starlogo.solid
      *
      * <p>The package solid says how two models meet if trees, or for exact tests triangles, decide: whether they overlap, when they first touch,
      * how far they are apart. A <i>Query</i> answers one of these questions: it chooses a Search or a Traversal of the package hierarchy, and the
-     * <i>Visitor</i> that decides. A Triangle visitor decides by the triangles of a node, a TrianglePair visitor by those of two nodes. A
+     * <i>Visitor</i> that decides. A Triangle visitor decides by the triangles of a node, the TrianglePairVisitor by those of two nodes. A
      * <i>Finder</i> computes a property of a surface in steps. Read this class first, then TreePair and TreeOverlapQuery, then
-     * TrianglePairOverlapVisitor, then Interior with its WindingCounter, which knows what is inside of a surface.</p>
+     * TrianglePairVisitor, then Interior with its WindingCounter, which knows what is inside of a surface.</p>
      *
      * @private
      */
@@ -52,7 +52,7 @@ package starlogo.solid
         }
 
         /**
-         * @private Begins the work that makes the nodes, and returns it. <code>finishBuilding()</code> does what is left of it. Its steps throw an
+         * @private Begins the work that makes the nodes. <code>finishBuilding()</code> does what is left of it. Its steps throw an
          *     ArgumentError if a coordinate is larger than 1e60.
          *
          * @param minVerticesToSplit a node with at most this many vertices is a leaf
@@ -61,7 +61,7 @@ package starlogo.solid
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          * @param restoring returns work that makes the nodes from what is stored, if it can; null for none
          */
-        engine function beginBuilding(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean, restoring:Function = null):Steps
+        engine function beginBuilding(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean, restoring:Function = null):void
         {
             var work:StepSequence = new StepSequence();
             if (restoring != null)
@@ -73,7 +73,6 @@ package starlogo.solid
                     return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, minVerticesToSplit, maxDepth, splitByMean);
                 });
             _building = preparesExact && hasTriangles ? work.begin(newInterior) : work;
-            return _building;
         }
 
         /** @private The work that was begun. It may have no steps left. */

@@ -1,12 +1,12 @@
 package starlogo.solid
 {
-    import starlogo.steps.Steps;
+    import starlogo.steps.StepSequence;
 
     /**
      * Finds the shells of a surface: triangles that are connected over edges. It goes from triangle to triangle, and finds which of a
      * shell's triangles have to be reversed so that all have the same orientation.
      */
-    internal final class ShellFinder implements Steps
+    internal final class ShellFinder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 
@@ -29,10 +29,10 @@ package starlogo.solid
         {
             _surface = surface;
             _edges = edges;
+            repeat(visitTriangles);
         }
 
-        /** @inheritDoc */
-        public function step():Boolean
+        private function visitTriangles():Boolean
         {
             var signedShells:Vector.<int> = _surface.signedShells;
             for (var i:int = 0; i < TRIANGLES_PER_STEP; i++)
@@ -51,7 +51,7 @@ package starlogo.solid
                     {
                         _surface.shellStates.push(SurfaceTopology.SOLID);
                         balances.push(0);
-                        add(_first, balances.length);
+                        addTriangle(_first, balances.length);
                     }
                     _first++;
                 }
@@ -59,7 +59,7 @@ package starlogo.solid
             return true;
         }
 
-        private function add(triangle:int, signedShell:int):void
+        private function addTriangle(triangle:int, signedShell:int):void
         {
             _surface.signedShells[triangle] = signedShell;
             balances[int(balances.length - 1)] += signedShell > 0 ? 1 : -1;
@@ -86,7 +86,7 @@ package starlogo.solid
                 var neighbour:int = partner / 3;
                 if (_surface.signedShells[neighbour] == 0)
                 {
-                    add(neighbour, signedShell);
+                    addTriangle(neighbour, signedShell);
                 }
                 else if (_surface.signedShells[neighbour] != signedShell && shellStates[shell] == SurfaceTopology.SOLID)
                 {

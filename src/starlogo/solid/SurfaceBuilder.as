@@ -18,14 +18,11 @@ package starlogo.solid
         // After so many windings of shells for each triangle, the parts that are left stay as they are. The answers are the same.
         private static const WINDINGS_PER_TRIANGLE:int = 20;
 
-        /** The surface. It is complete when no step is left. */
-        public var surface:SurfaceTopology;
-
+        private var _surface:SurfaceTopology;
         private var _mesh:TriangleMesh;
 
-        // For each vertex, the first one at its place. The corners that are moved there; null if none are.
+        // For each vertex, the first one at its place.
         private var _places:Vector.<int>;
-        private var _welded:WeldedCorners;
 
         // The sets of connected vertices. For the representative of a set, one more than its part's number, or 0.
         private var _sets:DisjointSets;
@@ -41,23 +38,22 @@ package starlogo.solid
         private var _windingCount:int = 0;
 
         /**
-         * @param mesh the triangles
+         * @param windingCounter of the triangles and their surface. The surface is empty, and complete when no step is left
          * @param welding says which vertices are at the same place
-         * @param welded the corners that are moved by this; null if none are
          */
-        public function SurfaceBuilder(mesh:TriangleMesh, welding:Welding, welded:WeldedCorners)
+        public function SurfaceBuilder(windingCounter:WindingCounter, welding:Welding)
         {
-            var count:int = mesh.tree.itemCount;
-            var edges:EdgeMatcher = new EdgeMatcher(mesh.tree.triangles, welding);
-            var vertexCount:int = mesh.tree.vertices.length / 3;
-            _mesh = mesh;
+            _windingCounter = windingCounter;
+            _mesh = windingCounter.mesh;
+            _surface = windingCounter.surface;
+            var count:int = _mesh.tree.itemCount;
+            var edges:EdgeMatcher = new EdgeMatcher(_mesh.tree.triangles, welding);
+            var vertexCount:int = _mesh.tree.vertices.length / 3;
             _places = welding.welded;
-            _welded = welded;
-            surface = new SurfaceTopology(count);
-            surface.widestSeam = welding.widestSeam;
+            _surface.widestSeam = welding.widestSeam;
             _sets = new DisjointSets(vertexCount);
             _numbers = new Vector.<int>(vertexCount, true);
-            _shells = new ShellFinder(surface, edges);
+            _shells = new ShellFinder(_surface, edges);
             slices(count, TRIANGLES_PER_STEP, joinVertices).slices(count, TRIANGLES_PER_STEP, numberParts);
             add(edges).add(_shells).begin(findCavities).call(beginJoining);
         }
@@ -80,15 +76,14 @@ package starlogo.solid
                 var root:int = _sets.rootOf(_places[triangles[3 * triangle]]);
                 if (_numbers[root] == 0)
                 {
-                    _numbers[root] = ++surface.partNumberEnd;
+                    _numbers[root] = ++_surface.partNumberEnd;
                 }
-                surface.parts[triangle] = _numbers[root] - 1;
+                _surface.parts[triangle] = _numbers[root] - 1;
             }
         }
 
         private function findCavities():Steps
         {
-            _windingCounter = new WindingCounter(_mesh, surface, _welded);
             return new CavityFinder(_windingCounter, _shells.balances);
         }
 
@@ -96,15 +91,15 @@ package starlogo.solid
         // overlapping shells are joined to one part, and each pair of agents needs fewer points.
         private function beginJoining():void
         {
-            if (!surface.hasClosedShell || surface.partNumberEnd == 1)
+            if (!_surface.hasClosedShell || _surface.partNumberEnd == 1)
             {
                 return;
             }
             var count:int = _mesh.tree.itemCount;
-            _extremes = new OutermostPoints(_mesh.corners, surface.partNumberEnd);
-            _partOf = new Vector.<int>(surface.shellStates.length, true);
-            _joined = new DisjointSets(surface.partNumberEnd);
-            slices(count, TRIANGLES_PER_STEP, measureParts).slices(surface.partNumberEnd, PARTS_PER_STEP, joinParts);
+            _extremes = new OutermostPoints(_mesh.corners, _surface.partNumberEnd);
+            _partOf = new Vector.<int>(_surface.shellStates.length, true);
+            _joined = new DisjointSets(_surface.partNumberEnd);
+            slices(count, TRIANGLES_PER_STEP, measureParts).slices(_surface.partNumberEnd, PARTS_PER_STEP, joinParts);
             slices(count, TRIANGLES_PER_STEP, numberJoined);
         }
 
@@ -113,12 +108,12 @@ package starlogo.solid
             for (var slot:int = first; slot < end; slot++)
             {
                 var triangle:int = _mesh.tree.items[slot];
-                var shell:int = surface.shellOf(triangle);
+                var shell:int = _surface.shellOf(triangle);
                 if (shell >= 0)
                 {
-                    _partOf[shell] = surface.parts[triangle];
+                    _partOf[shell] = _surface.parts[triangle];
                 }
-                _extremes.add(surface.parts[triangle], slot);
+                _extremes.add(_surface.parts[triangle], slot);
             }
         }
 
@@ -144,7 +139,7 @@ package starlogo.solid
         {
             for (var triangle:int = first; triangle < end; triangle++)
             {
-                surface.parts[triangle] = _joined.rootOf(surface.parts[triangle]);
+                _surface.parts[triangle] = _joined.rootOf(_surface.parts[triangle]);
             }
         }
     }

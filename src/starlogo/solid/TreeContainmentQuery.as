@@ -47,7 +47,7 @@ package starlogo.solid
         // Whether the structure that stands for the second model is inside of the first one. It does not touch the surface, so one point of it decides.
         private function isStructureInside(pair:TreePair):Boolean
         {
-            var structure:BoundingStructure = pair.pose.place(pair.structureB);
+            var structure:BoundingStructure = pair.trees.pose.place(pair.structureB);
             // The origin of its points is inside of it, and so is a ball around it.
             structure.shapeInto(_shape);
             _point.setTo(_shape.x, _shape.y, _shape.z);
@@ -66,7 +66,7 @@ package starlogo.solid
             var insideB:Interior = pair.b.prepareInterior();
             var treeA:BoxTree = pair.a.boxTree;
             var treeB:BoxTree = pair.b.boxTree;
-            var pose:Placement = pair.pose.placement;
+            var pose:Placement = pair.trees.pose.placement;
             var size:Number = pose.size;
             if (insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose))
             {

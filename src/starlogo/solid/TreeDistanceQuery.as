@@ -1,10 +1,11 @@
 package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.DistanceTraversal;
     import starlogo.hierarchy.NodeDistanceVisitor;
-    import starlogo.hierarchy.BestPairVisitor;
+    import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
@@ -20,7 +21,7 @@ package starlogo.solid
         private var _traversal:DistanceTraversal;
 
         // What decides about nodes.
-        private var _trianglePairs:TrianglePairDistanceVisitor;
+        private var _trianglePairs:TrianglePairVisitor;
         private var _nodes:NodeDistanceVisitor;
         private var _triangles:TriangleDistanceVisitor;
         private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
@@ -32,7 +33,7 @@ package starlogo.solid
         public function TreeDistanceQuery(counts:TreeCounts)
         {
             _traversal = new DistanceTraversal(counts);
-            _trianglePairs = new TrianglePairDistanceVisitor(counts);
+            _trianglePairs = new TrianglePairVisitor(counts);
             _nodes = new NodeDistanceVisitor(counts);
             _triangles = new TriangleDistanceVisitor(counts);
         }
@@ -61,27 +62,25 @@ package starlogo.solid
         public function nearestTriangle(pair:TreePair):int
         {
             pair.relate();
-            var slot:int = _triangles.find(pair.a, pair.structureB, pair.pose, _measured);
+            var slot:int = _triangles.find(pair.a, pair.structureB, pair.trees.pose, _measured);
             return slot < 0 ? -1 : pair.a.boxTree.items[slot];
         }
 
         // Finds the distance and the closest points in the first model's space.
         private function findInSpaceOfFirst(pair:TreePair, out:ClosestPoints):void
         {
-            var a:ModelTree = pair.a;
-            var b:ModelTree = pair.b;
-            if (b != null)
+            var trees:PosedTrees = pair.trees;
+            if (pair.b != null)
             {
-                var visitor:BestPairVisitor = pair.isExact ? _trianglePairs.begin(a, b, pair.pose) : null;
-                _traversal.findClosest(pair.pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, visitor, out);
+                _traversal.findClosest(trees, pair.isExact ? _trianglePairs.begin(pair, RelativeMotion.NONE) : null, out);
             }
             else if (pair.isExact)
             {
-                _triangles.find(a, pair.structureB, pair.pose, out);
+                _triangles.find(pair.a, pair.structureB, trees.pose, out);
             }
             else
             {
-                _nodes.find(a.boxTree, pair.depthA, pair.structureB, pair.pose, out);
+                _nodes.find(trees.a, trees.depthA, pair.structureB, trees.pose, out);
             }
         }
     }

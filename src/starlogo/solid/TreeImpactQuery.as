@@ -8,8 +8,9 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BestPair;
-    import starlogo.hierarchy.BestPairVisitor;
+    import starlogo.hierarchy.NodePairVisitor;
     import starlogo.hierarchy.NodeTouchVisitor;
+    import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.ImpactTraversal;
     import starlogo.hierarchy.TreeCounts;
@@ -34,7 +35,7 @@ package starlogo.solid
         private var _traversal:ImpactTraversal;
 
         // What decides about nodes.
-        private var _trianglePairs:TrianglePairImpactVisitor;
+        private var _trianglePairs:TrianglePairVisitor;
         private var _nodes:NodeTouchVisitor;
         private var _triangles:TriangleTouchVisitor;
 
@@ -52,7 +53,7 @@ package starlogo.solid
             _pair = pair;
             _overlaps = overlaps;
             _traversal = new ImpactTraversal(counts);
-            _trianglePairs = new TrianglePairImpactVisitor(counts);
+            _trianglePairs = new TrianglePairVisitor(counts);
             _nodes = new NodeTouchVisitor(counts);
             _triangles = new TriangleTouchVisitor(counts);
         }
@@ -104,8 +105,8 @@ package starlogo.solid
         public function findOuterContact(a:BoundingStructure, placementA:Placement, b:BoundingStructure, placementB:Placement,
                 out:ContactPoint):void
         {
-            _pair.pose.relate(placementA, placementB);
-            PairTable.findContact(_pair.pose.place(b), a, RelativeMotion.NONE, out);
+            _pair.trees.pose.relate(placementA, placementB);
+            PairTable.findContact(_pair.trees.pose.place(b), a, RelativeMotion.NONE, out);
             moveToWorld(out, placementA, RelativeMotion.NONE);
         }
 
@@ -114,8 +115,7 @@ package starlogo.solid
         private function sweep(motion:RelativeMotion, from:Number, out:ContactPoint):void
         {
             var pair:TreePair = _pair;
-            var a:ModelTree = pair.a;
-            var b:ModelTree = pair.b;
+            var trees:PosedTrees = pair.trees;
             pair.relateAt(motion, from);
             RelativePose.relateMotion(pair.placementA, motion, _motion);
             _motion.earliest = Math.max(0, _motion.earliest - from);
@@ -123,10 +123,10 @@ package starlogo.solid
             {
                 out.triangle = -1;
             }
-            if (b != null)
+            if (pair.b != null)
             {
-                var visitor:BestPairVisitor = pair.isExact ? _trianglePairs.begin(a, b, pair.pose, _motion) : null;
-                var best:BestPair = _traversal.findTouch(pair.pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, visitor);
+                var visitor:NodePairVisitor = pair.isExact ? _trianglePairs.begin(pair, _motion) : null;
+                var best:BestPair = _traversal.findTouch(trees, _motion, visitor);
                 _motion.time = best.least;
                 if (out != null && best.least <= 1)
                 {
@@ -135,16 +135,16 @@ package starlogo.solid
             }
             else if (pair.isExact)
             {
-                var slot:int = _triangles.findTouch(a, pair.structureB, pair.pose, _motion);
+                var slot:int = _triangles.findTouch(pair.a, pair.structureB, trees.pose, _motion);
                 if (slot >= 0 && out != null)
                 {
                     _triangles.findContact(slot, _motion, out);
-                    out.triangle = a.boxTree.items[slot];
+                    out.triangle = trees.a.items[slot];
                 }
             }
             else
             {
-                var node:int = _nodes.findTouch(a.boxTree, pair.depthA, pair.structureB, pair.pose, _motion);
+                var node:int = _nodes.findTouch(trees.a, trees.depthA, pair.structureB, trees.pose, _motion);
                 if (node >= 0 && out != null)
                 {
                     findContactOfNodes(node, 0, out);
@@ -167,8 +167,9 @@ package starlogo.solid
         // The contact of two nodes, or of a node and the structure that stands for the second model.
         private function findContactOfNodes(a:int, b:int, out:ContactPoint):void
         {
-            var structureB:BoundingStructure = _pair.b == null ? _pair.structureB : _pair.b.boxTree.writeBox(b, _boxB);
-            PairTable.findContact(_pair.pose.place(structureB), _pair.a.boxTree.writeBox(a, _boxA), _motion, out);
+            var trees:PosedTrees = _pair.trees;
+            var structureB:BoundingStructure = _pair.b == null ? _pair.structureB : trees.b.writeBox(b, _boxB);
+            PairTable.findContact(trees.pose.place(structureB), trees.a.writeBox(a, _boxA), _motion, out);
         }
 
         // Turns the contact of the second model with the first, in the first one's space, into the contact of the first with the second, in the world.

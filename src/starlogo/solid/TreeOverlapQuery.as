@@ -3,7 +3,7 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.OverlapTraversal;
-    import starlogo.hierarchy.OverlapVisitor;
+    import starlogo.hierarchy.NodePairVisitor;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.NodeTouchVisitor;
@@ -27,7 +27,7 @@ package starlogo.solid
         private var _traversal:OverlapTraversal;
 
         // What decides about nodes.
-        private var _trianglePairs:TrianglePairOverlapVisitor;
+        private var _trianglePairs:TrianglePairVisitor;
         private var _nodes:NodeTouchVisitor;
         private var _triangles:TriangleTouchVisitor;
         private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
@@ -39,7 +39,7 @@ package starlogo.solid
         public function TreeOverlapQuery(counts:TreeCounts)
         {
             _traversal = new OverlapTraversal(counts);
-            _trianglePairs = new TrianglePairOverlapVisitor(counts);
+            _trianglePairs = new TrianglePairVisitor(counts);
             _nodes = new NodeTouchVisitor(counts);
             _triangles = new TriangleTouchVisitor(counts);
         }
@@ -66,17 +66,15 @@ package starlogo.solid
         /** Whether two models overlap in the pair's pose. */
         internal function overlapInPose(pair:TreePair):Boolean
         {
-            var a:ModelTree = pair.a;
-            var b:ModelTree = pair.b;
-            var pose:RelativePose = pair.pose;
-            if (b == null)
+            if (pair.b == null)
             {
-                var found:int = pair.isExact ? _triangles.findTouch(a, pair.structureB, pose, _still)
-                    : _nodes.findTouch(a.boxTree, pair.depthA, pair.structureB, pose, _still);
+                var pose:RelativePose = pair.trees.pose;
+                var found:int = pair.isExact ? _triangles.findTouch(pair.a, pair.structureB, pose, _still)
+                    : _nodes.findTouch(pair.trees.a, pair.trees.depthA, pair.structureB, pose, _still);
                 return found >= 0 || _containment.findInside(pair, null);
             }
-            var visitor:OverlapVisitor = pair.isExact ? _trianglePairs.begin(a, b, pose) : null;
-            var result:int = _traversal.find(pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, visitor);
+            var visitor:NodePairVisitor = pair.isExact ? _trianglePairs.begin(pair, RelativeMotion.NONE) : null;
+            var result:int = _traversal.find(pair.trees, visitor);
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && _containment.findInside(pair, null);
         }

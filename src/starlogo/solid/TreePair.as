@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.PosedTrees;
 
     use namespace engine;
 
@@ -16,53 +16,68 @@ package starlogo.solid
      */
     public final class TreePair
     {
-        /** The first model's tree, its placement in the world, and how many levels of its tree are visited. */
+        /** The first model: its tree, and its placement in the world. */
         public var a:ModelTree = null;
         public var placementA:Placement = null;
-        public var depthA:int = 0;
 
-        /** The second model's tree; null if a structure stands for that model. */
+        /** The second model: its tree, or a structure in its space that stands for it. The other one is null. */
         public var b:ModelTree = null;
-
-        /** That structure, in the second model's space; ignored if b is not null. */
         public var structureB:BoundingStructure = null;
-
-        /** The second model's placement in the world, and how many levels of its tree are visited. */
         public var placementB:Placement = null;
-        public var depthB:int = 0;
 
         /** Whether triangles decide in place of depths. */
         public var isExact:Boolean = false;
 
-        /** The second model's pose in the space of the first one, which transforms the second model there. */
-        public var pose:RelativePose = new RelativePose();
+        /** The trees for a traversal, and the second model's pose in the space of the first one. */
+        public var trees:PosedTrees = new PosedTrees();
 
         // Where a motion has brought the first model.
         private var _movedA:Placement = new Placement();
 
         /**
-         * Sets both models. The structure, in its own space, stands for the second one if <code>b</code> is null.
+         * Sets two trees.
          *
-         * @param exact whether triangles decide in place of depths, if the trees have triangles. Then a tree and a structure collide if a triangle
-         *     touches the solid structure, or if the structure is inside of the tree's closed surface
+         * @param exact whether triangles decide in place of depths, if both trees have triangles
          */
-        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, structureB:BoundingStructure, placementB:Placement, depthB:int,
+        public function setTrees(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, exact:Boolean):void
+        {
+            isExact = exact && a.hasTriangles && b.hasTriangles;
+            setFirst(a, placementA, depthA);
+            this.b = b;
+            this.placementB = placementB;
+            structureB = null;
+            trees.b = b.boxTree;
+            trees.depthB = isExact ? BoxTree.EXACT : depthB;
+        }
+
+        /**
+         * Sets a tree and a structure.
+         *
+         * @param exact whether triangles decide in place of the depth, if the tree has triangles. Then the two collide if a triangle touches the solid
+         *     structure, or if the structure is inside of the tree's closed surface
+         */
+        public function setTreeAndStructure(a:ModelTree, placementA:Placement, depthA:int, structure:BoundingStructure, placementB:Placement,
                 exact:Boolean):void
+        {
+            isExact = exact && a.hasTriangles;
+            setFirst(a, placementA, depthA);
+            b = null;
+            this.placementB = placementB;
+            structureB = structure;
+        }
+
+        private function setFirst(a:ModelTree, placementA:Placement, depthA:int):void
         {
             this.a = a;
             this.placementA = placementA;
-            this.b = b;
-            this.structureB = structureB;
-            this.placementB = placementB;
-            isExact = exact && a.hasTriangles && (b == null || b.hasTriangles);
-            this.depthA = isExact ? BoxTree.EXACT : depthA;
-            this.depthB = isExact ? BoxTree.EXACT : depthB;
+            trees.a = a.boxTree;
+            trees.depthA = isExact ? BoxTree.EXACT : depthA;
         }
 
         /** Sets the pose to that where both models stand. */
         internal function relate():void
         {
-            pose.relate(placementA, placementB);
+            trees.pose.relate(placementA, placementB);
         }
 
         /** Sets the pose to that where a motion has brought the first model at a time. */
@@ -73,7 +88,7 @@ package starlogo.solid
             moved.x += motion.startX + time * motion.x;
             moved.y += motion.startY + time * motion.y;
             moved.z += motion.startZ + time * motion.z;
-            pose.relate(moved, placementB);
+            trees.pose.relate(moved, placementB);
         }
     }
 }

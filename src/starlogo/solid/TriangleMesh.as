@@ -30,20 +30,8 @@ package starlogo.solid
         /** Fills in the corners of a range of triangles. Must be called for all triangles before anything else. */
         public function fillCorners(first:int, end:int):void
         {
-            writeCorners(first, end, null, corners, 9 * first);
-        }
-
-        /**
-         * Writes the corners of a range of triangles.
-         *
-         * @param first the first triangle's slot
-         * @param end the slot after the last one
-         * @param welded for each vertex, the vertex whose place it has; null for its own
-         * @param out receives nine numbers for each triangle
-         * @param to the index of the first
-         */
-        public function writeCorners(first:int, end:int, welded:Vector.<int>, out:Vector.<Number>, to:int):void
-        {
+            var out:Vector.<Number> = corners;
+            var to:int = 9 * first;
             var vertices:Vector.<Number> = tree.vertices;
             var triangles:Vector.<uint> = tree.triangles;
             for (var i:int = first; i < end; i++)
@@ -51,12 +39,7 @@ package starlogo.solid
                 var corner:int = 3 * tree.items[i];
                 for (var last:int = corner + 3; corner < last; corner++)
                 {
-                    var at:int = triangles[corner];
-                    if (welded != null)
-                    {
-                        at = welded[at];
-                    }
-                    at *= 3;
+                    var at:int = 3 * triangles[corner];
                     out[to] = vertices[at];
                     out[int(to + 1)] = vertices[int(at + 1)];
                     out[int(to + 2)] = vertices[int(at + 2)];
@@ -91,7 +74,7 @@ package starlogo.solid
             var count:int = corners.length / 9;
             for (var i:int = 0; i < count; i++)
             {
-                writeTriangleExtents(corners, 9 * i, extents, 6 * i);
+                tree.writeExtents(i, i + 1, extents, 6 * i);
             }
         }
     }

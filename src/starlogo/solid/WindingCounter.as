@@ -21,11 +21,11 @@ package starlogo.solid
         /** The surface that they make. */
         public var surface:SurfaceTopology;
 
-        /** The corners that are moved because seams are welded. Null if all vertices of each seam are at one place. */
-        public var welded:WeldedCorners;
+        /** For each vertex, the vertex to whose place it is welded. Null if all vertices of each seam are at one place. */
+        public var welded:Vector.<int>;
 
-        // How often each shell winds around the point of the last count(), or 0 if a cavity of it does.
-        private var _windings:Vector.<int>;
+        // How often each shell winds around the point of the last count(), or 0 if a cavity of it does. Null before the first count.
+        private var _windings:Vector.<int> = null;
 
         // The shells that the ray from that point crosses, and how many entries they are. A shell is listed again each time that its winding number has
         // come back to 0 on the ray. Shells of points before may come after them.
@@ -47,16 +47,15 @@ package starlogo.solid
 
         /**
          * @param mesh the triangles
-         * @param surface the surface that they make: its shells must be known
-         * @param welded the corners that are moved because seams are welded; null if none are
+         * @param surface the surface that they make: its shells must be known when a point is asked about
+         * @param welded for each vertex, the vertex to whose place it is welded; null if all vertices of each seam are at one place
          */
-        public function WindingCounter(mesh:TriangleMesh, surface:SurfaceTopology, welded:WeldedCorners)
+        public function WindingCounter(mesh:TriangleMesh, surface:SurfaceTopology, welded:Vector.<int>)
         {
             var box:Vector.<Number> = mesh.tree.boxes;
             this.mesh = mesh;
             this.surface = surface;
             this.welded = welded;
-            _windings = new Vector.<int>(surface.shellStates.length, true);
             limit = Infinity;
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             _axisB = (_axis + 1) % 3;
@@ -115,6 +114,7 @@ package starlogo.solid
         // last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.
         private function count(x:Number, y:Number, z:Number):void
         {
+            _windings ||= new Vector.<int>(surface.shellStates.length, true);
             for (var before:int = 0; before < _crossedCount; before++)
             {
                 _windings[_crossed[before]] = 0;
@@ -152,36 +152,36 @@ package starlogo.solid
         private function cross(slot:int):void
         {
             var points:Vector.<Number> = mesh.corners;
-            var at:int = 9 * slot;
-            if (welded != null && welded.starts[slot] >= 0)
+            var p:int = 9 * slot;
+            var q:int = p + 3;
+            var r:int = p + 6;
+            var triangle:int = mesh.tree.items[slot];
+            if (welded != null)
             {
-                points = welded.corners;
-                at = welded.starts[slot];
+                var vertices:Vector.<uint> = mesh.tree.triangles;
+                points = mesh.tree.vertices;
+                p = 3 * welded[vertices[3 * triangle]];
+                q = 3 * welded[vertices[3 * triangle + 1]];
+                r = 3 * welded[vertices[3 * triangle + 2]];
             }
             var b:Number = _b;
             var c:Number = _c;
-            var pc:Number = points[int(at + _axisC)] - c;
-            var qc:Number = points[int(at + 3 + _axisC)] - c;
-            var rc:Number = points[int(at + 6 + _axisC)] - c;
+            var pc:Number = points[int(p + _axisC)] - c;
+            var qc:Number = points[int(q + _axisC)] - c;
+            var rc:Number = points[int(r + _axisC)] - c;
             if (pc > 0 == qc > 0 && qc > 0 == rc > 0)
             {
                 return;
             }
-            var pb:Number = points[int(at + _axisB)] - b;
-            var qb:Number = points[int(at + 3 + _axisB)] - b;
-            var rb:Number = points[int(at + 6 + _axisB)] - b;
+            var pb:Number = points[int(p + _axisB)] - b;
+            var qb:Number = points[int(q + _axisB)] - b;
+            var rb:Number = points[int(r + _axisB)] - b;
             var crossing:int = crossingOf(pb, pc, qb, qc) + crossingOf(qb, qc, rb, rc) + crossingOf(rb, rc, pb, pc);
-            if (crossing == 0)
+            // The corner that is alone on its side of the half-line's plane comes first.
+            if (crossing == 0 || !(pc > 0 == qc > 0 ? isAhead(points, r, p, q) : (pc > 0 == rc > 0 ? isAhead(points, q, r, p) : isAhead(points, p, q, r))))
             {
                 return;
             }
-            // The corner that is alone on its side of the half-line's plane.
-            var alone:int = pc > 0 == qc > 0 ? 6 : (pc > 0 == rc > 0 ? 3 : 0);
-            if (!isAhead(points, at + alone, at + (alone + 3) % 9, at + (alone + 6) % 9))
-            {
-                return;
-            }
-            var triangle:int = mesh.tree.items[slot];
             var shell:int = surface.shellOf(triangle);
             if (shell >= 0)
             {

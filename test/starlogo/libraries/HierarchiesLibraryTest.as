@@ -10,7 +10,6 @@ package starlogo.libraries
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.solid.ModelTree;
-    import starlogo.steps.Steps;
     import support.assertThrows;
     import support.assertWellFormed;
 
@@ -90,8 +89,8 @@ package starlogo.libraries
         private function stepsOf(tree:ModelTree):int
         {
             var count:int = 1;
-            var work:Steps = _library.beginBuilding(tree);
-            while (work.step())
+            _library.beginBuilding(tree);
+            while (tree.building.step())
             {
                 count++;
             }

@@ -13,7 +13,6 @@ package starlogo.solid
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.steps.finish;
     import support.Effort;
     import support.Fixtures;
     import support.SolidModels;
@@ -181,7 +180,8 @@ package starlogo.solid
         private static function hierarchyOf(model:Model, maxDepth:int):ModelTree
         {
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-            finish(tree.beginBuilding(5, maxDepth, false, false));
+            tree.beginBuilding(5, maxDepth, false, false);
+            tree.finishBuilding();
             return tree;
         }
     }

@@ -21,8 +21,7 @@ package starlogo.solid
             var windings:WindingCounter = interior.windingCounter;
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
-            var seams:Array = windings.welded == null ? [] : [windings.welded.corners, windings.welded.starts];
-            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, seams, interior.leastPartExtent, interior.partPoints, mesh.corners,
+            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.welded, interior.leastPartExtent, interior.partPoints, mesh.corners,
                     mesh.prepareExtents(), axesOf(hierarchy.boxTree)].join("\n");
         }
 

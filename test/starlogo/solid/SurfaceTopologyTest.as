@@ -9,7 +9,6 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -205,7 +204,8 @@ package starlogo.solid
         private static function surfaceOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SurfaceTopology
         {
             var tree:ModelTree = new ModelTree(new BoxTree(vertices, triangles));
-            finish(tree.beginBuilding(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, true));
+            tree.beginBuilding(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, true);
+            tree.finishBuilding();
             return tree.surface;
         }
     }

@@ -64,7 +64,7 @@ package starlogo.solid
                 {
                     var ends:Placement = new Placement();
                     ends.x = -0.6;
-                    _pair.setTo(walls, ends, BoxTree.EXACT, b, structure, new Placement(), BoxTree.EXACT, exact);
+                    setPair(walls, ends, b, structure, exact);
                     motion.latest = latest;
                     find(motion, null);
                     var what:String = "exact " + exact + ", latest " + latest;
@@ -77,7 +77,6 @@ package starlogo.solid
         private function checkEnds(b:ModelTree, structure:BoundingStructure, exact:Boolean):void
         {
             var walls:ModelTree = treeOf("walls", block(0.6, 1, 0.3, block(-1, -0.6, 0.3, [])));
-            var stands:Placement = new Placement();
             var motion:RelativeMotion = new RelativeMotion();
             var contact:ContactPoint = new ContactPoint();
             var late:int = 0;
@@ -86,7 +85,7 @@ package starlogo.solid
                 var travel:Number = TRAVEL - step * Math.pow(2, -51);
                 var ends:Placement = new Placement();
                 ends.x = -travel;
-                _pair.setTo(walls, ends, BoxTree.EXACT, b, structure, stands, BoxTree.EXACT, exact);
+                setPair(walls, ends, b, structure, exact);
                 motion.endAfter(-travel, 0, 0);
                 _query.findImpact(motion, null);
                 var isMissed:Boolean = motion.time == RelativeMotion.NEVER;
@@ -102,6 +101,17 @@ package starlogo.solid
                 assertClose(0.2, contact.x, 1e-9, "place " + step);
             }
             assertTrue("only at the end: " + late, late > 3);
+        }
+
+        // The second model is a tree or a structure, and stands at the origin.
+        private function setPair(a:ModelTree, at:Placement, b:ModelTree, structure:BoundingStructure, exact:Boolean):void
+        {
+            if (b != null)
+            {
+                _pair.setTrees(a, at, BoxTree.EXACT, b, new Placement(), BoxTree.EXACT, exact);
+                return;
+            }
+            _pair.setTreeAndStructure(a, at, BoxTree.EXACT, structure, new Placement(), exact);
         }
 
         // Adds the corners of a block to a list.

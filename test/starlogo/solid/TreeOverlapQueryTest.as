@@ -17,6 +17,7 @@ package starlogo.solid
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.intersects;
@@ -73,7 +74,7 @@ package starlogo.solid
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
                     tested++;
-                    _pair.setTo(cube, stands, int.MAX_VALUE, cube, null, beside, int.MAX_VALUE, true);
+                    _pair.setTrees(cube, stands, int.MAX_VALUE, cube, beside, int.MAX_VALUE, true);
                     assertTrue("standing " + between, _overlaps.areOverlapping(_pair));
                 }
             }
@@ -93,11 +94,11 @@ package starlogo.solid
             for (var at:int = bear.prepareCorners().length - 9; at > cube.prepareCorners().length; at -= 900)
             {
                 var sphere:Sphere = new Sphere(new Vector3D(bear.prepareCorners()[at], bear.prepareCorners()[at + 1], bear.prepareCorners()[at + 2]), 1e-6);
-                pair.setTo(bear, stands, int.MAX_VALUE, null, sphere, stands, 1, true);
+                pair.setTreeAndStructure(bear, stands, int.MAX_VALUE, sphere, stands, true);
                 assertTrue(_overlaps.areOverlapping(pair));
                 containment.findInside(pair, out);
                 out.aX = 7;
-                pair.setTo(cube, stands, int.MAX_VALUE, null, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, 1, true);
+                pair.setTreeAndStructure(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, true);
                 pair.relate();
                 containment.findInside(pair, out);
                 assertEquals(7, out.aX);
@@ -105,7 +106,7 @@ package starlogo.solid
             // nor is it where the pair before stood
             var moved:Placement = new Placement();
             moved.x = 5;
-            pair.setTo(cube, stands, int.MAX_VALUE, null, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, 1, true);
+            pair.setTreeAndStructure(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, true);
             pair.relate();
             assertTrue(containment.findInside(pair, out));
             assertEquals(0, out.aX);
@@ -116,7 +117,8 @@ package starlogo.solid
         public function boxesFindWhatStructuresDo():void
         {
             var random:SeededRandom = new SeededRandom(2117);
-            var pose:RelativePose = new RelativePose();
+            var trees:PosedTrees = new PosedTrees();
+            var pose:RelativePose = trees.pose;
             var boxes:OverlapTraversal = new OverlapTraversal(new TreeCounts());
             var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var ball:ModelTree = hierarchyOf(BuiltInModel.sphere());
@@ -127,10 +129,12 @@ package starlogo.solid
                 var a:ModelTree = random.pick([bear, ball]);
                 var b:ModelTree = random.pick([bear, ball]);
                 pose.relate(randomPlacement(random), randomPlacement(random));
-                var depthA:int = random.integer(1, 6);
-                var depthB:int = random.integer(1, 6);
-                var answer:Boolean = someOverlap(pose, deciding(a.root, depthA, []), deciding(b.root, depthB, []));
-                assertEquals("pair " + i, answer, boxes.find(pose, a.boxTree, depthA, b.boxTree, depthB, null) == OverlapTraversal.OVERLAPPING);
+                trees.a = a.boxTree;
+                trees.b = b.boxTree;
+                trees.depthA = random.integer(1, 6);
+                trees.depthB = random.integer(1, 6);
+                var answer:Boolean = someOverlap(pose, deciding(a.root, trees.depthA, []), deciding(b.root, trees.depthB, []));
+                assertEquals("pair " + i, answer, boxes.find(trees, null) == OverlapTraversal.OVERLAPPING);
                 hits += answer ? 1 : 0;
             }
             assertTrue(hits + " of " + count, hits > count / 4 && hits < count * 3 / 4);
@@ -251,13 +255,13 @@ package starlogo.solid
         private function treesOverlap(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int,
                 exact:Boolean):Boolean
         {
-            _pair.setTo(a, placementA, depthA, b, null, placementB, depthB, exact);
+            _pair.setTrees(a, placementA, depthA, b, placementB, depthB, exact);
             return _overlaps.areOverlapping(_pair);
         }
 
         private function structureOverlaps(a:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
         {
-            _pair.setTo(a, placementA, depth, null, structure, placementB, 1, false);
+            _pair.setTreeAndStructure(a, placementA, depth, structure, placementB, false);
             return _overlaps.areOverlapping(_pair);
         }
 

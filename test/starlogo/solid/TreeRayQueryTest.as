@@ -16,7 +16,6 @@ package starlogo.solid
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.steps.finish;
     import support.Effort;
     import support.Fixtures;
     import support.PlainDistance;
@@ -248,7 +247,8 @@ package starlogo.solid
         private static function hierarchyOf(model:Model):ModelTree
         {
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-            finish(tree.beginBuilding(5, 10, false, false));
+            tree.beginBuilding(5, 10, false, false);
+            tree.finishBuilding();
             return tree;
         }
 

@@ -186,7 +186,7 @@ package starlogo.libraries.cooked
         // The steps that compute the boxes.
         private function measuring():Steps
         {
-            return _tree.refitting(new Vector.<Number>(6 * _tree.left.length, true)).call(function():void
+            return _tree.refitting().call(function():void
                 {
                     _tree.complete();
                 });

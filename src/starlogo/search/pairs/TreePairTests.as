@@ -15,6 +15,7 @@ package starlogo.search.pairs
     import starlogo.search.penetration.TreeExitSearch;
     import starlogo.search.SearchCounts;
     import starlogo.search.TreeLimits;
+    import starlogo.solid.ModelTree;
     import starlogo.solid.TreeDistanceQuery;
     import starlogo.solid.TreeImpactQuery;
     import starlogo.solid.TreeOverlapQuery;
@@ -146,7 +147,7 @@ package starlogo.search.pairs
             _at.x = point.x;
             _at.y = point.y;
             _at.z = point.z;
-            _pair.setTo(body.shape.hierarchy, body.placement, limits.depthOf(body), null, POINT, _at, 0, limits.exact);
+            _pair.setTreeAndStructure(body.shape.hierarchy, body.placement, limits.depthOf(body), POINT, _at, limits.exact);
             return _pair.isExact ? _distances.nearestTriangle(_pair) : -1;
         }
 
@@ -209,8 +210,13 @@ package starlogo.search.pairs
         // Sets two bodies. The first one is a tree. The last argument tells whether triangles decide.
         private function setPair(a:Body, b:Body, exact:Boolean):void
         {
-            var shapeB:ModelShape = b.shape;
-            _pair.setTo(a.shape.hierarchy, a.placement, limits.depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, limits.depthOf(b), exact);
+            var tree:ModelTree = a.shape.hierarchy;
+            if (b.shape.hierarchy != null)
+            {
+                _pair.setTrees(tree, a.placement, limits.depthOf(a), b.shape.hierarchy, b.placement, limits.depthOf(b), exact);
+                return;
+            }
+            _pair.setTreeAndStructure(tree, a.placement, limits.depthOf(a), b.shape.structure, b.placement, exact);
         }
     }
 }

@@ -1,0 +1,339 @@
+package starlogo.solid
+{
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.ConvexKernel;
+    import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
+    import starlogo.hierarchy.BestPair;
+    import starlogo.hierarchy.NodePairVisitor;
+    import starlogo.hierarchy.TreeCounts;
+
+    use namespace engine;
+
+    /**
+     * Decides by triangles about two nodes: whether they touch, when they first do, and how far they are apart. The triangles of the second node are
+     * moved into the first model's space, and kept as long as it is the second node. A triangle of each is a shape. ConvexKernel decides about the two,
+     * unless a quick test rules them out.
+     */
+    internal final class TrianglePairVisitor extends NodePairVisitor
+    {
+        private var _firstMesh:TriangleMesh = null;
+        private var _secondMesh:TriangleMesh = null;
+
+        // The second model's placement in the first model's space, and its motion, whose latest time is at most _latest.
+        private var _placement:Placement = null;
+        private var _motion:RelativeMotion = new RelativeMotion();
+        private var _latest:Number = 1;
+
+        // The slot of the first triangle of the second node, or -1 if no triangles are moved.
+        private var _movedFrom:int = -1;
+
+        // The corners of the moved triangles, by their index in the node: nine numbers each. Their extents: minX, maxX, minY, maxY, minZ, maxZ of each.
+        private var _moved:Vector.<Number> = new Vector.<Number>();
+        private var _extents:Vector.<Number> = new Vector.<Number>();
+
+        // The current triangle of the second node: its index in the node, and the extents of it and its motion, with the tolerance of quick tests.
+        private var _index:int = 0;
+        private var _extentsOfSecond:Vector.<Number> = new Vector.<Number>(6, true);
+
+        // A triangle of the first model, a triangle of the second, and what decides about them.
+        private var _first:ConvexShape = new ConvexShape();
+        private var _second:ConvexShape = new ConvexShape();
+        private var _kernel:ConvexKernel = new ConvexKernel();
+
+        private var _counts:TreeCounts;
+
+        // The largest distance at which triangles of these models touch.
+        private var _tolerance:Number = 0;
+
+        // The tolerance of quick tests, which is larger: it includes the margin of the motion and Tolerances.CORES of the two triangles. A second
+        // tolerance is more than those CORES, because it has SURFACES of the radii.
+        private var _outerTolerance:Number = 0;
+
+        // The plane of a triangle of the first model.
+        private var _plane:TrianglePlane = new TrianglePlane();
+
+        /** @param counts counts the pairs of triangles that are tested or measured */
+        public function TrianglePairVisitor(counts:TreeCounts)
+        {
+            _counts = counts;
+        }
+
+        /**
+         * Begins with two trees that have triangles.
+         *
+         * @param pair its pose is where the second model is at time 0
+         * @param motion of the second model in the first model's space; RelativeMotion.NONE if it stands
+         * @return this
+         */
+        public function begin(pair:TreePair, motion:RelativeMotion):NodePairVisitor
+        {
+            _placement = pair.trees.pose.placement;
+            _firstMesh = pair.a.prepareMesh();
+            _secondMesh = pair.b.prepareMesh();
+            _firstMesh.prepareExtents();
+            _motion.copyVector(motion);
+            _motion.latest = _latest = motion.latest;
+            _movedFrom = -1;
+            _tolerance = pair.trees.pose.tolerance + Touching.marginOfSurface(pair.trees.a.radius + pair.trees.b.radius * _placement.size);
+            _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(a:int, b:int):Boolean
+        {
+            var count:int = move(b);
+            var end:int = _firstMesh.tree.end[a];
+            for (var i:int = 0; i < count; i++)
+            {
+                setSecond(i);
+                for (var slot:int = _firstMesh.tree.first[a]; slot < end; slot++)
+                {
+                    if (touches(slot))
+                    {
+                        return true;
+                    }
+                }
+            }
+            return false;
+        }
+
+        /** @inheritDoc */
+        override public function findTouch(a:int, b:int, best:BestPair):void
+        {
+            var motion:RelativeMotion = _motion;
+            var first:int = _firstMesh.tree.first[a];
+            var end:int = _firstMesh.tree.end[a];
+            motion.latest = best.least < _latest ? best.least : _latest;
+            // Of triangles that touch at the same time, those of the nodes that are tested last count.
+            var time:Number = RelativeMotion.NEVER;
+            // Higher indices come first, as in the traversal.
+            for (var i:int = move(b) - 1; i >= 0 && time > 0; i--)
+            {
+                setSecond(i);
+                for (var slot:int = end - 1; slot >= first && time > 0; slot--)
+                {
+                    if (findTime(slot) && motion.time < time)
+                    {
+                        time = motion.time;
+                        motion.latest = time;
+                        best.least = time;
+                        best.a = slot;
+                        best.b = _movedFrom + i;
+                    }
+                }
+            }
+        }
+
+        /** @inheritDoc */
+        override public function findCloser(a:int, b:int, best:BestPair):void
+        {
+            var points:ClosestPoints = best.points;
+            var count:int = move(b);
+            var end:int = _firstMesh.tree.end[a];
+            for (var i:int = 0; i < count && points.distance > 0; i++)
+            {
+                setSecond(i);
+                for (var slot:int = _firstMesh.tree.first[a]; slot < end; slot++)
+                {
+                    findCloserPoints(slot, points);
+                }
+            }
+            best.least = points.distance;
+        }
+
+        /**
+         * Finds the contact of two triangles that touch, in the first model's space.
+         *
+         * @param best has their slots
+         * @param motion of the second model, which is where it is at the motion's time
+         * @param out receives the contact, with a normal from the first model to the second
+         */
+        public function findContact(best:BestPair, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _movedFrom = -1;
+            _placement.placePoints(_secondMesh.corners, 9 * best.b, 9 * best.b + 9, _moved);
+            _first.setTriangle(_firstMesh.corners, 9 * best.a);
+            _second.setTriangle(_moved, 0);
+            _kernel.findContact(_second, _first, motion, out);
+        }
+
+        // Moves the triangles of a node of the second model, and returns their number. The node has no children: two such nodes do not begin with the
+        // same triangle.
+        private function move(node:int):int
+        {
+            var first:int = _secondMesh.tree.first[node];
+            var count:int = _secondMesh.tree.end[node] - first;
+            if (first == _movedFrom)
+            {
+                return count;
+            }
+            _movedFrom = first;
+            _placement.placePoints(_secondMesh.corners, 9 * first, 9 * (first + count), _moved);
+            if (_extents.length < 6 * count)
+            {
+                _extents.length = 6 * count;
+            }
+            for (var i:int = 0; i < count; i++)
+            {
+                writeExtents(i);
+            }
+            return count;
+        }
+
+        // Writes the extents of a moved triangle.
+        private function writeExtents(index:int):void
+        {
+            var at:int = 9 * index;
+            var to:int = 6 * index;
+            for (var end:int = at + 3; at < end; at++)
+            {
+                var p:Number = _moved[at];
+                var q:Number = _moved[int(at + 3)];
+                var r:Number = _moved[int(at + 6)];
+                var low:Number = q < p ? q : p;
+                var high:Number = q < p ? p : q;
+                _extents[to] = r < low ? r : low;
+                _extents[int(to + 1)] = r > high ? r : high;
+                to += 2;
+            }
+        }
+
+        // Sets the current triangle of the second node. Its shape has the margin of both triangles. The motion may end earlier afterwards.
+        private function setSecond(index:int):void
+        {
+            _index = index;
+            _second.setTriangle(_moved, 9 * index);
+            _second.margin += _tolerance;
+            writeExtentsOfSecond(0, _motion.latest * _motion.x);
+            writeExtentsOfSecond(2, _motion.latest * _motion.y);
+            writeExtentsOfSecond(4, _motion.latest * _motion.z);
+        }
+
+        // Writes the extents of the current triangle and of its motion along an axis.
+        private function writeExtentsOfSecond(axis:int, travel:Number):void
+        {
+            var at:int = 6 * _index + axis;
+            var low:Number = _extents[at] - _outerTolerance;
+            var high:Number = _extents[int(at + 1)] + _outerTolerance;
+            _extentsOfSecond[axis] = travel < 0 ? low + travel : low;
+            _extentsOfSecond[int(axis + 1)] = travel > 0 ? high + travel : high;
+        }
+
+        // Whether a triangle of the first model, by its slot, touches the current one.
+        private function touches(slot:int):Boolean
+        {
+            if (!areExtentsNear(slot))
+            {
+                return false;
+            }
+            _counts.triangleTests++;
+            if (stayApart(slot) || TriangleSeparation.areApart(_firstMesh.corners, 9 * slot, _second))
+            {
+                return false;
+            }
+            _first.setTriangle(_firstMesh.corners, 9 * slot);
+            return _kernel.areTouching(_first, _second);
+        }
+
+        // Finds when the current triangle first touches a triangle of the first model. Sets the motion's time if that is no later than its latest time,
+        // and returns whether it is.
+        private function findTime(slot:int):Boolean
+        {
+            if (!areExtentsNear(slot))
+            {
+                return false;
+            }
+            _counts.triangleTests++;
+            if (stayApart(slot))
+            {
+                return false;
+            }
+            _first.setTriangle(_firstMesh.corners, 9 * slot);
+            _kernel.findTime(_second, _first, _motion);
+            return _motion.time <= _motion.latest;
+        }
+
+        // Finds the closest points of the current triangle and a triangle of the first model, if they are nearer than those so far.
+        private function findCloserPoints(slot:int, points:ClosestPoints):void
+        {
+            if (squaredDistanceOfExtents(slot) < points.distance * points.distance && !isBeyond(slot, points))
+            {
+                _counts.triangleTests++;
+                _first.setTriangle(_firstMesh.corners, 9 * slot);
+                _kernel.findCloser(_first, _second, points);
+            }
+        }
+
+        // Whether the extents of a triangle of the first model meet those of the second model's triangle and of its motion.
+        private function areExtentsNear(slot:int):Boolean
+        {
+            var ofFirst:Vector.<Number> = _firstMesh.extents;
+            var ofSecond:Vector.<Number> = _extentsOfSecond;
+            var at:int = 6 * slot;
+            return !(ofFirst[at] > ofSecond[1] || ofFirst[int(at + 1)] < ofSecond[0] || ofFirst[int(at + 2)] > ofSecond[3] || ofFirst[int(at + 3)] < ofSecond[2]
+                    || ofFirst[int(at + 4)] > ofSecond[5] || ofFirst[int(at + 5)] < ofSecond[4]);
+        }
+
+        // Whether the second model's triangle stays on one side of the plane of a triangle of the first model.
+        private function stayApart(slot:int):Boolean
+        {
+            _plane.setTriangle(_firstMesh.corners, 9 * slot);
+            return _plane.findEntry(_second, _outerTolerance, _motion) > _motion.latest;
+        }
+
+        // The squared distance of the extents of a triangle of the first model and of the second model's triangle.
+        private function squaredDistanceOfExtents(slot:int):Number
+        {
+            var ofFirst:Vector.<Number> = _firstMesh.extents;
+            var ofSecond:Vector.<Number> = _extents;
+            var a:int = 6 * slot;
+            var b:int = 6 * _index;
+            var squared:Number = 0;
+            for (var end:int = a + 6; a < end; a += 2)
+            {
+                var distance:Number = ofFirst[a] - ofSecond[int(b + 1)];
+                if (distance < 0)
+                {
+                    distance = ofSecond[b] - ofFirst[int(a + 1)];
+                }
+                if (distance > 0)
+                {
+                    squared += distance * distance;
+                }
+                b += 2;
+            }
+            return squared;
+        }
+
+        // Whether a triangle of the first model is so far before the second model's triangle, along the vector from the first model's closest point so
+        // far to the second's, that the two cannot be nearer. Places along it are scaled by its length, so the distance so far becomes its square. The
+        // second one is projected each time, because few pairs come here whose extents are near enough.
+        private function isBeyond(slot:int, points:ClosestPoints):Boolean
+        {
+            var x:Number = points.bX - points.aX;
+            var y:Number = points.bY - points.aY;
+            var z:Number = points.bZ - points.aZ;
+            var corners:Vector.<Number> = _moved;
+            var at:int = 9 * _index;
+            var p:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
+            var q:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
+            var r:Number = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
+            p = p < q ? p : q;
+            p = p < r ? p : r;
+            var end:Number = p - points.distance * points.distance;
+            corners = _firstMesh.corners;
+            at = 9 * slot;
+            return x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)] <= end
+                && x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)] <= end
+                && x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)] <= end;
+        }
+    }
+}

@@ -84,7 +84,7 @@ package starlogo.search
             _motions.areNeeded = input.isAnySweeping();
             // tests since the last search, as those of questions, do not count
             narrowPhase.takeCounts(counts);
-            var memberCount:int = findPairs(input, mayKeep);
+            var memberCount:int = mayKeep && _keptPairs.find(input) ? _keptPairs.memberCount : findAll(input, mayKeep);
             narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
@@ -95,26 +95,11 @@ package starlogo.search
             return _pairs;
         }
 
-        // Finds the pairs, from those of the last search if that is wanted and possible. Returns the number of members.
-        private function findPairs(input:FrameInput, mayKeep:Boolean):int
+        // Searches all members. Returns their number.
+        private function findAll(input:FrameInput, mayKeep:Boolean):int
         {
-            if (mayKeep && _keptPairs.find(input))
-            {
-                return _keptPairs.memberCount;
-            }
             // also if the search throws, because the table has been read
             _keptPairs.forget();
-            var members:IntList = findAll(input);
-            if (mayKeep)
-            {
-                _keptPairs.keep(members, input);
-            }
-            return members.count;
-        }
-
-        // Searches all members, and returns them.
-        private function findAll(input:FrameInput):IntList
-        {
             var members:IntList = findMembers(input);
             var extents:Extents = table.extents;
             if (_motions.areNeeded)
@@ -127,7 +112,11 @@ package starlogo.search
             _finder.findPairsOfWorldAgent(ListedAgents.GROUND_ROW, members);
             _finder.findPairsOfWorldAgent(ListedAgents.EDGES_ROW, members);
             _finder.end();
-            return members;
+            if (mayKeep)
+            {
+                _keptPairs.keep(members, input);
+            }
+            return members.count;
         }
 
         /** The table was read without a search: the next search is one of all rows. */

@@ -41,10 +41,9 @@ package starlogo.search
         // The members of the last search.
         private var _cells:CellLists;
 
-        // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, and how often one was added
-        // to them; whether an agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
+        // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, to which a Collision adds none
+        // later; whether an agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
         private var _interests:BreedInterests = null;
-        private var _interestsRevision:int = 0;
         private var _anySwept:Boolean = false;
         private var _isFiltered:Boolean = false;
         private var _maxDepth:int = 0;
@@ -132,7 +131,6 @@ package starlogo.search
                 return;
             }
             _interests = input.interests;
-            _interestsRevision = revisionOf(input);
             _anySwept = _motions.areNeeded;
             _isFiltered = input.admitted != null;
             _maxDepth = currentDepth;
@@ -141,13 +139,8 @@ package starlogo.search
         // Whether a search depends on the same as the last one, and few rows were read again.
         private function isLikeLast(input:FrameInput):Boolean
         {
-            return _interests === input.interests && _interestsRevision == revisionOf(input) && _anySwept == _motions.areNeeded
-                && _isFiltered == (input.admitted != null) && _maxDepth == currentDepth && areFew(countRead());
-        }
-
-        private static function revisionOf(input:FrameInput):int
-        {
-            return input.interests == null ? 0 : input.interests.revision;
+            return _interests === input.interests && _anySwept == _motions.areNeeded && _isFiltered == (input.admitted != null)
+                && _maxDepth == currentDepth && areFew(countRead());
         }
 
         private function get currentDepth():int
@@ -169,7 +162,7 @@ package starlogo.search
         // Whether so few rows have changed that a search of all rows would take longer.
         private function areFew(changes:int):Boolean
         {
-            var oneIn:int = _table.areSpheres || _interests != null && !_interests.includesAllOfAgents ? ONE_IN_IF_FAST : ONE_IN;
+            var oneIn:int = _table.areSpheres || !_interests.includesAllOfAgents ? ONE_IN_IF_FAST : ONE_IN;
             return oneIn * changes <= _table.list.rows.count;
         }
 

@@ -29,5 +29,36 @@ package starlogo.broadphase
             super.grow(length);
             radius.length = halfX.length = halfY.length = halfZ.length = level.length = length;
         }
+
+        /**
+         * Whether the extents of two rows overlap, or nearly do. The heights are compared first, because the bins have already compared the
+         * circles on the ground.
+         *
+         * @param slack how far apart they may be
+         */
+        public function areNear(a:int, b:int, slack:Number):Boolean
+        {
+            if (!areHeightsNear(a, b, slack))
+            {
+                return false;
+            }
+            var distance:Number = x[a] - x[b];
+            var maxDistance:Number = halfX[a] + halfX[b] + slack;
+            if (distance > maxDistance || distance < -maxDistance)
+            {
+                return false;
+            }
+            distance = y[a] - y[b];
+            maxDistance = halfY[a] + halfY[b] + slack;
+            return distance <= maxDistance && distance >= -maxDistance;
+        }
+
+        /** Whether the extents of two rows overlap along z, or nearly do. */
+        public function areHeightsNear(a:int, b:int, slack:Number):Boolean
+        {
+            var distance:Number = z[a] - z[b];
+            var maxDistance:Number = halfZ[a] + halfZ[b] + slack;
+            return distance <= maxDistance && distance >= -maxDistance;
+        }
     }
 }

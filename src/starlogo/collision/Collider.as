@@ -40,7 +40,7 @@ package starlogo.collision
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
 
-        // The Collision that has it, or null; the search for other calls of findCollisions, or null.
+        // The Collision that was the last to get it, or null; the search for other calls of findCollisions, or null.
         private var _owner:Collision = null;
         private var _extraSearch:CollisionSearch = null;
 
@@ -101,7 +101,7 @@ package starlogo.collision
         {
             requireGiven("agents", agents);
             var by:CollisionSearch = search;
-            if (_owner != null && _phase != SEARCHING)
+            if (isOwned && _phase != SEARCHING)
             {
                 // the game's own call must not change where the next frame's motions begin
                 _extraSearch ||= new CollisionSearch(narrowPhase);
@@ -166,19 +166,24 @@ package starlogo.collision
             return this;
         }
 
-        /** @private Gives the collider to a Collision, or takes it back with null. For a new owner no agent has a motion. */
+        /** @private Gives the collider to a Collision. No agent has a motion then, unless it is the Collision's already. */
         engine function giveTo(owner:Collision):void
         {
-            if (owner != null && owner !== _owner)
+            if (!isOwned)
             {
-                if (_owner != null)
-                {
-                    throw new ArgumentError("the collider belongs to another Collision, whose motions and contacts it keeps: give each Collision "
-                            + "a collider of its own, or first exchange the collisionSystem of the other");
-                }
                 search.table.places.forgetMotions();
+                _owner = owner;
             }
-            _owner = owner;
+            else if (owner !== _owner)
+            {
+                throw new ArgumentError("the collider belongs to another Collision, whose motions and contacts it keeps: give each Collision "
+                        + "a collider of its own, or first exchange the collisionSystem of the other");
+            }
+        }
+
+        private function get isOwned():Boolean
+        {
+            return _owner != null && _owner.uses(this);
         }
 
         /** @private From now on contactOf sees the last frame. */

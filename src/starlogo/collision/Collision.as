@@ -1,7 +1,6 @@
 // This room is what a game calls: a Collision finds who touches, once a frame, and calls handlers. Collider is the base of the four collision
-// systems, and BaseCollider of a game's own; OwnedSystem has the one of a Collision. HandlerCalls makes the calls, FrameContacts computes contacts
-// for them, and Snapshots (snapshots/) goes back to earlier frames. Read this file first, then Collider, and then CollisionSearch in the room
-// search.
+// systems, and BaseCollider of a game's own. HandlerCalls makes the calls, FrameContacts computes contacts for them, and Snapshots (snapshots/)
+// goes back to earlier frames. Read this file first, then Collider, and then CollisionSearch in the room search.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
@@ -83,7 +82,11 @@ package starlogo.collision
          */
         public var filter:AgentPredicate = null;
 
-        private var _owned:OwnedSystem;
+        // The collision system as the game has given it, and the same as a BaseCollider. The one of the frame under way, or null.
+        private var _given:CollisionSystem;
+        private var _system:BaseCollider;
+        private var _updating:BaseCollider = null;
+
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:HandlerTable = new HandlerTable();
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
@@ -101,7 +104,6 @@ package starlogo.collision
          */
         public function Collision(collisionSystem:CollisionSystem)
         {
-            _owned = new OwnedSystem(this);
             this.collisionSystem = collisionSystem;
         }
 
@@ -114,13 +116,19 @@ package starlogo.collision
          */
         public function get collisionSystem():CollisionSystem
         {
-            return _owned.given;
+            return _given;
         }
 
         public function set collisionSystem(value:CollisionSystem):void
         {
             requireGiven("collisionSystem", value);
-            _owned.exchange(value);
+            var next:BaseCollider = BaseCollider.wrap(value);
+            if (next.innerCollider != null)
+            {
+                next.innerCollider.giveTo(this);
+            }
+            _given = value;
+            _system = next;
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -240,7 +248,7 @@ package starlogo.collision
             _handlers.clear();
             // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
-            var inner:Collider = _owned.system.innerCollider;
+            var inner:Collider = _system.innerCollider;
             if (inner != null)
             {
                 inner.search.table.places.forgetMotions();
@@ -263,15 +271,21 @@ package starlogo.collision
             requireGiven("agents", agents);
             var start:Number = getTimer();
             _handlerErrors.length = 0;
-            var system:BaseCollider = _owned.beginFrame();
+            var system:BaseCollider = _system;
+            var collider:Collider = system.innerCollider;
+            _updating = system;
             try
             {
-                runFrame(agents, system);
+                runFrame(agents, system, collider);
             }
             finally
             {
                 _calls.end();
-                _owned.endFrame();
+                _updating = null;
+                if (collider != null)
+                {
+                    collider.endFrame();
+                }
             }
             _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
@@ -322,10 +336,16 @@ package starlogo.collision
             collider.takeContactsFromFrame();
         }
 
+        /** @private Whether a collider is in the collision system, or in the one of the frame under way. It is then no other Collision's. */
+        engine function uses(collider:Collider):Boolean
+        {
+            return _system.innerCollider === collider || _updating != null && _updating.innerCollider === collider;
+        }
+
         /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
-            return _owned.system.findNarrowPhase();
+            return _system.findNarrowPhase();
         }
 
         /** @private */
@@ -341,9 +361,8 @@ package starlogo.collision
         }
 
         // Finds the pairs of a frame, and calls their handlers. What the filter or a handler exchanges counts from the next frame on.
-        private function runFrame(agents:Vector.<Agent>, system:BaseCollider):void
+        private function runFrame(agents:Vector.<Agent>, system:BaseCollider, collider:Collider):void
         {
-            var collider:Collider = system.innerCollider;
             var touches:TouchTracker = _lastFrame.touches;
             _handlers.begin(agents);
             _input.setTo(agents, _handlers.interests, ground, edges);
@@ -371,7 +390,7 @@ package starlogo.collision
 
         private function requireIdle(what:String):void
         {
-            if (_owned.isUpdating)
+            if (_updating != null)
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }
@@ -381,10 +400,10 @@ package starlogo.collision
         private function engineCollider(what:String):Collider
         {
             requireIdle(what);
-            var collider:Collider = _owned.system.equivalentCollider;
+            var collider:Collider = _system.equivalentCollider;
             if (collider == null)
             {
-                throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_owned.given, "a Collider"));
+                throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_given, "a Collider"));
             }
             return collider;
         }

@@ -60,21 +60,20 @@ package starlogo.collision
             _list.begin(agents);
             count = 0;
             _areTouchesComplete = true;
-            _contacts.begin(system);
-            var compared:IntList = tracker.pairsToCompare(pairs);
+            var isTracked:Boolean = tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0;
+            var compared:IntList = isTracked ? tracker.pairsToCompare(pairs) : null;
             if (table.contactKinds != 0)
             {
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
+                _contacts.begin(system);
                 findContacts((table.contactKinds & EACH_FRAME) == 0 ? compared : null);
             }
-            var chosen:IntList = null;
-            if (tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0)
+            if (isTracked)
             {
                 _tracker = tracker;
                 tracker.begin(pairs, compared, table);
-                chosen = (table.kinds & EACH_FRAME) == 0 ? compared : null;
             }
-            callAll(chosen, errors);
+            callAll((table.kinds & EACH_FRAME) == 0 ? compared : null, errors);
         }
 
         /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */

@@ -25,9 +25,6 @@ package starlogo.handlers
         /** The number of touches. */
         public var count:int = 0;
 
-        // The revision of the pairs if all their touches are complete, or else 0.
-        private var _pairsRevision:int = 0;
-
         // By index: all touches that there are, and objects for later ones.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
 
@@ -49,7 +46,7 @@ package starlogo.handlers
          */
         public function pairsToCompare(pairs:FoundPairs):IntList
         {
-            return pairs.basis == _pairsRevision ? pairs.added : null;
+            return pairs.trackerBefore === this ? pairs.added : null;
         }
 
         /**
@@ -61,7 +58,6 @@ package starlogo.handlers
         public function begin(pairs:FoundPairs, compared:IntList, table:HandlerTable):void
         {
             frame++;
-            _pairsRevision = 0;
             // they are still there if the last frame has failed
             forgetEnded();
             if (compared == null)
@@ -95,7 +91,7 @@ package starlogo.handlers
         public function end(pairs:FoundPairs, areComplete:Boolean):void
         {
             forgetEnded();
-            _pairsRevision = areComplete ? pairs.revision : 0;
+            pairs.tracker = areComplete ? this : null;
         }
 
         /** The touch of a pair; null if there is none. */

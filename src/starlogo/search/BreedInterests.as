@@ -32,9 +32,6 @@ package starlogo.search
         private var _agentBreeds:int = 0;
         private var _agentPairs:int = 0;
 
-        /** How often a pair was added, also if it was there. */
-        internal var revision:int = 0;
-
         /**
          * Adds a pair of breeds. A pair that is already there is not added again.
          *
@@ -49,7 +46,6 @@ package starlogo.search
         /** @private Adds a pair of breeds by their numbers. */
         engine function addNumbers(number:int, other:int):void
         {
-            revision++;
             markNamed(number);
             markNamed(other);
             if (!has(number, other))

@@ -37,10 +37,6 @@ package starlogo.search
 
         private var _bins:Bins = new Bins();
         private var _motions:RowMotions;
-
-        // Whether an agent swept in the last search, which has found the motions then. A read without a search makes them void.
-        private var _hasMotions:Boolean = false;
-
         private var _finder:PairFinder;
 
         // The pairs of the last search. KeptPairs finds them if little has changed.
@@ -60,7 +56,7 @@ package starlogo.search
             table = new AgentTable(narrowPhase.choice, _bins.levels);
             _motions = new RowMotions(table, narrowPhase, _bins.levels);
             _finder = new PairFinder(table, narrowPhase, _motions);
-            _keptPairs = new KeptPairs(table, _finder, _motions, _bins.levels, _pairs);
+            _keptPairs = new KeptPairs(table, _finder, _motions, narrowPhase.treeLimits, _bins.levels, _pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -85,60 +81,49 @@ package starlogo.search
         {
             table.read(input.agents);
             table.readWorld(input.ground, input.edges);
-            _hasMotions = input.isAnySweeping();
+            _motions.areNeeded = input.isAnySweeping();
             // tests since the last search, as those of questions, do not count
             narrowPhase.takeCounts(counts);
-            var memberCount:int = findPairs(input, mayKeep);
+            var memberCount:int = mayKeep && _keptPairs.find(input) ? _keptPairs.memberCount : findAll(input, mayKeep);
             narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
             counts.candidatePairs = _finder.candidatePairs;
-            counts.sweptPairs = _hasMotions ? _motions.sweptPairs : 0;
+            counts.sweptPairs = _motions.areNeeded ? _motions.sweptPairs : 0;
             counts.collisions = _pairs.count;
             return _pairs;
         }
 
-        // Finds the pairs, from those of the last search if that is wanted and possible. Returns the number of members.
-        private function findPairs(input:FrameInput, mayKeep:Boolean):int
+        // Searches all members. Returns their number.
+        private function findAll(input:FrameInput, mayKeep:Boolean):int
         {
-            if (mayKeep && _keptPairs.find(input, _hasMotions, narrowPhase.treeLimits))
-            {
-                return _keptPairs.memberCount;
-            }
             // also if the search throws, because the table has been read
             _keptPairs.forget();
-            var members:IntList = findAll(input);
-            if (mayKeep)
-            {
-                _keptPairs.keep(members, input, _hasMotions, narrowPhase.treeLimits);
-            }
-            return members.count;
-        }
-
-        // Searches all members, and returns them.
-        private function findAll(input:FrameInput):IntList
-        {
             var members:IntList = findMembers(input);
             var extents:Extents = table.extents;
-            if (_hasMotions)
+            if (_motions.areNeeded)
             {
                 _motions.findMotions(table.list.rows);
                 extents = _motions.extents;
             }
-            _finder.begin(input, _hasMotions, _pairs);
+            _finder.begin(input, _pairs);
             _bins.findPairs(extents, members.numbers, members.count, _finder);
             _finder.findPairsOfWorldAgent(ListedAgents.GROUND_ROW, members);
             _finder.findPairsOfWorldAgent(ListedAgents.EDGES_ROW, members);
             _finder.end();
-            return members;
+            if (mayKeep)
+            {
+                _keptPairs.keep(members, input);
+            }
+            return members.count;
         }
 
         /** The table was read without a search: the next search is one of all rows. */
         public function forgetSearch():void
         {
             _keptPairs.forget();
-            _hasMotions = false;
+            _motions.areNeeded = false;
         }
 
         /**
@@ -172,7 +157,7 @@ package starlogo.search
             var rowA:int = table.list.rowOf(a);
             var rowB:int = table.list.rowOf(b);
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
-            if (areSeen && _hasMotions)
+            if (areSeen && _motions.areNeeded)
             {
                 _motions.findContact(rowA, rowB, motion, out);
                 return;

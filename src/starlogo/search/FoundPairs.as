@@ -19,11 +19,8 @@ package starlogo.search
      */
     public final class FoundPairs
     {
-        /** In place of a revision, or of the index of a touch: there is none. */
+        /** In place of the index of a touch: there is none. */
         public static const NONE:int = -1;
-
-        // The revision of the pairs that were written last, by any object.
-        private static var sLastRevision:int = 0;
 
         /** The number of pairs. */
         public var count:int = 0;
@@ -34,14 +31,11 @@ package starlogo.search
         /** The list of the frame, which has the agent of each row. */
         public var list:ListedAgents = null;
 
-        /** Other pairs have another revision, in this object or in another. */
-        public var revision:int = 0;
+        /** The TouchTracker that has given each of these pairs its touch; null if none has. */
+        public var tracker:Object = null;
 
-        /**
-         * If these pairs are earlier pairs, of which some were dropped, and with <code>added</code>: the revision of the earlier pairs. Otherwise
-         * NONE.
-         */
-        public var basis:int = NONE;
+        /** If these pairs are earlier pairs, of which some were dropped, and with <code>added</code>: the tracker of the earlier pairs. Otherwise null. */
+        public var trackerBefore:Object = null;
 
         /** By pair: the index of its touch, or NONE. TouchTracker sets it, and kept pairs keep it. Before clearTouches() it means nothing. */
         public var touches:Vector.<int> = new Vector.<int>();
@@ -59,9 +53,9 @@ package starlogo.search
          */
         internal function begin(list:ListedAgents):void
         {
-            setList(list);
+            this.list = list;
             count = 0;
-            basis = NONE;
+            tracker = trackerBefore = null;
         }
 
         /** Adds a pair of two rows. */
@@ -93,9 +87,9 @@ package starlogo.search
         /** Begins to change the pairs to those of the next frame: drops the pairs of rows with a mark. */
         internal function drop(list:ListedAgents, marks:Vector.<int>, mark:int):void
         {
-            var before:int = revision;
-            setList(list);
-            basis = before;
+            this.list = list;
+            trackerBefore = tracker;
+            tracker = null;
             droppedTouches.count = added.count = 0;
             makeRoom(count);
             var all:Vector.<int> = rows;
@@ -209,13 +203,6 @@ package starlogo.search
                 out[i] = first;
                 out[int(i + 1)] = byRow[all[int(i + 1)]];
             }
-        }
-
-        private function setList(list:ListedAgents):void
-        {
-            this.list = list;
-            sLastRevision++;
-            revision = sLastRevision;
         }
 
         // The number of pairs before a pair, of the first pairs. It looks at the last of them first.

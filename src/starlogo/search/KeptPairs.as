@@ -29,6 +29,7 @@ package starlogo.search
         private var _table:AgentTable;
         private var _finder:PairFinder;
         private var _motions:RowMotions;
+        private var _limits:TreeLimits;
 
         // The pairs of the search, and whether they and the cells belong to the last one.
         private var _pairs:FoundPairs;
@@ -40,11 +41,10 @@ package starlogo.search
         // The members of the last search.
         private var _cells:CellLists;
 
-        // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, and how often one was added
-        // to them; whether an agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
+        // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, to which a Collision adds none
+        // later; whether an agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
         private var _interests:BreedInterests = null;
-        private var _interestsRevision:int = 0;
-        private var _anySweeps:Boolean = false;
+        private var _anySwept:Boolean = false;
         private var _isFiltered:Boolean = false;
         private var _maxDepth:int = 0;
 
@@ -57,11 +57,13 @@ package starlogo.search
          * @param table has the rows
          * @param finder finds the pairs of changed rows
          * @param motions of the rows, if an agent sweeps
+         * @param limits how far trees are tested
          * @param levels those of the bins that search all rows
          * @param pairs has the pairs of the last search, and gets those of the next one
          */
-        public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, levels:BinLevels, pairs:FoundPairs)
+        public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, limits:TreeLimits, levels:BinLevels, pairs:FoundPairs)
         {
+            _limits = limits;
             _pairs = pairs;
             _table = table;
             _finder = finder;
@@ -81,67 +83,24 @@ package starlogo.search
             _areValid = false;
         }
 
-        // Whether a search depends on the same as the last one, and few rows have changed.
-        private function isLikeLast(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):Boolean
-        {
-            return _interests === input.interests && _interestsRevision == revisionOf(input) && _anySweeps == anySweeps
-                && _isFiltered == (input.admitted != null) && _maxDepth == depthOf(limits) && areFew(countRead());
-        }
-
-        // Notes what a search depends on, for the next one.
-        private function note(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
-        {
-            _interests = input.interests;
-            _interestsRevision = revisionOf(input);
-            _anySweeps = anySweeps;
-            _isFiltered = input.admitted != null;
-            _maxDepth = depthOf(limits);
-        }
-
-        /**
-         * Keeps the pairs of a search of all rows, for which <code>find()</code> has returned false. If it was like the last one and few rows had
-         * changed, the next search is probably like it too. Otherwise its pairs are not worth keeping, and it only notes what the search
-         * depended on.
-         *
-         * @param members the members of the search
-         * @param input as in find
-         * @param anySweeps as in find
-         * @param limits as in find
-         */
-        public function keep(members:IntList, input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
-        {
-            if (!isLikeLast(input, anySweeps, limits) || !areFew(_changed.count))
-            {
-                note(input, anySweeps, limits);
-                return;
-            }
-            _cells.begin(_anySweeps ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
-            _areValid = true;
-        }
-
         /**
          * Finds the pairs of a search. The table has been read. Returns false if all rows have to be searched: because the search does not depend on
          * the same as the last one, no pairs are kept, too many rows have changed, or the cells need other buckets.
-         *
-         * @param anySweeps whether an agent sweeps
-         * @param limits how far trees are tested
          */
-        public function find(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):Boolean
+        public function find(input:FrameInput):Boolean
         {
-            _changed.count = 0;
-            if (!_areValid || !isLikeLast(input, anySweeps, limits))
+            if (!_areValid || !isLikeLast(input))
             {
                 return false;
             }
             // they are not if the search throws
             _areValid = false;
-            _mark++;
             findChanged(input);
             if (!areFew(_changed.count))
             {
                 return false;
             }
-            if (_anySweeps)
+            if (_motions.areNeeded)
             {
                 _motions.findMotions(_changed);
             }
@@ -157,21 +116,43 @@ package starlogo.search
             return true;
         }
 
-        private static function revisionOf(input:FrameInput):int
+        /**
+         * Keeps the pairs of a search of all rows, for which <code>find()</code> has returned false. If it was like the last one, the next search is
+         * probably like it too. Otherwise its pairs are not worth keeping, and it only notes what the search depended on.
+         *
+         * @param members the members of the search
+         */
+        public function keep(members:IntList, input:FrameInput):void
         {
-            return input.interests == null ? 0 : input.interests.revision;
+            if (isLikeLast(input))
+            {
+                _cells.begin(_motions.areNeeded ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
+                _areValid = true;
+                return;
+            }
+            _interests = input.interests;
+            _anySwept = _motions.areNeeded;
+            _isFiltered = input.admitted != null;
+            _maxDepth = currentDepth;
         }
 
-        private static function depthOf(limits:TreeLimits):int
+        // Whether a search depends on the same as the last one, and few rows were read again.
+        private function isLikeLast(input:FrameInput):Boolean
         {
-            return limits.exact ? 0 : limits.maxDepth;
+            return _interests === input.interests && _anySwept == _motions.areNeeded && _isFiltered == (input.admitted != null)
+                && _maxDepth == currentDepth && areFew(countRead());
+        }
+
+        private function get currentDepth():int
+        {
+            return _limits.exact ? 0 : _limits.maxDepth;
         }
 
         // The number of rows that were read again, or have another place in the list.
         private function countRead():int
         {
             var count:int = _table.places.changed.count + _table.list.leftOrReordered.count;
-            if (_anySweeps)
+            if (_motions.areNeeded)
             {
                 count += _table.places.previouslyChanged.count;
             }
@@ -181,13 +162,15 @@ package starlogo.search
         // Whether so few rows have changed that a search of all rows would take longer.
         private function areFew(changes:int):Boolean
         {
-            var oneIn:int = _table.areSpheres || _interests != null && !_interests.includesAllOfAgents ? ONE_IN_IF_FAST : ONE_IN;
+            var oneIn:int = _table.areSpheres || !_interests.includesAllOfAgents ? ONE_IN_IF_FAST : ONE_IN;
             return oneIn * changes <= _table.list.rows.count;
         }
 
-        // Finds the rows that have changed.
+        // Finds the rows that have changed, and marks them.
         private function findChanged(input:FrameInput):void
         {
+            _mark++;
+            _changed.count = 0;
             var length:int = _table.list.agents.length;
             if (_marks.length < length)
             {
@@ -196,7 +179,7 @@ package starlogo.search
             _cells.makeRows(length);
             addAll(_table.places.changed);
             addAll(_table.list.leftOrReordered);
-            if (_anySweeps)
+            if (_motions.areNeeded)
             {
                 addAll(_table.places.previouslyChanged);
             }
@@ -258,7 +241,7 @@ package starlogo.search
         // Finds the pairs of the changed rows.
         private function findPairsOfChanged(input:FrameInput):void
         {
-            _finder.begin(input, _anySweeps, _found);
+            _finder.begin(input, _found);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))

@@ -1,8 +1,6 @@
 package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.broadphase.BinLevel;
-    import starlogo.broadphase.Extents;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -14,7 +12,6 @@ package starlogo.search
     import starlogo.search.pairs.SpherePairTests;
     import starlogo.search.pairs.StructurePairTests;
     import starlogo.search.pairs.TreePairTests;
-    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 
@@ -29,9 +26,6 @@ package starlogo.search
      */
     public final class NarrowPhase
     {
-        // In place of a form: none.
-        private static const NONE:int = -1;
-
         /** Tests pairs of spheres. Every collider has it. It is null in a LevelShapes while only rays are asked for. */
         public var sphereTests:SpherePairTests = null;
 
@@ -56,67 +50,10 @@ package starlogo.search
         /** Says which shape each agent has. */
         public var choice:BaseShapeChoice;
 
-        /** @param choice gives the rows their shapes */
+        /** @param choice gives the agents their shapes */
         public function NarrowPhase(choice:BaseShapeChoice)
         {
             this.choice = choice;
-        }
-
-        /**
-         * Keeps the candidates that touch a row, and moves them to the beginning of the list.
-         *
-         * @param level has the slack of the extents, in an object because V8 would box a Number
-         * @param others the candidates. Their circles on the ground overlap the row's circle
-         * @param count the number of candidates
-         * @return the number of candidates that it keeps
-         */
-        public function keepTouching(table:AgentTable, level:BinLevel, row:int, others:Vector.<int>, count:int):int
-        {
-            if (table.areSpheres)
-            {
-                return sphereTests.keepTouching(table, level, row, others, count);
-            }
-            var body:Body = table.bodyOf(row);
-            var extents:Extents = table.extents;
-            var slack:Number = level.slack;
-            // two spheres or two boxes need no test of their extents, except for the heights
-            var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                var isNear:Boolean = table.shapes[other].form == quickForm ? areHeightsNear(extents, slack, row, other) : areNear(extents, slack, row, other);
-                if (isNear && areTouching(body, table.bodyOf(other)))
-                {
-                    others[kept] = other;
-                    kept++;
-                }
-            }
-            return kept;
-        }
-
-        /**
-         * Keeps the rows that touch the ground or the edges of the world, and moves them to the beginning of the list.
-         *
-         * @param worldRow the row of the ground or of the edges
-         * @param others rows of agents
-         * @param count the number of these rows
-         * @return the number of rows that it keeps
-         */
-        public function keepTouchingWorld(table:AgentTable, worldRow:int, others:Vector.<int>, count:int):int
-        {
-            var world:Body = table.bodyOf(worldRow);
-            var tests:PairTests = pairTestsForWorldAgent(world);
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                if (tests.areTouching(table.bodyOf(others[i]), world))
-                {
-                    others[kept] = others[i];
-                    kept++;
-                }
-            }
-            return kept;
         }
 
         /** Whether two bodies touch. They may come in either order, the ground and the edges of the world too. */
@@ -202,36 +139,6 @@ package starlogo.search
             return a.rank > b.rank;
         }
 
-        /**
-         * Whether the extents of two rows overlap, or nearly do. The heights are compared first, because the bins have already compared the
-         * circles on the ground.
-         *
-         * @param slack how far apart they may be
-         */
-        public static function areNear(extents:Extents, slack:Number, a:int, b:int):Boolean
-        {
-            if (!areHeightsNear(extents, slack, a, b))
-            {
-                return false;
-            }
-            var distance:Number = extents.x[a] - extents.x[b];
-            var maxDistance:Number = extents.halfX[a] + extents.halfX[b] + slack;
-            if (distance > maxDistance || distance < -maxDistance)
-            {
-                return false;
-            }
-            distance = extents.y[a] - extents.y[b];
-            maxDistance = extents.halfY[a] + extents.halfY[b] + slack;
-            return distance <= maxDistance && distance >= -maxDistance;
-        }
-
-        private static function areHeightsNear(extents:Extents, slack:Number, a:int, b:int):Boolean
-        {
-            var distance:Number = extents.z[a] - extents.z[b];
-            var maxDistance:Number = extents.halfZ[a] + extents.halfZ[b] + slack;
-            return distance <= maxDistance && distance >= -maxDistance;
-        }
-
         /** The tests for two bodies, by their forms. The order of the two: see PairTests. */
         public function pairTestsFor(a:Body, b:Body):PairTests
         {
@@ -253,8 +160,8 @@ package starlogo.search
             return GroundPairTests(pairTestsForWorldAgent(ground));
         }
 
-        // The tests with the ground or the edges of the world. Its shape adds them.
-        private function pairTestsForWorldAgent(body:Body):PairTests
+        /** The tests with the ground or the edges of the world. Its shape adds them. */
+        public function pairTestsForWorldAgent(body:Body):PairTests
         {
             var isGround:Boolean = body.form == ModelShape.GROUND;
             if (isGround ? groundTests == null : edgeTests == null)

@@ -1,10 +1,13 @@
 package starlogo.search
 {
+    import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.BinLevel;
+    import starlogo.broadphase.Extents;
     import starlogo.broadphase.PairSink;
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.search.pairs.PairTests;
     import starlogo.search.table.AgentTable;
 
     use namespace engine;
@@ -15,6 +18,9 @@ package starlogo.search
      */
     internal final class PairFinder extends PairSink
     {
+        // In place of a form: none.
+        private static const NONE:int = -1;
+
         /** The number of candidates whose breeds are of interest. */
         public var candidatePairs:int = 0;
 
@@ -23,11 +29,8 @@ package starlogo.search
         private var _motions:RowMotions;
         private var _sorter:PairSorter = new PairSorter();
 
-        // The input of the search under way, and whether an agent sweeps.
+        // The input of the search under way, and what takes the pairs.
         private var _input:FrameInput = null;
-        private var _anySweeps:Boolean = false;
-
-        // Takes the pairs.
         private var _out:FoundPairs = null;
 
         // The motion of a pair that is tested.
@@ -48,32 +51,26 @@ package starlogo.search
             _motions = motions;
         }
 
-        /**
-         * Begins a search.
-         *
-         * @param anySweeps whether an agent sweeps
-         * @param out receives the pairs
-         */
-        public function begin(input:FrameInput, anySweeps:Boolean, out:FoundPairs):void
+        /** Begins a search. @param out receives the pairs */
+        public function begin(input:FrameInput, out:FoundPairs):void
         {
             candidatePairs = 0;
             out.begin(_table.list);
             _input = input;
-            _anySweeps = anySweeps;
             _out = out;
         }
 
         /** Ends the search: puts the pairs into order. */
         public function end():void
         {
-            _sorter.sort(_out, _anySweeps);
+            _sorter.sort(_out, _motions.areNeeded);
         }
 
         /** The number of pairs, of those in order, that touch before the end of their motions. They come first. */
         public function countEarly():int
         {
             var early:int = 0;
-            while (_anySweeps && early < _out.count && _sorter.times[early] < 1)
+            while (_motions.areNeeded && early < _out.count && _sorter.times[early] < 1)
             {
                 early++;
             }
@@ -89,7 +86,7 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            var kept:int = _anySweeps ? keepTouchingMotions(row, others, count, level) : _narrowPhase.keepTouching(_table, level, row, others, count);
+            var kept:int = _motions.areNeeded ? keepTouchingMotions(row, others, count, level) : keepTouching(row, others, count, level);
             _out.addPairs(row, others, kept);
         }
 
@@ -118,9 +115,53 @@ package starlogo.search
                 }
             }
             count = _input.interests.keepOfInterest(_table.breeds, worldRow, others, count);
-            var kept:int = _anySweeps ? keepTouchingMotions(worldRow, others, count, null)
-                : _narrowPhase.keepTouchingWorld(_table, worldRow, others, count);
+            var kept:int = _motions.areNeeded ? keepTouchingMotions(worldRow, others, count, null)
+                : keepTouchingWorld(worldRow, others, count);
             _out.addPairs(worldRow, others, kept);
+        }
+
+        // Keeps the rows that touch a row, and moves them to the beginning of the list. The level has the slack of their extents.
+        private function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):int
+        {
+            if (_table.areSpheres)
+            {
+                return _narrowPhase.sphereTests.keepTouching(_table, level, row, others, count);
+            }
+            var table:AgentTable = _table;
+            var body:Body = table.bodyOf(row);
+            var extents:Extents = table.extents;
+            var slack:Number = level.slack;
+            // two spheres or two boxes need no test of their extents, except for the heights
+            var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                var isNear:Boolean = table.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
+                if (isNear && _narrowPhase.areTouching(body, table.bodyOf(other)))
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        // Keeps the rows that touch the ground or the edges of the world.
+        private function keepTouchingWorld(worldRow:int, others:Vector.<int>, count:int):int
+        {
+            var world:Body = _table.bodyOf(worldRow);
+            var tests:PairTests = _narrowPhase.pairTestsForWorldAgent(world);
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (tests.areTouching(_table.bodyOf(others[i]), world))
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
+            }
+            return kept;
         }
 
         // Keeps the rows that touch a row on their motions, and notes the times of their pairs, which are added next. The level is null for the ground

@@ -23,6 +23,9 @@ package starlogo.search
      */
     internal final class RowMotions
     {
+        /** Whether an agent sweeps in the search. Otherwise nothing else here counts. */
+        internal var areNeeded:Boolean = false;
+
         /** By row: the extents of the whole motion. */
         internal var extents:Extents = new Extents();
 
@@ -127,7 +130,7 @@ package starlogo.search
             motion.time = RelativeMotion.NEVER;
             if (!eitherSweeps(a, b))
             {
-                if (level == null || NarrowPhase.areNear(_table.extents, level.slack, a, b))
+                if (level == null || _table.extents.areNear(a, b, level.slack))
                 {
                     testStanding(a, b, 1, motion, out);
                 }

@@ -106,11 +106,9 @@ package starlogo.handlers
             var pairs:Array = [];
             var numbers:Array = [];
             var begun:Array = [];
-            _found.revision = 1;
             for (var frame:int = 1; frame <= FRAMES; frame++)
             {
-                _found.basis = _found.revision;
-                _found.revision++;
+                beginWithLast();
                 var dropped:Array = [];
                 var left:Array = [];
                 var touches:Array = [];
@@ -196,10 +194,11 @@ package starlogo.handlers
                 numbers = pairs.concat();
             }
             assertTrue("some remained", begun.length > 5);
-            _found.basis = _found.revision;
+            beginWithLast();
             _found.droppedTouches.count = _found.added.count = 0;
             _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
             _tracker.end(_found, false);
+            beginWithLast();
             assertNull("the frame before was not complete", _tracker.pairsToCompare(_found));
         }
 
@@ -232,6 +231,13 @@ package starlogo.handlers
             _tracker.end(_found, false);
             _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
             return _tracker.touchAt(_found, 0);
+        }
+
+        // The next pairs are the last ones with few changes, as after FoundPairs.drop().
+        private function beginWithLast():void
+        {
+            _found.trackerBefore = _found.tracker;
+            _found.tracker = null;
         }
 
         private function addPair(a:Agent, b:Agent):void

@@ -41,10 +41,10 @@ package starlogo.search
         public function eachListHasItsOwnRows():void
         {
             read([_a, _b], [_a, _b]);
-            var before:int = _found.revision;
+            _found.tracker = this;
             read([_b, _c], [_c, _b]);
             assertPairs([_c, _b]);
-            assertTrue("these are other pairs", _found.revision != before && _found.basis == -1);
+            assertTrue("these are other pairs", _found.tracker == null && _found.trackerBefore == null);
         }
 
         private function read(list:Array, pairs:Array):void

@@ -16,6 +16,7 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.penetration.DisplacedPair;
     import starlogo.search.penetration.GroundExitSearch;
     import starlogo.search.penetration.PenetrationSearch;
     import starlogo.search.TreeLimits;
@@ -46,7 +47,7 @@ package starlogo.search.pairs
         public function GroundPairTests(limits:TreeLimits)
         {
             _limits = limits;
-            var pair:DisplacedGroundPair = new DisplacedGroundPair(this);
+            var pair:DisplacedPair = new DisplacedPair(this);
             _separation = new PenetrationSearch(pair, new GroundExitSearch(pair));
         }
 
@@ -111,21 +112,14 @@ package starlogo.search.pairs
             _separation.find(a, b, motion, out);
         }
 
-        /** Finds the contact of the structure around a body and the ground, where it is. Its normal points to the body. */
-        internal function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        /** @inheritDoc */
+        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
             queryOf(a, b).penetration.findOuterContact(out);
         }
 
-        /**
-         * Finds contacts with which other ways out of the ground may begin.
-         *
-         * @param contact of the two, here or near here
-         * @param maxDistance parts of the ground farther away do not count
-         * @param exits receives the contacts, each with another direction
-         * @return their number
-         */
-        internal function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        /** @inheritDoc */
+        override public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
             var count:int = queryOf(a, b).penetration.findExits(contact, maxDistance, exits);
             if (a.form == ModelShape.TREE)

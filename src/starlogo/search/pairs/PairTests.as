@@ -82,6 +82,25 @@ package starlogo.search.pairs
             findFirst(a, b, motion, out);
         }
 
+        /** Finds the contact of the structures around two bodies, where they are. Its normal points from b to a. Only trees and the ground need it. */
+        public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findOuterContact");
+        }
+
+        /**
+         * Finds contacts with which other ways of the first body out of the second may begin. Only the ground has some.
+         *
+         * @param contact of the two, here or near here
+         * @param maxDistance parts of the ground farther away do not count
+         * @param exits receives the contacts, each with another direction
+         * @return their number
+         */
+        public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        {
+            return 0;
+        }
+
         /**
          * Finds the distance between two bodies, and their closest points. NarrowPhase.isReversed is false for the two.
          *

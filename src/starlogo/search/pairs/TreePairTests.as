@@ -11,6 +11,7 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.penetration.DisplacedPair;
     import starlogo.search.penetration.PenetrationSearch;
     import starlogo.search.penetration.TreeExitSearch;
     import starlogo.search.SearchCounts;
@@ -32,9 +33,7 @@ package starlogo.search.pairs
     {
         private static const POINT:Sphere = new Sphere(new Vector3D(), 0);
 
-        /** How far trees are tested. */
-        public var limits:TreeLimits;
-
+        private var _limits:TreeLimits;
         private var _testCount:int = 0;
         private var _pair:TreePair = new TreePair();
         private var _counts:TreeCounts = new TreeCounts();
@@ -51,11 +50,11 @@ package starlogo.search.pairs
         /** @param limits how far trees are tested */
         public function TreePairTests(limits:TreeLimits)
         {
-            this.limits = limits;
+            _limits = limits;
             _impacts = new TreeImpactQuery(_pair, _overlaps, _counts);
             _distances = new TreeDistanceQuery(_counts);
-            var pair:DisplacedTreePair = new DisplacedTreePair(this, false);
-            _separation = new PenetrationSearch(pair, new TreeExitSearch(pair, new DisplacedTreePair(this, true)));
+            var pair:DisplacedPair = new DisplacedPair(this);
+            _separation = new PenetrationSearch(pair, new TreeExitSearch(pair, new DisplacedPair(new LeafPairTests(this)), limits));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -67,7 +66,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            return areOverlapping(a, b, limits.exact);
+            return areOverlapping(a, b, _limits.exact);
         }
 
         /** @inheritDoc */
@@ -77,7 +76,7 @@ package starlogo.search.pairs
             {
                 return isOneInside(b, a);
             }
-            setPair(a, b, limits.exact);
+            setPair(a, b, _limits.exact);
             return _overlaps.isOneInside(_pair);
         }
 
@@ -90,7 +89,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), limits.exact);
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), _limits.exact);
             _testCount++;
             _impacts.findFirst(own, out);
             finish(own, motion, out);
@@ -100,7 +99,7 @@ package starlogo.search.pairs
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
-            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE, limits.exact);
+            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE, _limits.exact);
             _impacts.findContact(own, out);
             finish(own, motion, out);
         }
@@ -108,7 +107,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            findTreeImpact(a, b, motion, limits.exact, out);
+            findTreeImpact(a, b, motion, _limits.exact, out);
         }
 
         /** Finds the first touch as <code>findImpact()</code> does, if the leaves of trees decide and no triangles. */
@@ -123,8 +122,8 @@ package starlogo.search.pairs
             _separation.find(a, b, motion, out);
         }
 
-        /** Finds the contact of the structures around two bodies, where they are. Its normal points from b to a. */
-        internal function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        /** @inheritDoc */
+        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
             _impacts.findOuterContact(a.shape.structure, a.placement, b.shape.structure, b.placement, out);
         }
@@ -132,7 +131,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            setPair(a, b, limits.exact);
+            setPair(a, b, _limits.exact);
             _distances.findClosest(_pair, areTouching, out);
         }
 
@@ -147,7 +146,7 @@ package starlogo.search.pairs
             _at.x = point.x;
             _at.y = point.y;
             _at.z = point.z;
-            _pair.setTreeAndStructure(body.shape.hierarchy, body.placement, limits.depthOf(body), POINT, _at, limits.exact);
+            _pair.setTreeAndStructure(body.shape.hierarchy, body.placement, _limits.depthOf(body), POINT, _at, _limits.exact);
             return _pair.isExact ? _distances.nearestTriangle(_pair) : -1;
         }
 
@@ -213,10 +212,10 @@ package starlogo.search.pairs
             var tree:ModelTree = a.shape.hierarchy;
             if (b.shape.hierarchy != null)
             {
-                _pair.setTrees(tree, a.placement, limits.depthOf(a), b.shape.hierarchy, b.placement, limits.depthOf(b), exact);
+                _pair.setTrees(tree, a.placement, _limits.depthOf(a), b.shape.hierarchy, b.placement, _limits.depthOf(b), exact);
                 return;
             }
-            _pair.setTreeAndStructure(tree, a.placement, limits.depthOf(a), b.shape.structure, b.placement, exact);
+            _pair.setTreeAndStructure(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, exact);
         }
     }
 }

@@ -1,6 +1,5 @@
 package starlogo.search.penetration
 {
-    import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -8,16 +7,17 @@ package starlogo.search.penetration
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.pairs.PairTests;
 
     use namespace engine;
 
     /**
-     * Two bodies that touch, the first one at places that are tried. A subclass says whether, when and how they touch there: for each kind of pairs
-     * it has what the search for a way out asks. Other classes only read the fields.
+     * Two bodies that touch, the first one at places that are tried, and the tests that say whether, when and how they touch there. Other classes
+     * only read the fields.
      *
      * @private
      */
-    public class DisplacedPair
+    public final class DisplacedPair
     {
         // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
         private static const CELL_SHARE:Number = 1e-4;
@@ -46,12 +46,20 @@ package starlogo.search.penetration
         /** The gap across which the two touch because places are rounded. */
         public var rounding:Number = 0;
 
+        private var _tests:PairTests;
+
         // The first body's place at the touch, and the place that is tried.
         private var _from:Vector3D = new Vector3D();
         private var _place:Vector3D = new Vector3D();
 
+        /** @param tests of such pairs */
+        public function DisplacedPair(tests:PairTests)
+        {
+            _tests = tests;
+        }
+
         /** Begins where the motion of the first body relative to the second is at its time. The motion ends where the first body is. */
-        public final function begin(a:Body, b:Body, motion:RelativeMotion):void
+        public function begin(a:Body, b:Body, motion:RelativeMotion):void
         {
             var time:Number = motion.time;
             second = b;
@@ -69,33 +77,33 @@ package starlogo.search.penetration
         }
 
         /** Whether the second body is the ground. */
-        public final function get isSecondGround():Boolean
+        public function get isSecondGround():Boolean
         {
             return second.form == ModelShape.GROUND;
         }
 
         /** Puts the first body where it was at the touch. */
-        public final function putBack():void
+        public function putBack():void
         {
             first.moveTo(_from);
         }
 
         /** Displaces the first body. */
-        public final function displace(by:Displacement):void
+        public function displace(by:Displacement):void
         {
             _place.setTo(_from.x + by.distance * by.x, _from.y + by.distance * by.y, _from.z + by.distance * by.z);
             first.moveTo(_place);
         }
 
         /** Displaces the first body by a vector. */
-        public final function displaceBy(vector:Vector3D):void
+        public function displaceBy(vector:Vector3D):void
         {
             _place.setTo(_from.x + vector.x, _from.y + vector.y, _from.z + vector.z);
             first.moveTo(_place);
         }
 
         /** Displaces the first body. Returns whether it touches the second one there. */
-        public final function testAt(displacement:Displacement):Boolean
+        public function testAt(displacement:Displacement):Boolean
         {
             displace(displacement);
             return areTouching();
@@ -104,44 +112,31 @@ package starlogo.search.penetration
         /** Whether the two touch where the first one is. */
         public function areTouching():Boolean
         {
-            throw new IllegalOperationError(this + " does not implement areTouching");
+            return _tests.areTouching(first, second);
         }
 
         /** Finds the first touch on a motion that ends where the first body is. See PairTests.findImpact. */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findImpact");
+            _tests.findImpact(first, second, motion, out);
         }
 
         /** Finds the contact of two parts where the first body is. See PairTests.findContactOfParts. */
         public function findContactOfParts(out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findContactOfParts");
+            _tests.findContactOfParts(first, second, RelativeMotion.NONE, out);
         }
 
         /** Finds the contact of the structures around the two where the first one is. */
         public function findOuterContact(out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findOuterContact");
+            _tests.findOuterContact(first, second, out);
         }
 
-        /** Whether the triangles of trees decide. */
-        public function get haveTriangles():Boolean
-        {
-            return false;
-        }
-
-        /**
-         * Finds contacts with which other ways out may begin. Only the ground has some.
-         *
-         * @param contact of the two, here or near here
-         * @param maxDistance parts of the ground farther away do not count
-         * @param exits receives the contacts, each with another direction
-         * @return their number
-         */
+        /** Finds contacts with which other ways out may begin. See PairTests.findExits. */
         public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            return 0;
+            return _tests.findExits(first, second, contact, maxDistance, exits);
         }
     }
 }

@@ -3,6 +3,7 @@ package starlogo.search.penetration
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.search.Body;
+    import starlogo.search.TreeLimits;
 
     /**
      * Finds a short way out for a pair with a tree. It pushes the first body along the given normal (PushOut). The shortest way out of the structures
@@ -15,6 +16,7 @@ package starlogo.search.penetration
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
         private var _pushOut:PushOut;
+        private var _limits:TreeLimits;
 
         // The same pair if the leaves of trees decide. They find every touch that triangles find, in a tenth of the time.
         private var _leaves:DisplacedPair;
@@ -27,10 +29,12 @@ package starlogo.search.penetration
 
         /**
          * @param pair a pair with a tree; it has begun when a method is called
-         * @param leaves knows the pair by the leaves of trees
+         * @param leaves the same pair, tested by the leaves of trees
+         * @param limits say whether triangles decide
          */
-        public function TreeExitSearch(pair:DisplacedPair, leaves:DisplacedPair)
+        public function TreeExitSearch(pair:DisplacedPair, leaves:DisplacedPair, limits:TreeLimits)
         {
+            _limits = limits;
             _pair = pair;
             _leaves = leaves;
             _directions = new DirectionSearch(pair);
@@ -58,7 +62,7 @@ package starlogo.search.penetration
             {
                 return;
             }
-            if (_pair.haveTriangles && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
+            if (_limits.exact && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
                 _leaves.begin(a, b, motion);
                 tryOuter(_leaves, _directionsOfLeaves, out);

@@ -91,9 +91,8 @@ package starlogo.search.table
         {
             forgetReplaced();
             list.beginRead();
-            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
-            // whether the list is the same is found out on the way
-            isSame &&= readChanged(agents, list.rows);
+            // readChanged finds out on the way whether the list is the same
+            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && readChanged(agents, list.rows);
             if (!isSame)
             {
                 list.propose(agents);

@@ -1,0 +1,36 @@
+package starlogo.search.pairs
+{
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.search.Body;
+
+    /** The tests for a way out of pairs with a tree, as if the leaves of trees decided, even if there are triangles. */
+    internal final class LeafPairTests extends PairTests
+    {
+        private var _tests:TreePairTests;
+
+        /** @param tests makes them, and counts them */
+        public function LeafPairTests(tests:TreePairTests)
+        {
+            _tests = tests;
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(a:Body, b:Body):Boolean
+        {
+            return _tests.areLeavesTouching(a, b);
+        }
+
+        /** @inheritDoc */
+        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _tests.findImpactOfLeaves(a, b, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        {
+            _tests.findOuterContact(a, b, out);
+        }
+    }
+}

@@ -23,11 +23,12 @@ package starlogo.queries.motion
         /** An overlap is shallow if it is at most this part of the larger extent. */
         public static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
 
-        // The slop has four parts: fractions of the body's extent, of the largest extent near it, of the coordinates and of the motion.
+        // The slop has four parts: fractions of the body's extent, of the largest extent near it, of the coordinates, and of the motion and a cell of
+        // the ground. An eighth of it is wider than the gap across which a sweep touches.
         private static const OF_EXTENT:Number = 0.4 * Tolerances.SEPARATION;
         private static const OF_OTHERS:Number = 0.02 * Tolerances.SEPARATION;
         private static const OF_PLACES:Number = 16 * Tolerances.PLACES;
-        private static const OF_MOTION:Number = 3 * Tolerances.ROUNDING;
+        private static const OF_MOTION:Number = 24 * Tolerances.ROUNDING;
 
         // The least half-extent of the body loses a slop, and the others lose in proportion. For a slim body, a tenth of its largest half-extent
         // takes the place of the least one. So no half-extent loses more than ten slops. The body loses at most half of its size.
@@ -37,8 +38,8 @@ package starlogo.queries.motion
         // The factor by which the inset grows until the core is free.
         private static const NARROWER:Number = 4;
 
-        // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. A slop is at least a hundred
-        // times as wide as the gaps across which shapes touch.
+        // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. Unless the motion is long, a slop is a
+        // hundred times as wide as the gaps across which shapes touch.
         private static const FLAT:Number = 0.01;
 
         /**
@@ -91,15 +92,15 @@ package starlogo.queries.motion
                 var other:Body = table.bodyOf(rows.numbers[i]);
                 if (other.form == ModelShape.GROUND)
                 {
-                    cell = other.largestHalf;
+                    cell = 2 * other.largestHalf;
                 }
                 else
                 {
                     largest = Math.max(largest, 2 * other.largestHalf);
                 }
             }
-            slop = OF_EXTENT * extent + OF_OTHERS * largest + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z) + cell)
-                + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            slop = OF_EXTENT * extent + OF_OTHERS * largest + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z))
+                + OF_MOTION * (cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
             _mostInset = slop + SHALLOW * largest;
             setInset(slop);
@@ -124,9 +125,10 @@ package starlogo.queries.motion
             }
             do
             {
-                setInset(Math.min(NARROWER * _inset, _mostInset));
+                inset = Math.min(NARROWER * inset, _mostInset);
+                setInset(inset);
             }
-            while (_inset < _mostInset && body.coreTouches(row, place));
+            while (inset < _mostInset && body.coreTouches(row, place));
             return true;
         }
 

@@ -42,9 +42,8 @@ package starlogo.queries.motion
         private var _contact:ContactPoint = new ContactPoint();
         private var _last:ContactPoint = new ContactPoint();
 
-        // A place where the body touches a row, and the way from there to the place of the body.
+        // A place where the body touches a row.
         private var _touching:Vector3D = new Vector3D();
-        private var _beside:Vector3D = new Vector3D();
 
         /**
          * Frees the core of a body from the obstacles that it overlaps where its motion begins. The obstacles whose places planes take are no
@@ -160,7 +159,11 @@ package starlogo.queries.motion
                     {
                         _contact.depth = Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop);
                     }
-                    pushOff(body, place, _contact);
+                    // from beside the place there may be more or less to go
+                    var beside:Number = _contact.normalX * (place.x - _touching.x) + _contact.normalY * (place.y - _touching.y)
+                        + _contact.normalZ * (place.z - _touching.z);
+                    _contact.push(place, _contact.depth + body.core.clearance - beside);
+                    _last.copyFrom(_contact);
                 }
                 if (isFree)
                 {
@@ -169,15 +172,6 @@ package starlogo.queries.motion
             }
             place.copyFrom(_before);
             return false;
-        }
-
-        // Pushes a body by the clearance out of a contact that it has at the touching place.
-        private function pushOff(body:MovingBody, place:Vector3D, contact:ContactPoint):void
-        {
-            _beside.copyFrom(place);
-            _beside.decrementBy(_touching);
-            contact.push(place, contact.depth + body.core.clearance - contact.along(_beside));
-            _last.copyFrom(contact);
         }
 
         // Finds the contact with a row that the body touches at a place. Returns whether it is shallow.

@@ -107,7 +107,7 @@ package starlogo.queries.motion
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
             body.beginMotion(body.rows, from, motion);
-            return _sweep.meets(body, row, from, motion);
+            return _sweep.findStop(body, row, from, motion, _impact);
         }
 
         // Finds where a straight motion that begins with a lift first touches a row. The lift receives what else the body is lifted out of. The

@@ -33,6 +33,11 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
+        // What becomes of a body at one row: it is free of the row, is pushed out of it, or does not get out.
+        private static const FREE:int = 0;
+        private static const PUSHED:int = 1;
+        private static const STUCK:int = 2;
+
         private var _overlap:RowOverlap = new RowOverlap();
 
         // Where the pushes begin.
@@ -42,8 +47,9 @@ package starlogo.queries.motion
         private var _contact:ContactPoint = new ContactPoint();
         private var _last:ContactPoint = new ContactPoint();
 
-        // A place where the body touches a row.
+        // A place where the body touches a row, and the way from there to the place of the body.
         private var _touching:Vector3D = new Vector3D();
+        private var _beside:Vector3D = new Vector3D();
 
         /**
          * Frees the core of a body from the obstacles that it overlaps where its motion begins. The obstacles whose places planes take are no
@@ -126,52 +132,68 @@ package starlogo.queries.motion
             return !body.core.narrow(body, row, place) && _overlap.wholeOverlaps(body, row, place);
         }
 
-        // Pushes a body off one obstacle after the other, until it needs no push. With a lift these are the obstacles that its core overlaps a little,
-        // and the lift receives the contacts. Without one they are those that the body touches. Returns whether the body gets free. If not, it is
-        // where it was.
+        // Pushes a body out of one obstacle after the other, until it needs no push: with a lift, which receives the contacts, out of those that its core
+        // overlaps a little, and without one off those that it touches. Returns whether it gets free. If not, it is where it was.
         private function pushFree(body:MovingBody, place:Vector3D, lift:StartLift):Boolean
         {
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
-            for (var round:int = 0; round < ROUNDS; round++)
+            var result:int = PUSHED;
+            for (var round:int = 0; round < ROUNDS && result == PUSHED; round++)
             {
-                var isFree:Boolean = true;
-                for (var i:int = 0; i < body.obstacles.count; i++)
+                result = FREE;
+                for (var i:int = 0; i < body.obstacles.count && result != STUCK; i++)
                 {
                     var row:int = body.obstacles.numbers[i];
-                    _touching.copyFrom(place);
-                    if (lift != null ? !body.coreTouches(row, place) : !findTouchingPlace(body, row, place, _touching))
-                    {
-                        continue;
-                    }
-                    isFree = false;
-                    var isShallow:Boolean = findContactInRound(body, row, _touching, round, _contact);
-                    if (isOpposite(_contact) || lift != null && !isShallow)
-                    {
-                        place.copyFrom(_before);
-                        return false;
-                    }
-                    if (lift != null)
-                    {
-                        lift.add(_contact);
-                    }
-                    else
-                    {
-                        _contact.depth = Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop);
-                    }
-                    // from beside the place there may be more or less to go
-                    var beside:Number = _contact.normalX * (place.x - _touching.x) + _contact.normalY * (place.y - _touching.y)
-                        + _contact.normalZ * (place.z - _touching.z);
-                    _contact.push(place, _contact.depth + body.core.clearance - beside);
-                    _last.copyFrom(_contact);
-                }
-                if (isFree)
-                {
-                    return true;
+                    var ofRow:int = lift == null ? pushOff(body, row, place, round) : liftOut(body, row, place, round, lift);
+                    result = ofRow == FREE ? result : ofRow;
                 }
             }
-            place.copyFrom(_before);
-            return false;
+            if (result != FREE)
+            {
+                place.copyFrom(_before);
+            }
+            return result == FREE;
+        }
+
+        // Lifts a body by the clearance out of a row that its core overlaps a little.
+        private function liftOut(body:MovingBody, row:int, place:Vector3D, round:int, lift:StartLift):int
+        {
+            if (!body.coreTouches(row, place))
+            {
+                return FREE;
+            }
+            var isShallow:Boolean = findContactInRound(body, row, place, round, _contact);
+            if (!isShallow || isOpposite(_contact))
+            {
+                return STUCK;
+            }
+            lift.add(_contact);
+            return push(place, _contact, _contact.depth + body.core.clearance);
+        }
+
+        // Pushes a body by the clearance off a row that it touches.
+        private function pushOff(body:MovingBody, row:int, place:Vector3D, round:int):int
+        {
+            if (!findTouchingPlace(body, row, place, _touching))
+            {
+                return FREE;
+            }
+            findContactInRound(body, row, _touching, round, _contact);
+            if (isOpposite(_contact))
+            {
+                return STUCK;
+            }
+            _beside.copyFrom(place);
+            _beside.decrementBy(_touching);
+            return push(place, _contact, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
+        }
+
+        private function push(place:Vector3D, contact:ContactPoint, by:Number):int
+        {
+            contact.push(place, by);
+            _last.copyFrom(contact);
+            return PUSHED;
         }
 
         // Finds the contact with a row that the body touches at a place. Returns whether it is shallow.

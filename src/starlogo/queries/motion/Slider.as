@@ -73,7 +73,8 @@ package starlogo.queries.motion
                     out.metWall = true;
                     standUp(_impact.contact);
                 }
-                turnAway(body, place, _impact);
+                dropNeedless(body, place, _rest.add(_impact.contact, _impact.row));
+                _rest.project();
             }
             out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
         }
@@ -109,13 +110,6 @@ package starlogo.queries.motion
                 contact.normalise();
                 _rest.makeHorizontal();
             }
-        }
-
-        // Turns the rest of a slide out of the plane of a contact, and out of the planes that it has met before.
-        private function turnAway(body:MovingBody, place:Vector3D, impact:Impact):void
-        {
-            dropNeedless(body, place, _rest.add(impact.contact, impact.row));
-            _rest.project();
         }
 
         // Removes planes of this corner that are not needed, but not the newest. At the edges of tiles, a contact's plane may belong to a side that the

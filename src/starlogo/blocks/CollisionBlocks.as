@@ -52,9 +52,8 @@ package starlogo.blocks
         private var _systemName:String = TIGHTEST_FITS;
         private var _collision:Collision;
 
-        // The collider that was asked last about present places, and a search with its settings. That search never gets a list of agents, so it
-        // takes all agents where they are now.
-        private var _collider:Collider = null;
+        // A search of the collider in use, for present places; null before the first. It never gets a list of agents, so it takes all agents where they
+        // are now.
         private var _search:CollisionSearch = null;
 
         /**
@@ -134,6 +133,7 @@ package starlogo.blocks
         {
             _collision.collisionSystem = systemNamed(name);
             _systemName = name;
+            _search = null;
         }
 
         /**
@@ -200,12 +200,8 @@ package starlogo.blocks
         /** @private How two agents touch where they are now; null if they do not. */
         engine function contactNow(agent:Agent, other:Agent):Contact
         {
-            if (colliderInUse !== _collider)
-            {
-                _collider = colliderInUse;
-                _search = new CollisionSearch(_collider.narrowPhase);
-            }
-            return _search.areColliding(agent, other) ? _collider.contactIn(_search, agent, other, new Contact()) : null;
+            _search ||= new CollisionSearch(colliderInUse.narrowPhase);
+            return _search.areColliding(agent, other) ? colliderInUse.contactIn(_search, agent, other, new Contact()) : null;
         }
 
         /** @private Moves an agent out of another one by the shortest way, from where both are now. Returns their contact before; null if they did not touch. */

@@ -141,9 +141,8 @@ package starlogo.blocks
         public function isTouching(agent:Agent, subject:Object):Boolean
         {
             BlockSubject.check("touching?", subject);
-            var breed:String = subject is Agent ? Collision.ANY_BREED : subject as String;
-            check("touching?", agent, breed);
-            return queries.touchesAny(agent, subject is Agent ? filterOne(subject) : filterFor(breed));
+            BlockSubject.checkAgent("touching?", agent);
+            return queries.touchesAny(agent, subject is Agent ? filterOne(subject) : filterFor(subject as String));
         }
 
         /**

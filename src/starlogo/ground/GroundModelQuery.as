@@ -31,7 +31,7 @@ package starlogo.ground
         /** Finds how deep the model is in the ground. */
         public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
 
-        // The motion of the search for the first touch.
+        // The motion of the search for the first touch. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
 
         // The point of the ground from which a search for the distance begins.

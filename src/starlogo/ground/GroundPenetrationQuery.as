@@ -52,19 +52,21 @@ package starlogo.ground
         public function findContact(out:ContactPoint):void
         {
             var proof:DepthProof = out.resetProof();
-            findDeepestBehind(out);
-            // a point of the model is that deep behind a triangle
-            proof.isSure = proof.hasTriangle;
-            if (!proof.hasTriangle)
+            if (findDeepestBehind(out))
             {
-                findDeepestOverlap(out);
+                // a point of the model is that deep behind a triangle
+                proof.isSure = true;
+                proof.provenDepth = out.depth;
             }
-            if (!proof.hasTriangle)
+            else if (findDeepestOverlap(out))
+            {
+                proof.provenDepth = isDepthProven(out) ? out.depth : 0;
+            }
+            else
             {
                 findOuterContact(out);
                 return;
             }
-            proof.provenDepth = proof.isSure || isDepthProven(out) ? out.depth : 0;
             _pairs.moveToWorld(out);
         }
 
@@ -141,8 +143,8 @@ package starlogo.ground
         }
 
         // Finds the contact with the triangle that the model is deepest behind, of those that the deepest point of a piece is behind. Only depths
-        // count that are known to be about as deep in the ground.
-        private function findDeepestBehind(out:ContactPoint):void
+        // count that are known to be about as deep in the ground. Returns whether there is one.
+        private function findDeepestBehind(out:ContactPoint):Boolean
         {
             var deepest:Number = 0;
             _pairs.begin(RelativeMotion.NONE, 0);
@@ -156,11 +158,13 @@ package starlogo.ground
                     keep(_tried, out);
                 }
             }
+            return out.proof.hasTriangle;
         }
 
         // Finds the contact with the triangle that the model overlaps most. Of overlaps that are equally deep, up to rounding, the one with the shorter
-        // way out counts: beside a hole, the way past its side, and not the way to the front of the slope at the top of this side.
-        private function findDeepestOverlap(out:ContactPoint):void
+        // way out counts: beside a hole, the way past its side, and not the way to the front of the slope at the top of this side. Returns whether
+        // there is one.
+        private function findDeepestOverlap(out:ContactPoint):Boolean
         {
             var deepest:Number = 0;
             _pairs.begin(RelativeMotion.NONE, 0);
@@ -174,15 +178,17 @@ package starlogo.ground
                 {
                     var depth:Number = _tried.depth;
                     _pairs.side.leadOutside(RelativeMotion.NONE, _tried);
+                    // with a clearly shorter way out it may be as deep up to rounding, with a clearly longer one it has to be clearly deeper
                     var shorter:Number = out.depth - _tried.depth;
-                    var slack:Number = shorter > rounding ? rounding : shorter < -rounding ? -rounding : 0;
-                    if (!out.proof.hasTriangle || depth > deepest - slack)
+                    var needed:Number = shorter > rounding ? deepest - rounding : (shorter < -rounding ? deepest + rounding : deepest);
+                    if (!out.proof.hasTriangle || depth > needed)
                     {
                         deepest = Math.max(depth, deepest);
                         keep(_tried, out);
                     }
                 }
             }
+            return out.proof.hasTriangle;
         }
 
         // How far two shapes that touch here may be apart by rounding.

@@ -83,8 +83,9 @@ package starlogo.queries
 
         /**
          * The first agent that an agent would touch on a straight way from its present place. In <code>moveUntilTouch()</code> it would be
-         * stopped by the same agent at the same time, up to rounding. <code>castShape()</code> of the agent's sphere, box, capsule or hull gives the
-         * same answer, to the last bit. Nothing moves.
+         * stopped by the same agent at the same time, up to rounding. If the agent begins deep in the ground, rounding may choose between several
+         * ways out, and only one of the two questions may say that the way is free. <code>castShape()</code> of the agent's sphere, box, capsule or
+         * hull gives the same answer, to the last bit. Nothing moves.
          *
          * @param agent the agent that is cast. It is never in the answer
          * @param dx how far along x, in patches

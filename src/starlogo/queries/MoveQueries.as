@@ -217,9 +217,7 @@ package starlogo.queries
             _hits.begin();
             if (end != null)
             {
-                end.copyFrom(_from);
-                end.incrementBy(_motion);
-                _lift.keepDepth(end, _from);
+                Mover.goAlong(_from, _motion, 1, _lift, end);
             }
             for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {

@@ -8,6 +8,8 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.terrain.Terrain;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -101,6 +103,32 @@ package starlogo.queries
             }
             _wrong.assertNone();
             assertTrue(stopped + " stopped, " + free + " free", stopped > 60 && free > 300);
+        }
+
+        // A sweep touches across a wider gap than a body that stands, the wider the longer the way is.
+        [Test]
+        public function aPointLeavesWhatItIsJustBeforeOnAWayOfAnyLength():void
+        {
+            var queries:AgentQueries = new AgentQueries(EachCollider.make("tightest fits", landOf(new Model("point", new <Number>[0, 0, 0], null, Model.AS_GIVEN), BuiltInModel.cube())));
+            var point:Agent = agentAt("point", 0, 0, 0);
+            var cube:Agent = agentAt("cube", 0, 0, 0);
+            var ground:Terrain = new Terrain(3, 3, 1, -1, -1);
+            for each (var isOnGround:Boolean in [true, false])
+            {
+                queries.terrain = isOnGround ? ground : null;
+                queries.update(isOnGround ? new <Agent>[point] : new <Agent>[point, cube]);
+                for (var gap:Number = 1e-16; gap < 1e-9; gap *= 1.5)
+                {
+                    for (var length:Number = 1e-3; length < 1e6; length *= 10)
+                    {
+                        point.moveTo(0.3, 0.2, isOnGround ? gap : 1 + gap);
+                        queries.refresh(point);
+                        _wrong.addIf(queries.castAgent(point, 2 * length, length, length) != null, "a cast", gap + " before, " + length);
+                        _wrong.addIf(queries.moveUntilTouch(point, 2 * length, length, length) < 1, "a motion", gap + " before, " + length);
+                    }
+                }
+            }
+            _wrong.assertNone();
         }
 
         [Test]

@@ -23,19 +23,23 @@ package starlogo.queries.motion
         /** An overlap is shallow if it is at most this part of the larger extent. */
         public static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
 
-        // The slop has four parts: fractions of the body's extent, of the largest extent near it, of the coordinates and of the motion.
+        // The slop has four parts: fractions of the body's extent, of the largest extent near it, of the coordinates, and of the motion and a cell of
+        // the ground. An eighth of it is wider than the gap across which a sweep touches.
         private static const OF_EXTENT:Number = 0.4 * Tolerances.SEPARATION;
         private static const OF_OTHERS:Number = 0.02 * Tolerances.SEPARATION;
         private static const OF_PLACES:Number = 16 * Tolerances.PLACES;
-        private static const OF_MOTION:Number = 3 * Tolerances.ROUNDING;
+        private static const OF_MOTION:Number = 24 * Tolerances.ROUNDING;
 
         // The least half-extent of the body loses a slop, and the others lose in proportion. For a slim body, a tenth of its largest half-extent
         // takes the place of the least one. So no half-extent loses more than ten slops. The body loses at most half of its size.
         private static const SLIMMEST:Number = 10;
         private static const MOST_SHRINK:Number = 0.5;
 
-        // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. A slop is at least a hundred
-        // times as wide as the gaps across which shapes touch.
+        // The factor by which the inset grows until the core is free.
+        private static const NARROWER:Number = 4;
+
+        // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. Unless the motion is long, a slop is a
+        // hundred times as wide as the gaps across which shapes touch.
         private static const FLAT:Number = 0.01;
 
         /**
@@ -47,12 +51,6 @@ package starlogo.queries.motion
         /** How far before a touch a slide ends, in patches. It is less than the slop, so the body can enter a place as wide as itself. Read only. */
         public var clearance:Number = 0;
 
-        /** How much of its least half-extent the core should lose: a slop, or more. A slim or small body loses less. Read only. */
-        public var inset:Number = 0;
-
-        /** The largest inset that a motion may have: it leads out of every shallow overlap. Read only. */
-        public var mostInset:Number = 0;
-
         /** The part of its size that the core loses. Read only. */
         public var shrink:Number = 0;
 
@@ -60,6 +58,11 @@ package starlogo.queries.motion
         public var isFlat:Boolean = false;
 
         private var _source:Body;
+
+        // How much of its least half-extent the core should lose: a slop, or more. A slim or small body loses less. And the largest inset that a
+        // motion may have: it leads out of every shallow overlap.
+        private var _inset:Number = 0;
+        private var _mostInset:Number = 0;
 
         // The core at the place where it was asked for last; and this place, whose x is NaN if the core's size has changed.
         private var _core:Body = new Body();
@@ -89,25 +92,49 @@ package starlogo.queries.motion
                 var other:Body = table.bodyOf(rows.numbers[i]);
                 if (other.form == ModelShape.GROUND)
                 {
-                    cell = other.largestHalf;
+                    cell = 2 * other.largestHalf;
                 }
                 else
                 {
                     largest = Math.max(largest, 2 * other.largestHalf);
                 }
             }
-            slop = OF_EXTENT * extent + OF_OTHERS * largest + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z) + cell)
-                + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            slop = OF_EXTENT * extent + OF_OTHERS * largest + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z))
+                + OF_MOTION * (cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
-            mostInset = slop + SHALLOW * largest;
+            _mostInset = slop + SHALLOW * largest;
             setInset(slop);
             isFlat = shrink * _source.leastHalf < FLAT * slop;
         }
 
-        /** Makes the core smaller, or larger, for this motion. */
-        public function setInset(width:Number):void
+        /**
+         * Makes the core narrower for this motion, if it does not touch a row then. The core stays nearly as wide as it can be, because a motion can
+         * go that much deeper.
+         *
+         * @param body the body that has the core
+         * @return whether the core does not touch the row any more
+         */
+        public function narrow(body:MovingBody, row:int, place:Vector3D):Boolean
         {
-            inset = width;
+            var inset:Number = _inset;
+            setInset(_mostInset);
+            if (body.coreTouches(row, place))
+            {
+                setInset(inset);
+                return false;
+            }
+            do
+            {
+                inset = Math.min(NARROWER * inset, _mostInset);
+                setInset(inset);
+            }
+            while (inset < _mostInset && body.coreTouches(row, place));
+            return true;
+        }
+
+        private function setInset(width:Number):void
+        {
+            _inset = width;
             _place.x = NaN;
             shrink = shrinkOf(_source, width);
         }

@@ -72,12 +72,6 @@ package starlogo.queries.motion
             return false;
         }
 
-        /** Whether the core meets a row. */
-        public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
-        {
-            return findStop(body, row, from, motion, _met);
-        }
-
         /**
          * Finds when the whole body touches the row that the core meets first: earlier than the core, by how far the core is behind the body's surface at
          * the contact. But an inner face of a concave body touches later than the core's. There the whole body is swept too. If it touches elsewhere, the
@@ -118,10 +112,15 @@ package starlogo.queries.motion
             return Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
         }
 
-        // Finds when and how a row stops the core. If the first contact on the way does not point against the motion, the core leaves what it touches
-        // there, and may enter another face at the same time: at the edge of a tile, its top. Then the sweep begins again, a clearance farther on.
-        // A flat core may be past the body there. Returns whether the row stops it.
-        private function findStop(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        /**
+         * Finds when and how a row stops the core. If the first contact on the way does not point against the motion, the core leaves what it touches
+         * there, and may enter another face at the same time: at the edge of a tile, its top. Then the sweep begins again, a clearance farther on.
+         * A flat core may be past the body there.
+         *
+         * @param out receives the answer, without the time of the touch
+         * @return whether the row stops it
+         */
+        public function findStop(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
             var end:Vector3D = endOf(from, motion);
             _sweep.endAfter(motion.x, motion.y, motion.z);

@@ -1,7 +1,9 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
     import starlogo.data.IntList;
+    import starlogo.geometry.Tolerances;
 
     /**
      * Moves a body straight on among rows of a table, until it touches one of them. A row that it would go into stops it. A row that it only
@@ -19,9 +21,8 @@ package starlogo.queries.motion
         private var _sweep:CoreSweep = new CoreSweep();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
-        // How the beginning lifts the body, where the lifted body is, the planes of what it overlaps deeply, and what its core meets first.
+        // How the beginning lifts the body, the planes of what it overlaps deeply, and what its core meets first.
         private var _lift:StartLift = new StartLift();
-        private var _liftedPlace:Vector3D = new Vector3D();
         private var _planes:SlidePlanes = new SlidePlanes();
         private var _impact:Impact = new Impact();
 
@@ -38,7 +39,7 @@ package starlogo.queries.motion
             body.beginMotion(rows, from, motion);
             if (_planes.begin(motion, SlideLimits.NONE))
             {
-                _recovery.leaveOverlaps(body, from, _planes, out, _liftedPlace);
+                _recovery.leaveOverlaps(body, from, _planes, out);
             }
             return out.isLifted;
         }
@@ -72,7 +73,7 @@ package starlogo.queries.motion
             {
                 return;
             }
-            var half:Number = body.halfToleranceAt(result.row, result.place);
+            var half:Number = halfToleranceAt(result.place, body.extentWith(body.bodyOf(result.row)));
             result.contact.push(result.place, half);
             for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
             {
@@ -106,7 +107,7 @@ package starlogo.queries.motion
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
             body.beginMotion(body.rows, from, motion);
-            return _sweep.meets(body, row, from, motion);
+            return _sweep.findStop(body, row, from, motion, _impact);
         }
 
         // Finds where a straight motion that begins with a lift first touches a row. The lift receives what else the body is lifted out of. The
@@ -127,12 +128,12 @@ package starlogo.queries.motion
             {
                 if (_impact.row >= 0)
                 {
-                    _liftedPlace.copyFrom(from);
+                    lift.place.copyFrom(from);
                     takeImpact(body, from, motion, lift, _impact, out);
                 }
                 return;
             }
-            _recovery.leaveOverlaps(body, from, _planes, lift, _liftedPlace);
+            _recovery.leaveOverlaps(body, from, _planes, lift);
             out.isDeep = _planes.count > 0;
             out.isLifted = lift.isLifted;
             var crossed:int = _planes.findCrossed();
@@ -144,7 +145,7 @@ package starlogo.queries.motion
                 out.row = _planes.rows[crossed];
                 out.fraction = 0;
             }
-            else if (_sweep.findObstacle(body, _liftedPlace, motion, _impact))
+            else if (_sweep.findObstacle(body, lift.place, motion, _impact))
             {
                 takeImpact(body, from, motion, lift, _impact, out);
             }
@@ -176,8 +177,8 @@ package starlogo.queries.motion
             out.along = impact.along;
             out.contact.copyFrom(impact.contact);
             out.contact.depth = 0;
-            _sweep.findTouchTime(body, _liftedPlace, motion, impact);
-            out.corePlace.setTo(_liftedPlace.x + impact.time * motion.x, _liftedPlace.y + impact.time * motion.y, _liftedPlace.z + impact.time * motion.z);
+            _sweep.findTouchTime(body, lift.place, motion, impact);
+            out.corePlace.setTo(lift.place.x + impact.time * motion.x, lift.place.y + impact.time * motion.y, lift.place.z + impact.time * motion.z);
             // without the lift the body would have touched earlier
             var time:Number = impact.touchTime + out.contact.along(lift.displacement) / impact.along;
             out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
@@ -187,11 +188,28 @@ package starlogo.queries.motion
             }
         }
 
-        // Finds the place at a part of a motion from its beginning before the lift, but no deeper in what the body was lifted out of.
-        private static function goAlong(from:Vector3D, motion:Vector3D, part:Number, lift:StartLift, out:Vector3D):void
+        /**
+         * Finds the place at a part of a motion from its beginning before the lift, but no deeper in what the body was lifted out of. Without this,
+         * motions that are shorter than the lift's clearance would lead deeper each time.
+         */
+        public static function goAlong(from:Vector3D, motion:Vector3D, part:Number, lift:StartLift, out:Vector3D):void
         {
             out.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
-            lift.keepDepth(out, from);
+            for (var i:int = 0; i < lift.count; i++)
+            {
+                var contact:ContactPoint = lift.contacts[i];
+                var deeper:Number = contact.normalX * (from.x - out.x) + contact.normalY * (from.y - out.y) + contact.normalZ * (from.z - out.z);
+                if (deeper > 0 && deeper < lift.mostDepth)
+                {
+                    contact.push(out, deeper);
+                }
+            }
+        }
+
+        // Half of the gap across which two bodies still touch, at a place. It does not apply to spheres and points.
+        private static function halfToleranceAt(place:Vector3D, extent:Number):Number
+        {
+            return Tolerances.SURFACES / 4 * extent + Tolerances.PLACES / 2 * (Math.abs(place.x) + Math.abs(place.y) + Math.abs(place.z));
         }
     }
 }

@@ -7,7 +7,6 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
@@ -26,9 +25,6 @@ package starlogo.queries.motion
      */
     public final class MovingBody
     {
-        // The factor by which the inset of a core grows until the core is free.
-        private static const NARROWER:Number = 4;
-
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
         private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
 
@@ -52,9 +48,6 @@ package starlogo.queries.motion
 
         // The body at the place of its last test.
         private var _whole:Body = new Body();
-
-        // A smaller copy of another row.
-        private var _smaller:Body = new Body();
 
         /** @param seen has the rows, and decides which of them touch */
         public function MovingBody(seen:SeenAgents)
@@ -249,45 +242,6 @@ package starlogo.queries.motion
             return isNear(inner, other, RelativeMotion.NONE) && pairTestsFor(inner, other).isOneInside(inner, other);
         }
 
-        /**
-         * Whether the body at a place overlaps a row that its core touches there. A core of a concave body may touch what is exactly between
-         * two sides of the body. Then the row, made smaller instead, does not touch the body. If the row is the ground, no piece of the body is
-         * deep in it.
-         */
-        public function overlaps(row:int, place:Vector3D):Boolean
-        {
-            var other:Body = bodyOf(row);
-            var whole:Body = wholeAt(place);
-            if (other.form == ModelShape.GROUND)
-            {
-                return _seen.narrowPhase.groundTestsOf(other).isDeeper(whole, other, core.slop);
-            }
-            _smaller.readShrunk(other, null, BodyCore.shrinkOf(other, core.slop));
-            return areTouching(whole, _smaller);
-        }
-
-        /**
-         * Finds the contact of the whole body at a place with a row that it touches there.
-         *
-         * @param isSure true: the contact separates the two. False: a shallow contact of two of their parts is enough. The ground can be
-         *     floor and wall at once, and a contact with one does not lead away from the other
-         * @param out receives the contact
-         * @return whether the contact is shallow
-         */
-        public function findContact(row:int, place:Vector3D, isSure:Boolean, out:ContactPoint):Boolean
-        {
-            var other:Body = bodyOf(row);
-            var whole:Body = wholeAt(place);
-            var shallow:Number = BodyCore.SHALLOW * extentWith(other);
-            var pairTests:PairTests = pairTestsFor(whole, other);
-            pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
-            if (isSure || out.depth > shallow)
-            {
-                pairTests.separate(whole, other, RelativeMotion.NONE, out);
-            }
-            return out.depth <= shallow;
-        }
-
         /** Whether a row stops only what comes from above. See Agent.isOneWay. */
         public function isOneWay(row:int):Boolean
         {
@@ -298,37 +252,6 @@ package starlogo.queries.motion
         public function passes(row:int, contact:ContactPoint):Boolean
         {
             return isOneWay(row) && contact.normalZ < UPWARDS;
-        }
-
-        /**
-         * Makes the core narrower for this motion, if it does not touch a row then. The core stays nearly as wide as it can be, because a motion can
-         * go that much deeper.
-         *
-         * @return whether the core does not touch the row any more
-         */
-        public function narrow(row:int, place:Vector3D):Boolean
-        {
-            var inset:Number = core.inset;
-            var most:Number = core.mostInset;
-            core.setInset(most);
-            if (coreTouches(row, place))
-            {
-                core.setInset(inset);
-                return false;
-            }
-            do
-            {
-                inset = Math.min(NARROWER * inset, most);
-                core.setInset(inset);
-            }
-            while (inset < most && coreTouches(row, place));
-            return true;
-        }
-
-        /** Half of the gap across which the body and a row still touch, at a place. It does not apply to spheres and points. */
-        public function halfToleranceAt(row:int, place:Vector3D):Number
-        {
-            return Tolerances.SURFACES / 4 * extentWith(bodyOf(row)) + Tolerances.PLACES / 2 * (Math.abs(place.x) + Math.abs(place.y) + Math.abs(place.z));
         }
 
         /** Whether the extents of this body or its core come within a slop of another's, anywhere on a motion that ends where it is. */
@@ -347,13 +270,14 @@ package starlogo.queries.motion
                 && Math.abs(moved.z - z - other.z) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
         }
 
-        private function areTouching(whole:Body, other:Body):Boolean
+        /** Whether this body or its core, where it is, touches another. */
+        public function areTouching(moved:Body, other:Body):Boolean
         {
-            return isNear(whole, other, RelativeMotion.NONE) && _seen.narrowPhase.areTouching(whole, other);
+            return isNear(moved, other, RelativeMotion.NONE) && _seen.narrowPhase.areTouching(moved, other);
         }
 
-        // The larger extent of the body and another. The ground's extents are those of a cell, and do not count.
-        private function extentWith(other:Body):Number
+        /** The larger extent of the body and another. The ground's extents are those of a cell, and do not count. */
+        public function extentWith(other:Body):Number
         {
             var ofOther:Number = other.form == ModelShape.GROUND ? 0 : 2 * other.largestHalf;
             return Math.max(ofOther, extent);

@@ -1,19 +1,12 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
-    import starlogo.agents.warnOfInside;
     import starlogo.convex.ContactPoint;
     import starlogo.data.IntList;
-    import starlogo.engine;
-    import starlogo.search.Body;
-    import starlogo.search.ModelShape;
-    import starlogo.search.penetration.OverlapMiddle;
-
-    use namespace engine;
 
     /**
      * Moves a body out of what it overlaps or touches: at the beginning of a motion (leaveOverlaps), and at its end off what it only touches
-     * (restoreClearance). It also finds the deepest overlap, which a walk pushes the body out of.
+     * (restoreClearance). RowOverlap says how it overlaps a row.
      *
      * <p>Out of shallow overlaps the body is lifted, because they come from rounding in the game. If it overlaps a row more deeply, the plane of their
      * contact stands for that row. The motion must not cross the plane, and nothing else of that row counts.</p>
@@ -40,9 +33,14 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
-        // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
-        private static const WITH_ROOM:Number = 2.1;
+        // What becomes of a body at one row: it is free of the row, is pushed out of it, or does not get out.
+        private static const FREE:int = 0;
+        private static const PUSHED:int = 1;
+        private static const STUCK:int = 2;
 
+        private var _overlap:RowOverlap = new RowOverlap();
+
+        // Where the pushes begin.
         private var _before:Vector3D = new Vector3D();
 
         // The contact of this push and of the last one.
@@ -59,15 +57,15 @@ package starlogo.queries.motion
          *
          * @param from where the motion begins
          * @param planes receives the planes of deep overlaps. They belong to no corner
-         * @param lift what the body is lifted out of already; receives the whole lift
-         * @param place receives where the body then is
+         * @param lift what the body is lifted out of already; receives the whole lift, and where the body then is
          */
-        public function leaveOverlaps(body:MovingBody, from:Vector3D, planes:SlidePlanes, lift:StartLift, place:Vector3D):void
+        public function leaveOverlaps(body:MovingBody, from:Vector3D, planes:SlidePlanes, lift:StartLift):void
         {
+            var place:Vector3D = lift.place;
             place.copyFrom(from);
             place.incrementBy(lift.displacement);
             lift.mostDepth = SLOPS_TO_LEAVE * body.core.slop;
-            if (replaceDeep(body, place, planes, false) && !liftOut(body, place, lift))
+            if (replaceDeep(body, place, planes, false) && !pushFree(body, place, lift))
             {
                 place.copyFrom(from);
                 lift.clear();
@@ -90,96 +88,11 @@ package starlogo.queries.motion
          */
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
-            beginPushes(place);
-            for (var round:int = 0; round < ROUNDS; round++)
-            {
-                var isFree:Boolean = true;
-                for (var i:int = 0; i < body.obstacles.count; i++)
-                {
-                    var row:int = body.obstacles.numbers[i];
-                    if (!findTouchingPlace(body, row, place, _touching))
-                    {
-                        continue;
-                    }
-                    isFree = false;
-                    findContactInRound(body, row, _touching, round, _contact);
-                    if (isOpposite(_contact))
-                    {
-                        giveUp(place);
-                        return;
-                    }
-                    _beside.copyFrom(place);
-                    _beside.decrementBy(_touching);
-                    push(place, _contact, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
-                }
-                if (isFree)
-                {
-                    return;
-                }
-            }
-            giveUp(place);
+            pushFree(body, place, null);
         }
 
-        /**
-         * Finds the deepest overlap of a body with some rows. An overlap that a motion only lifts out of does not count, nor one with a one-way row.
-         *
-         * @param out receives the contact. A push along its normal by its depth leads a clearance out of the row
-         * @return the sum of the depths of all overlaps; 0 if there is none
-         */
-        public function findDeepest(body:MovingBody, rows:IntList, place:Vector3D, out:ContactPoint):Number
-        {
-            var sum:Number = 0;
-            out.depth = 0;
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                var row:int = rows.numbers[i];
-                if (body.isOneWay(row) || !body.coreTouches(row, place) || body.findContact(row, place, true, _contact) || !body.overlaps(row, place))
-                {
-                    continue;
-                }
-                warnIfInside(body, row, _contact);
-                _contact.depth += body.core.clearance;
-                if (isExitShort(body, row, _contact))
-                {
-                    sum += _contact.depth;
-                    if (_contact.depth > out.depth)
-                    {
-                        out.copyFrom(_contact);
-                    }
-                }
-            }
-            return sum;
-        }
-
-        // Whether a contact leads out of a row by a short way. The shortest way out of a tree may lead through a wall of the tree if it is longer than the
-        // way to the middle of the body.
-        private static function isExitShort(body:MovingBody, row:int, contact:ContactPoint):Boolean
-        {
-            return body.bodyOf(row).form != ModelShape.TREE || contact.depth <= OverlapMiddle.halfAlong(body.source, contact);
-        }
-
-        // Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
-        // too of one that begins with all of the body inside of another structure, and with room to spare, as that around a level.
-        private static function warnIfInside(body:MovingBody, row:int, contact:ContactPoint):void
-        {
-            var form:int = body.bodyOf(row).form;
-            var isTree:Boolean = form == ModelShape.TREE;
-            var source:Body = body.source;
-            var least:Number = OverlapMiddle.halfAlong(source, contact);
-            if (!isTree)
-            {
-                least *= WITH_ROOM;
-            }
-            if (form != ModelShape.GROUND && contact.depth > least)
-            {
-                var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
-                warnOfInside(body.agents, row, source.shape.modelName, source.placement, below, contact.depth, isTree);
-            }
-        }
-
-        // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
-        // touch a row when it is narrower, the row stays, and the motion has that core. One-way rows that the body is within do not count any
-        // more. Returns whether rows are left that the core overlapped.
+        // Lets planes take the places of obstacles that the core overlaps: of those whose overlap is deep, or of all. Obstacles that the body passes do
+        // not count any more. Returns whether obstacles are left that the core overlapped.
         private function replaceDeep(body:MovingBody, place:Vector3D, planes:SlidePlanes, isOfAll:Boolean):Boolean
         {
             var obstacles:IntList = body.obstacles;
@@ -188,98 +101,108 @@ package starlogo.queries.motion
             for (var i:int = 0; i < obstacles.count; i++)
             {
                 var row:int = obstacles.numbers[i];
-                var touches:Boolean = body.coreTouches(row, place);
-                if (touches && isWithinOneWay(body, row, place))
+                var isOverlapped:Boolean = body.coreTouches(row, place);
+                if (isOverlapped && _overlap.isPassed(body, row, place))
                 {
                     continue;
                 }
-                if (touches && narrowOrFindDeep(body, row, place, isOfAll, _contact))
+                if (isOverlapped && findDeep(body, row, place, isOfAll, _contact))
                 {
                     planes.add(_contact, row);
-                    warnIfInside(body, row, _contact);
+                    RowOverlap.warnIfInside(body, row, _contact);
+                    continue;
                 }
-                else
-                {
-                    isLeft ||= touches;
-                    obstacles.numbers[kept] = row;
-                    kept++;
-                }
+                isLeft ||= isOverlapped;
+                obstacles.numbers[kept] = row;
+                kept++;
             }
             obstacles.count = kept;
             return isLeft;
         }
 
-        // Whether the body is within a one-way row, which its core touches. If it rests on the row, it is not.
-        private function isWithinOneWay(body:MovingBody, row:int, place:Vector3D):Boolean
+        // Finds the contact whose plane has to take the place of an obstacle that the core touches. Returns false if there is none: if the overlap is
+        // shallow, unless all count, if a narrower core is free of the obstacle, which the motion then has, or if the core overlaps it, but not the body.
+        private function findDeep(body:MovingBody, row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
         {
-            return body.isOneWay(row) && (!body.findContact(row, place, true, _contact) || body.passes(row, _contact));
-        }
-
-        // Narrows the core for this motion, so that it does not touch a row, or finds their contact. Returns whether the contact's plane has to
-        // take the place of the row: if the overlap is not shallow, or all count, and no narrower core is free of the row.
-        private function narrowOrFindDeep(body:MovingBody, row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
-        {
-            var isShallow:Boolean = body.findContact(row, place, isOfAll, out);
+            var isShallow:Boolean = _overlap.findContact(body, row, place, isOfAll, out);
             if (isShallow && !isOfAll)
             {
                 return false;
             }
-            var isFree:Boolean = body.narrow(row, place);
-            return !isFree && body.overlaps(row, place);
+            return !body.core.narrow(body, row, place) && _overlap.wholeOverlaps(body, row, place);
         }
 
-        // Lifts a body out of obstacles whose overlap with its core is shallow. The lift receives their contacts. Returns whether the core touches no
-        // obstacle at its place.
-        private function liftOut(body:MovingBody, place:Vector3D, lift:StartLift):Boolean
-        {
-            beginPushes(place);
-            for (var round:int = 0; round < ROUNDS; round++)
-            {
-                var isFree:Boolean = true;
-                for (var i:int = 0; i < body.obstacles.count; i++)
-                {
-                    var row:int = body.obstacles.numbers[i];
-                    if (!body.coreTouches(row, place))
-                    {
-                        continue;
-                    }
-                    isFree = false;
-                    var isShallow:Boolean = findContactInRound(body, row, place, round, _contact);
-                    if (!isShallow || isOpposite(_contact))
-                    {
-                        return giveUp(place);
-                    }
-                    lift.add(_contact);
-                    push(place, _contact, _contact.depth + body.core.clearance);
-                }
-                if (isFree)
-                {
-                    return true;
-                }
-            }
-            return giveUp(place);
-        }
-
-        private function beginPushes(place:Vector3D):void
+        // Pushes a body out of one obstacle after the other, until it needs no push: with a lift, which receives the contacts, out of those that its core
+        // overlaps a little, and without one off those that it touches. Returns whether it gets free. If not, it is where it was.
+        private function pushFree(body:MovingBody, place:Vector3D, lift:StartLift):Boolean
         {
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
+            var result:int = PUSHED;
+            for (var round:int = 0; round < ROUNDS && result == PUSHED; round++)
+            {
+                result = FREE;
+                for (var i:int = 0; i < body.obstacles.count && result != STUCK; i++)
+                {
+                    var row:int = body.obstacles.numbers[i];
+                    var ofRow:int = lift == null ? pushOff(body, row, place, round) : liftOut(body, row, place, round, lift);
+                    result = ofRow == FREE ? result : ofRow;
+                }
+            }
+            if (result != FREE)
+            {
+                place.copyFrom(_before);
+            }
+            return result == FREE;
         }
 
-        // Goes back to where the pushes began. Returns false: the body does not get free.
-        private function giveUp(place:Vector3D):Boolean
+        // Lifts a body by the clearance out of a row that its core overlaps a little.
+        private function liftOut(body:MovingBody, row:int, place:Vector3D, round:int, lift:StartLift):int
         {
-            place.copyFrom(_before);
-            return false;
+            if (!body.coreTouches(row, place))
+            {
+                return FREE;
+            }
+            var isShallow:Boolean = findContactInRound(body, row, place, round, _contact);
+            if (!isShallow || isOpposite(_contact))
+            {
+                return STUCK;
+            }
+            lift.add(_contact);
+            return push(place, _contact, _contact.depth + body.core.clearance);
+        }
+
+        // Pushes a body by the clearance off a row that it touches.
+        private function pushOff(body:MovingBody, row:int, place:Vector3D, round:int):int
+        {
+            if (!findTouchingPlace(body, row, place, _touching))
+            {
+                return FREE;
+            }
+            findContactInRound(body, row, _touching, round, _contact);
+            if (isOpposite(_contact))
+            {
+                return STUCK;
+            }
+            _beside.copyFrom(place);
+            _beside.decrementBy(_touching);
+            return push(place, _contact, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
+        }
+
+        private function push(place:Vector3D, contact:ContactPoint, by:Number):int
+        {
+            contact.push(place, by);
+            _last.copyFrom(contact);
+            return PUSHED;
         }
 
         // Finds the contact with a row that the body touches at a place. Returns whether it is shallow.
         private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
-            var isShallow:Boolean = body.findContact(row, place, round >= SURE_ROUND, out);
+            var isShallow:Boolean = _overlap.findContact(body, row, place, round >= SURE_ROUND, out);
             if (round < SURE_ROUND && isOpposite(out))
             {
-                isShallow = body.findContact(row, place, true, out);
+                isShallow = _overlap.findContact(body, row, place, true, out);
             }
             return isShallow;
         }
@@ -288,12 +211,6 @@ package starlogo.queries.motion
         private function isOpposite(contact:ContactPoint):Boolean
         {
             return contact.normalX * _last.normalX + contact.normalY * _last.normalY + contact.normalZ * _last.normalZ < OPPOSITE;
-        }
-
-        private function push(place:Vector3D, contact:ContactPoint, by:Number):void
-        {
-            contact.push(place, by);
-            _last.copyFrom(contact);
         }
 
         // Finds where the body touches a row: at a place, or, if it is flat, half of a clearance beside the place along an axis. Returns whether

@@ -55,7 +55,8 @@ package starlogo.queries.motion
                 return;
             }
             _lift.clear();
-            _recovery.leaveOverlaps(body, from, _rest, _lift, place);
+            _recovery.leaveOverlaps(body, from, _rest, _lift);
+            place.copyFrom(_lift.place);
             var whole:Number = _rest.length;
             _rest.project();
             for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.length > 0; iterations++)
@@ -66,8 +67,14 @@ package starlogo.queries.motion
                     break;
                 }
                 goToTouch(body, place, _impact);
-                readSurface(_impact, limits, out);
-                turnAway(body, place, _impact);
+                noteFloor(_impact, out);
+                if (_impact.contact.normalZ < limits.walkableZ)
+                {
+                    out.metWall = true;
+                    standUp(_impact.contact);
+                }
+                dropNeedless(body, place, _rest.add(_impact.contact, _impact.row));
+                _rest.project();
             }
             out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
         }
@@ -83,18 +90,13 @@ package starlogo.queries.motion
             _rest.advance(place, Math.max(impact.touchTime + body.core.clearance / impact.along, 0));
         }
 
-        // Reads the surface that a slide has met: the result receives the most level one, and whether one is a wall. A wall becomes upright.
-        private function readSurface(impact:Impact, limits:SlideLimits, out:SlideResult):void
+        // Keeps the most level surface that a slide has met.
+        private static function noteFloor(impact:Impact, out:SlideResult):void
         {
             if (!impact.isNormalFallback && (out.floorRow < 0 || impact.contact.normalZ > out.floor.normalZ))
             {
                 out.floor.copyFrom(impact.contact);
                 out.floorRow = impact.row;
-            }
-            if (impact.contact.normalZ < limits.walkableZ)
-            {
-                out.metWall = true;
-                standUp(impact.contact);
             }
         }
 
@@ -108,13 +110,6 @@ package starlogo.queries.motion
                 contact.normalise();
                 _rest.makeHorizontal();
             }
-        }
-
-        // Turns the rest of a slide out of the plane of a contact, and out of the planes that it has met before.
-        private function turnAway(body:MovingBody, place:Vector3D, impact:Impact):void
-        {
-            dropNeedless(body, place, _rest.add(impact.contact, impact.row));
-            _rest.project();
         }
 
         // Removes planes of this corner that are not needed, but not the newest. At the edges of tiles, a contact's plane may belong to a side that the

@@ -28,6 +28,7 @@ package starlogo.queries.motion
         private var _mover:Mover = new Mover();
         private var _slider:Slider = new Slider();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
+        private var _overlaps:RowOverlap = new RowOverlap();
         private var _foothold:Foothold;
 
         // Memory for the motions of the methods: how slides and straight motions end, their vectors and limits, where a fall has come, the rows
@@ -129,12 +130,12 @@ package starlogo.queries.motion
         private function pushOut(walk:Walk):Number
         {
             walk.place.copyFrom(walk.start);
-            var left:Number = _recovery.findDeepest(walk.body, walk.body.rows, walk.place, _overlap);
+            var left:Number = _overlaps.findDeepest(walk.body, walk.body.rows, walk.place, _overlap);
             if (left > 0)
             {
                 findNear(walk, left);
             }
-            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _recovery.findDeepest(walk.body, walk.body.rows, walk.place, _overlap) > 0; i++)
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _overlaps.findDeepest(walk.body, walk.body.rows, walk.place, _overlap) > 0; i++)
             {
                 var length:Number = Math.min(left, _overlap.depth);
                 left -= length;

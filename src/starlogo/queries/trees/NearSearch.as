@@ -224,8 +224,8 @@ package starlogo.queries.trees
             var limit:Number = found.limit;
             var counted:int = 0;
             var passedOver:int = 0;
-            var end:int = _tree.starts[int(leaf + 1)];
-            for (var slot:int = _tree.starts[leaf]; slot < end; slot++)
+            var end:int = _tree.startOf(leaf + 1);
+            for (var slot:int = _tree.startOf(leaf); slot < end; slot++)
             {
                 var toX:Number = xs[slot] - atX;
                 var toY:Number = ys[slot] - atY;

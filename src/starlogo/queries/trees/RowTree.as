@@ -46,9 +46,6 @@ package starlogo.queries.trees
         /** The node number of the first leaf. The number of leaves is the same. */
         public var firstLeaf:int = 1;
 
-        /** By leaf, from 0 on: the slot where the leaf's rows begin. One more entry is the end of the last leaf. */
-        public var starts:Vector.<int> = new Vector.<int>();
-
         /** By slot: the row. */
         public var rows:Vector.<int> = new Vector.<int>();
 
@@ -105,10 +102,6 @@ package starlogo.queries.trees
                 this.rows[slot] = row;
                 takeMiddle(slot, row);
             }
-            for (var leaf:int = 0; leaf <= firstLeaf; leaf++)
-            {
-                starts[leaf] = leaf * count / firstLeaf;
-            }
             boundMiddles(PER_BOX * ROOT, 0, count);
             RowDivision.divide(this);
             boundAll();
@@ -156,7 +149,8 @@ package starlogo.queries.trees
         private function breedsIn(leaf:int, agents:Vector.<Agent>):int
         {
             var found:int = 0;
-            for (var slot:int = starts[leaf]; slot < starts[int(leaf + 1)]; slot++)
+            var end:int = startOf(leaf + 1);
+            for (var slot:int = startOf(leaf); slot < end; slot++)
             {
                 found |= breedBit(agents[rows[slot]].breedNumber);
             }
@@ -167,6 +161,12 @@ package starlogo.queries.trees
         public function mayHave(node:int, breeds:int):Boolean
         {
             return breeds == ALL_BREEDS || _breedsAsOf != Breeds.changes || (_breedSets[node] & breeds) != 0;
+        }
+
+        /** The slot where the rows of a leaf begin. Leaves count from 0 on here. The last one's rows end where those of the next one would begin. */
+        public function startOf(leaf:int):int
+        {
+            return int(leaf * count / firstLeaf);
         }
 
         /** The node number of the leaf that has a row. */
@@ -184,8 +184,8 @@ package starlogo.queries.trees
                 node = node << 1;
                 last = (last << 1) + 1;
             }
-            var start:int = starts[node - firstLeaf];
-            var end:int = starts[last + 1 - firstLeaf];
+            var start:int = startOf(node - firstLeaf);
+            var end:int = startOf(last + 1 - firstLeaf);
             return except >= 0 && _slots[except] >= start && _slots[except] < end ? end - start - 1 : end - start;
         }
 
@@ -227,9 +227,8 @@ package starlogo.queries.trees
                 middles.grow(count);
                 rowBoxes.length = PER_BOX * count;
             }
-            if (starts.length <= firstLeaf)
+            if (_breedSets.length < 2 * firstLeaf)
             {
-                starts.length = firstLeaf + 1;
                 nodeBoxes.length = 2 * firstLeaf * PER_BOX;
                 _breedSets.length = 2 * firstLeaf;
             }
@@ -271,11 +270,11 @@ package starlogo.queries.trees
                 }
                 else if (_sizes == null)
                 {
-                    boundMiddles(box, starts[node - firstLeaf], starts[node - firstLeaf + 1]);
+                    boundMiddles(box, startOf(node - firstLeaf), startOf(node - firstLeaf + 1));
                 }
                 else
                 {
-                    boundRows(box, starts[node - firstLeaf], starts[node - firstLeaf + 1]);
+                    boundRows(box, startOf(node - firstLeaf), startOf(node - firstLeaf + 1));
                 }
             }
         }

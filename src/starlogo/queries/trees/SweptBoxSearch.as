@@ -180,7 +180,7 @@ package starlogo.queries.trees
             if (leaf >= 0)
             {
                 _next = 0;
-                _end = findOverlapping(tree.rowBoxes, tree.starts[leaf], tree.starts[leaf + 1], _slots, 0);
+                _end = findOverlapping(tree.rowBoxes, tree.startOf(leaf), tree.startOf(leaf + 1), _slots, 0);
                 return;
             }
             var first:int = _waiting;

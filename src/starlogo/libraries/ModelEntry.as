@@ -109,11 +109,6 @@ package starlogo.libraries
             return _loadProblem;
         }
 
-        public function set loadProblem(value:String):void
-        {
-            _loadProblem = value;
-        }
-
         /** Counts one more model of this name that is loading. */
         public function beginLoading():void
         {
@@ -121,10 +116,11 @@ package starlogo.libraries
             _loadProblem = null;
         }
 
-        /** Counts one less, if one is loading. */
-        public function endLoading():void
+        /** Counts one less, if one is loading. @param problem why its load failed; null if it did not */
+        public function endLoading(problem:String):void
         {
             _loadingCount = Math.max(0, _loadingCount - 1);
+            _loadProblem = problem || _loadProblem;
         }
 
         /** Whether a model of this name is loading. */

@@ -193,7 +193,7 @@ package starlogo.models
         }
 
         /** @inheritDoc */
-        public function expectNoMore(name:String):void
+        public function expectNoMore(name:String, problem:String = null):void
         {
         }
 

@@ -140,15 +140,10 @@ package starlogo.libraries
             return models.entryOf(name).builtTree();
         }
 
-        /**
-         * Begins the work that makes the tree of a shape, by the settings as they are now, and returns it.
-         *
-         * @param restoring as for <code>ModelTree.beginBuilding()</code>
-         * @private
-         */
-        engine function beginBuilding(tree:ModelTree, restoring:Function = null):Steps
+        /** @private Begins the work that makes the nodes of a tree, by the settings as they are now, and returns it. */
+        engine function beginBuilding(tree:ModelTree):Steps
         {
-            return tree.beginBuilding(minVerticesToSplit, maxDepth, splitByMean, prepareExact, restoring);
+            return tree.beginBuilding(minVerticesToSplit, maxDepth, splitByMean, prepareExact);
         }
 
         private static function requirePositive(setting:String, value:int):void

@@ -131,7 +131,7 @@ package starlogo.models.gltf
         {
             var found:GltfJson = json.fileEntry("accessors", index);
             found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found \"" + found.value.type + "\"", "type");
-            return _accessors[index] ||= new GltfAccessor(this, found, found);
+            return _accessors[index] ||= GltfAccessor.of(this, found);
         }
 
         /**

@@ -75,8 +75,8 @@ package starlogo.fitting
                     new Vector3D(axes[6], axes[7], axes[8]), x[1], y[1], z[1]);
         }
 
-        // The middle and half the length of the vertices' extent along a unit vector.
-        private static function extentAlong(vertices:Vector.<Number>, x:Number, y:Number, z:Number):Vector.<Number>
+        /** The middle and half the length of the vertices' extent along a unit vector. */
+        public static function extentAlong(vertices:Vector.<Number>, x:Number, y:Number, z:Number):Vector.<Number>
         {
             var low:Number = Infinity;
             var high:Number = -Infinity;

@@ -81,8 +81,7 @@ package starlogo.libraries
         public function replace(model:Model, structures:ModelStructures, tree:ModelTree):void
         {
             _loadProblem = null;
-            countChange(_structures);
-            _structures = structures;
+            this.structures = structures;
             setTree(tree);
             countChange(_model);
             if (_model != null)

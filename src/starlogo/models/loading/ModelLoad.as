@@ -249,13 +249,13 @@ package starlogo.models.loading
         private function fetchBuffers(gltf:GltfFile):void
         {
             var buffers:Vector.<FileDownload> = new Vector.<FileDownload>();
-            for each (var uri:String in gltf.otherFiles)
+            for (var i:int = 0; i < gltf.otherFiles.length; i++)
             {
                 if (!FileAddress.hasFolder(_url))
                 {
-                    gltf.setBuffer(uri, null, "it is in another file, and the address of this file is not known: load() fetches both");
+                    gltf.setOtherFile(i, null, "it is in another file, and the address of this file is not known: load() fetches both");
                 }
-                buffers.push(download(FileAddress.folderOf(_url) + uri));
+                buffers.push(download(FileAddress.folderOf(_url) + gltf.otherFiles[i]));
             }
             call(function():void
                 {
@@ -267,7 +267,7 @@ package starlogo.models.loading
         {
             for (var i:int = 0; i < buffers.length; i++)
             {
-                gltf.setBuffer(gltf.otherFiles[i], buffers[i].bytes, buffers[i].problem);
+                gltf.setOtherFile(i, buffers[i].bytes, buffers[i].problem);
             }
             setMaker(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
         }

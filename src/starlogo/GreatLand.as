@@ -8,7 +8,6 @@ package starlogo
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelPreparation;
     import starlogo.libraries.ModelTable;
-    import starlogo.models.FailedLoads;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.models.cooked.CookedFile;
@@ -28,7 +27,7 @@ package starlogo
      * the one that is added last replaces the other. If you call <code>addModel()</code> while another model of that name is loading, yours
      * is used until the other is loaded.</p>
      */
-    public class GreatLand implements ModelReceiver, FailedLoads
+    public class GreatLand implements ModelReceiver
     {
         /** Whether the tightest bounding structure of a model is computed. The TightestFitCollider needs it. */
         public var loadTightestFit:Boolean = true;
@@ -186,15 +185,9 @@ package starlogo
         }
 
         /** @inheritDoc */
-        public function expectNoMore(name:String):void
+        public function expectNoMore(name:String, problem:String = null):void
         {
-            _models.entryToWrite(name).endLoading();
-        }
-
-        /** @inheritDoc */
-        public function loadFailed(name:String, problem:String):void
-        {
-            _models.entryToWrite(name).loadProblem = problem;
+            _models.entryToWrite(name).endLoading(problem);
         }
 
         /** @private Why there is no model of a name, as the end of a message: what was wrong when its load failed, or else what to do. */

@@ -36,7 +36,7 @@ package support
         }
 
         /** @inheritDoc */
-        public function expectNoMore(name:String):void
+        public function expectNoMore(name:String, problem:String = null):void
         {
             expected.splice(expected.indexOf(name), 1);
         }

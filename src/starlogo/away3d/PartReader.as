@@ -22,9 +22,6 @@ package starlogo.away3d
         /** The number of triangles. */
         public var triangleCount:int;
 
-        /** The share that is read, from 0 to 1. */
-        public var progress:Number = 0;
-
         private var _name:String;
         private var _part:ISubGeometry;
         private var _transform:AffineTransform;
@@ -54,8 +51,9 @@ package starlogo.away3d
          * The work that reads all vertices.
          *
          * @param points receives them
+         * @param setShare <code>function(share:Number):void</code>; gets the share that is read, from 0 to 1
          */
-        public function readingVertices(points:PointTable):Steps
+        public function readingVertices(points:PointTable, setShare:Function):Steps
         {
             open();
             return new StepSequence().slices(vertexCount, INDICES_PER_STEP, function(first:int, end:int):void
@@ -64,7 +62,7 @@ package starlogo.away3d
                     {
                         addPoint(i, points);
                     }
-                    progress = end / Math.max(1, vertexCount);
+                    setShare(end / Math.max(1, vertexCount));
                 });
         }
 
@@ -73,8 +71,9 @@ package starlogo.away3d
          *
          * @param points receives the vertices
          * @param triangles receives three indices of points for each triangle
+         * @param setShare as for readingVertices()
          */
-        public function readingTriangles(points:PointTable, triangles:Vector.<uint>):Steps
+        public function readingTriangles(points:PointTable, triangles:Vector.<uint>, setShare:Function):Steps
         {
             var indices:Vector.<uint> = _part.indexData || new Vector.<uint>();
             open();
@@ -83,7 +82,7 @@ package starlogo.away3d
             return new StepSequence().slices(3 * triangleCount, INDICES_PER_STEP, function(first:int, end:int):void
                 {
                     readTriangles(indices, first, end, points, triangles);
-                    progress = end / Math.max(1, 3 * triangleCount);
+                    setShare(end / Math.max(1, 3 * triangleCount));
                 });
         }
 

@@ -53,14 +53,11 @@ package starlogo.away3d
 
         private function readingPart(index:int, hasTriangles:Boolean, points:PointTable):Steps
         {
-            var part:PartReader = _parts[index];
-            var work:Steps = hasTriangles ? part.readingTriangles(points, data.triangles) : part.readingVertices(points);
-            return new StepSequence().repeat(function():Boolean
-                {
-                    var hasMore:Boolean = work.step();
-                    setReadShare((index + part.progress) / _parts.length);
-                    return hasMore;
-                });
+            var setShare:Function = function(share:Number):void
+            {
+                setReadShare((index + share) / _parts.length);
+            };
+            return hasTriangles ? _parts[index].readingTriangles(points, data.triangles, setShare) : _parts[index].readingVertices(points, setShare);
         }
 
         private function addSource(source:Object):void

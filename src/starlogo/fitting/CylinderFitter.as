@@ -2,6 +2,7 @@ package starlogo.fitting
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Cylinder;
 
     /**
      * Finds the bounding cylinder along the longest axis of a box (thesis §3.4.3). It is as long as the box, and just thick enough for the
@@ -24,7 +25,9 @@ package starlogo.fitting
         /** @inheritDoc */
         override protected function findAlong(vertices:Vector.<Number>, center:Vector3D, axis:Vector3D, half:Number):BoundingStructure
         {
-            return EnclosingStructures.cylinder(vertices, center, axis, half);
+            return new Cylinder(new Vector3D(center.x - half * axis.x, center.y - half * axis.y, center.z - half * axis.z),
+                    new Vector3D(center.x + half * axis.x, center.y + half * axis.y, center.z + half * axis.z),
+                    EnclosingStructures.distanceFromLine(vertices, center, axis));
         }
     }
 }

@@ -3,11 +3,10 @@ package starlogo.fitting
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
-    import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
 
     /**
-     * The last step of every fit but that of a hull: finds the tightest structure around all vertices. The structure's place or direction is given. The
+     * The last step of most fits: finds the tightest structure around all vertices. The structure's place or direction is given. The
      * computation has double precision, and takes up to three passes over the vertices.
      *
      * @private
@@ -76,8 +75,8 @@ package starlogo.fitting
                     new Vector3D(axes[6], axes[7], axes[8]), x[1], y[1], z[1]);
         }
 
-        // The middle and half the length of the vertices' extent along a unit vector.
-        private static function extentAlong(vertices:Vector.<Number>, x:Number, y:Number, z:Number):Vector.<Number>
+        /** The middle and half the length of the vertices' extent along a unit vector. */
+        public static function extentAlong(vertices:Vector.<Number>, x:Number, y:Number, z:Number):Vector.<Number>
         {
             var low:Number = Infinity;
             var high:Number = -Infinity;
@@ -137,22 +136,6 @@ package starlogo.fitting
             }
             return new Capsule(new Vector3D(pointX + low * axisX, pointY + low * axisY, pointZ + low * axisZ),
                     new Vector3D(pointX + high * axisX, pointY + high * axisY, pointZ + high * axisZ), radius);
-        }
-
-        /**
-         * Finds the cylinder around a given segment whose radius encloses every vertex. The ends of the segment do not move.
-         *
-         * @param vertices x, y, z of each
-         * @param middle of the segment
-         * @param axis unit vector along the segment
-         * @param half half of the segment's length
-         */
-        public static function cylinder(vertices:Vector.<Number>, middle:Vector3D, axis:Vector3D, half:Number):Cylinder
-        {
-            return new Cylinder(
-                    new Vector3D(middle.x - half * axis.x, middle.y - half * axis.y, middle.z - half * axis.z),
-                    new Vector3D(middle.x + half * axis.x, middle.y + half * axis.y, middle.z + half * axis.z),
-                    distanceFromLine(vertices, middle, axis));
         }
 
         /**

@@ -139,15 +139,10 @@ package starlogo.libraries
             return models.entryOf(name).builtTree();
         }
 
-        /**
-         * Begins the work that makes the tree of a shape, by the settings as they are now.
-         *
-         * @param restoring as for <code>ModelTree.beginBuilding()</code>
-         * @private
-         */
-        engine function beginBuilding(tree:ModelTree, restoring:Function = null):void
+        /** @private Begins the work that makes the nodes of a tree, by the settings as they are now. */
+        engine function beginBuilding(tree:ModelTree):void
         {
-            tree.beginBuilding(minVerticesToSplit, maxDepth, splitByMean, prepareExact, restoring);
+            tree.beginBuilding(minVerticesToSplit, maxDepth, splitByMean, prepareExact);
         }
 
         private static function requirePositive(setting:String, value:int):void

@@ -81,8 +81,7 @@ package starlogo.libraries
         public function replace(model:Model, structures:ModelStructures, tree:ModelTree):void
         {
             _loadProblem = null;
-            countChange(_structures);
-            _structures = structures;
+            this.structures = structures;
             setTree(tree);
             countChange(_model);
             if (_model != null)
@@ -109,11 +108,6 @@ package starlogo.libraries
             return _loadProblem;
         }
 
-        public function set loadProblem(value:String):void
-        {
-            _loadProblem = value;
-        }
-
         /** Counts one more model of this name that is loading. */
         public function beginLoading():void
         {
@@ -121,10 +115,11 @@ package starlogo.libraries
             _loadProblem = null;
         }
 
-        /** Counts one less, if one is loading. */
-        public function endLoading():void
+        /** Counts one less, if one is loading. @param problem why its load failed; null if it did not */
+        public function endLoading(problem:String):void
         {
             _loadingCount = Math.max(0, _loadingCount - 1);
+            _loadProblem = problem || _loadProblem;
         }
 
         /** Whether a model of this name is loading. */

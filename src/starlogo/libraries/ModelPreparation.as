@@ -34,7 +34,7 @@ package starlogo.libraries
         private var _settings:FitSettings;
         private var _structuresBuilder:StructuresBuilder = null;
 
-        // Makes the tree again from a stored division; null for none.
+        // Makes the nodes of the tree again from a stored division; null for none.
         private var _cookedTree:CookedTree = null;
 
         /**
@@ -54,7 +54,7 @@ package starlogo.libraries
             if (hierarchiesLibrary != null)
             {
                 modelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-                hierarchiesLibrary.beginBuilding(modelTree, restoringTree);
+                hierarchiesLibrary.beginBuilding(modelTree);
             }
             if (model.data.cooked != null)
             {
@@ -135,16 +135,15 @@ package starlogo.libraries
         {
             var stored:CookedResults = CookedResults.read(file, _settings, _model);
             structures ||= stored.structures;
-            if (stored.division != null && (_cookedTree == null || stored.surface != null && modelTree.surface == null))
+            if (stored.division != null && _cookedTree == null)
             {
                 _cookedTree = new CookedTree(stored.division, modelTree.boxTree, _settings.maxDepth);
+                modelTree.restoreFirst(_cookedTree);
+            }
+            if (stored.surface != null)
+            {
                 modelTree.takeSurface(stored.surface);
             }
-        }
-
-        private function restoringTree():Steps
-        {
-            return _cookedTree;
         }
     }
 }

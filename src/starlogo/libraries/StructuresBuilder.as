@@ -43,7 +43,7 @@ package starlogo.libraries
         {
             _name = name;
             _keepsAll = keepsAll;
-            if (fitters == null || fitters.length == 0)
+            if (fitters.length == 0)
             {
                 throw ModelTable.errorOf(name, "the library's list of fitters is empty");
             }

@@ -99,7 +99,7 @@ package starlogo.models
                 throw new RangeError("the time must be a finite number, not " + time);
             }
             _file.renewLimits();
-            return new GltfReader(_name, _file, _upAxis, null, found.valuesAt(time)).readAll().vertices;
+            return new GltfReader(_name, _file, _upAxis, null, found, time).readAll().vertices;
         }
 
         private function animationOf(animation:int):GltfAnimation

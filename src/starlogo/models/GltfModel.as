@@ -64,9 +64,10 @@ package starlogo.models
         {
             var file:GltfFile = new GltfFile(name, bytes, null);
             finish(file);
-            for each (var uri:String in file.otherFiles)
+            for (var i:int = 0; i < file.otherFiles.length; i++)
             {
-                file.setBuffer(uri, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
+                var uri:String = file.otherFiles[i];
+                file.setOtherFile(i, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
                         "\"" + TextWords.shorten(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
             }
             return file;

@@ -236,7 +236,7 @@ package starlogo.models
         /** Cancels one load, if it is not over. For the promises of the ES module. */
         internal function drop(load:ModelLoad):void
         {
-            if (!remove(load))
+            if (!remove(load, null))
             {
                 return;
             }
@@ -318,13 +318,9 @@ package starlogo.models
             {
                 problem = error is ModelError ? error : new ModelError(load.name, "", "it can't be added: " + error.message);
             }
-            if (!hasMore && remove(load)) // the step may have cancelled its own load
+            if (!hasMore && remove(load, problem)) // the step may have cancelled its own load
             {
                 _doneCount++;
-                if (problem != null && _receiver is FailedLoads)
-                {
-                    FailedLoads(_receiver).loadFailed(load.name, problem.message);
-                }
                 var isTold:Boolean = tell(load, problem == null ? load.model : null, problem);
                 if (problem == null)
                 {
@@ -348,13 +344,13 @@ package starlogo.models
         }
 
         // Returns whether the load was still in the queue.
-        private function remove(load:ModelLoad):Boolean
+        private function remove(load:ModelLoad, problem:Error):Boolean
         {
             var index:int = _loads.indexOf(load);
             if (index >= 0)
             {
                 _loads.splice(index, 1);
-                _receiver.expectNoMore(load.name);
+                _receiver.expectNoMore(load.name, problem == null ? null : problem.message);
             }
             return index >= 0;
         }

@@ -2,8 +2,6 @@ package starlogo.models
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
-    import flash.utils.ByteArray;
-    import starlogo.data.areSameNumbers;
     import starlogo.engine;
     import starlogo.geometry.AffineTransform;
 
@@ -100,56 +98,22 @@ package starlogo.models
             _matrix.transformPoints(out, 0, points.length / 3, out, 0);
         }
 
-        /**
-         * Whether the other frame is equal to the last bit.
-         *
-         * @private
-         */
-        engine function equals(other:SourceFrame):Boolean
+        /** @private Its numbers: the matrix row by row, the offset and the unit. */
+        engine function get numbers():Vector.<Number>
         {
-            return areSameNumbers(_matrix.rows, other._matrix.rows) && areSameNumbers(_offset, other._offset) && _unit == other._unit;
+            var m:Vector.<Number> = _matrix.rows;
+            return new <Number>[m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], _offset[0], _offset[1], _offset[2], _unit];
         }
 
-        /**
-         * Writes the frame: the matrix row by row, the offset and the unit.
-         *
-         * @private
-         */
-        engine function writeTo(bytes:ByteArray):void
-        {
-            for (var i:int = 0; i < 9; i++)
-            {
-                bytes.writeDouble(_matrix.rows[i + int(i / 3)]);
-            }
-            for (var k:int = 0; k < 3; k++)
-            {
-                bytes.writeDouble(_offset[k]);
-            }
-            bytes.writeDouble(_unit);
-        }
-
-        /**
-         * Reads a frame that writeTo wrote.
-         *
-         * @param bytes read from its position on
-         * @return null if a number is not finite, or the unit is not positive
-         *
-         * @private
-         */
-        engine static function read(bytes:ByteArray):SourceFrame
+        /** @private The frame with these numbers. Null if one is not finite, or the unit is not positive. */
+        engine static function of(n:Vector.<Number>):SourceFrame
         {
             var frame:SourceFrame = new SourceFrame();
-            for (var i:int = 0; i < 9; i++)
-            {
-                frame._matrix.rows[i + int(i / 3)] = bytes.readDouble();
-            }
-            for (var k:int = 0; k < 3; k++)
-            {
-                frame._offset[k] = bytes.readDouble();
-            }
-            frame._unit = bytes.readDouble();
-            var differences:Number = frame._unit - frame._unit;
-            for each (var number:Number in frame._matrix.rows.concat(frame._offset))
+            frame._matrix = new AffineTransform(new <Number>[n[0], n[1], n[2], 0, n[3], n[4], n[5], 0, n[6], n[7], n[8], 0]);
+            frame._offset = n.slice(9, 12);
+            frame._unit = n[12];
+            var differences:Number = 0;
+            for each (var number:Number in n)
             {
                 differences += number - number;
             }

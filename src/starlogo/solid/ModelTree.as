@@ -59,20 +59,20 @@ package starlogo.solid
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean, down to the leaves
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
-         * @param restoring returns work that makes the nodes from what is stored, if it can; null for none
          */
-        engine function beginBuilding(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean, restoring:Function = null):void
+        engine function beginBuilding(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean):void
         {
-            var work:StepSequence = new StepSequence();
-            if (restoring != null)
-            {
-                work.begin(restoring);
-            }
-            work.begin(function():Steps
+            var work:StepSequence = new StepSequence().begin(function():Steps
                 {
                     return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, minVerticesToSplit, maxDepth, splitByMean);
                 });
             _building = preparesExact && hasTriangles ? work.begin(newInterior) : work;
+        }
+
+        /** @private Puts work before the work that was begun. It makes the nodes from what is stored, if it can; otherwise they are built. */
+        engine function restoreFirst(restoring:Steps):void
+        {
+            _building = new StepSequence().add(restoring).add(_building);
         }
 
         /** @private The work that was begun. It may have no steps left. */

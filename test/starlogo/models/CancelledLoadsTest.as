@@ -36,7 +36,7 @@ package starlogo.models
             _expected++;
         }
 
-        public function expectNoMore(name:String):void
+        public function expectNoMore(name:String, problem:String = null):void
         {
             _expected--;
             _loader.cancel();

@@ -50,7 +50,7 @@ package starlogo.models
             _frames.addEventListener(Event.ENTER_FRAME, onFrame);
             Async.handleEvent(this, _done, Event.COMPLETE, function(event:Event, data:Object):void
                 {
-                    assertEquals("loaded text,model \"file\": no vertices, so this is no OBJ text,complete", _log.join());
+                    assertEquals("loaded text,the receiver hears: model \"file\",model \"file\": no vertices, so this is no OBJ text,complete", _log.join());
                     assertFalse("nothing holds it any more", ModelLoader.isAnyWorking);
                 }, 120000);
         }
@@ -193,8 +193,12 @@ package starlogo.models
         }
 
         /** @inheritDoc */
-        public function expectNoMore(name:String):void
+        public function expectNoMore(name:String, problem:String = null):void
         {
+            if (problem != null)
+            {
+                _log.push("the receiver hears: " + problem.split(":")[0]);
+            }
         }
 
         /** @inheritDoc */

@@ -1,5 +1,6 @@
 package starlogo.fitting.hull
 {
+    import starlogo.fitting.EnclosingStructures;
     import starlogo.geometry.hull.ConvexHull;
 
     /**
@@ -24,16 +25,9 @@ package starlogo.fitting.hull
             _axes = hull.axes;
             for (var axis:int = 0; axis < 3; axis++)
             {
-                var low:Number = Infinity;
-                var high:Number = -Infinity;
-                for (var i:int = 0; i < hull.points.length; i += 3)
-                {
-                    var along:Number = alongAxis(hull.points, i, axis);
-                    low = Math.min(low, along);
-                    high = Math.max(high, along);
-                }
-                _middle.push((low + high) / 2);
-                _lengths.push(axis < hull.dimension ? high - low : 0);
+                var extent:Vector.<Number> = EnclosingStructures.extentAlong(hull.points, _axes[3 * axis], _axes[3 * axis + 1], _axes[3 * axis + 2]);
+                _middle.push(extent[0]);
+                _lengths.push(axis < hull.dimension ? 2 * extent[1] : 0);
             }
         }
 

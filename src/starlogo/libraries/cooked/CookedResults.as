@@ -79,11 +79,15 @@ package starlogo.libraries.cooked
         // one that cannot be, or one much larger than the model's largest coordinate.
         private static function structuresIn(bytes:ByteArray, last:int, largest:Number):Vector.<BoundingStructure>
         {
+            if (bytes == null || bytes.length < 4)
+            {
+                return null;
+            }
             var limit:Number = Math.max(1, LARGEST_FACTOR * largest);
             var o:Vector3D = new Vector3D();
             var all:Vector.<BoundingStructure> = new <BoundingStructure>[new Sphere(o, 0), new Capsule(o, o, 0),
                     new Box(o, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0), new Hull(new <Number>[0, 0, 0])];
-            var kinds:int = bytes == null || bytes.length < 4 ? 0 : bytes.readInt();
+            var kinds:int = bytes.readInt();
             all.length = last + 1;
             for (var kind:int = 0; kind <= last; kind++)
             {

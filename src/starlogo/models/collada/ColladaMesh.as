@@ -69,7 +69,7 @@ package starlogo.models.collada
                     return new StepSequence().add(points).call(function():void
                         {
                             isUsed.length = vertices.length / 3;
-                        }).add(new ColladaPrimitive(element, points, isUsed, triangles, triangulator));
+                        }).add(new ColladaPrimitive(element, points, isUsed, triangulator));
                 });
         }
 

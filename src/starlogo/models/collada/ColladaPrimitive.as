@@ -17,7 +17,6 @@ package starlogo.models.collada
         private var _element:ColladaElement;
         private var _positions:ColladaSource;
         private var _isUsed:Vector.<uint>;
-        private var _triangles:Vector.<uint>;
         private var _triangulator:Triangulator;
 
         // A corner takes _stride indices. The one at _offset is its position's.
@@ -28,16 +27,13 @@ package starlogo.models.collada
          * @param element the primitive's element
          * @param positions its points; their steps come before this one's
          * @param isUsed a number for each point of the mesh; set to 1 for points that have a corner
-         * @param triangles takes the triangles
-         * @param triangulator cuts polygons, and adds their triangles
+         * @param triangulator takes the triangles, and cuts polygons
          */
-        public function ColladaPrimitive(element:ColladaElement, positions:ColladaSource,
-                isUsed:Vector.<uint>, triangles:Vector.<uint>, triangulator:Triangulator)
+        public function ColladaPrimitive(element:ColladaElement, positions:ColladaSource, isUsed:Vector.<uint>, triangulator:Triangulator)
         {
             _element = element;
             _positions = positions;
             _isUsed = isUsed;
-            _triangles = triangles;
             _triangulator = triangulator;
             readInputs();
             var lists:Vector.<ColladaElement> = element.childrenNamed("p");
@@ -103,10 +99,11 @@ package starlogo.models.collada
 
         private function readTriangles(indices:Array, first:int, end:int):void
         {
-            var at:int = _triangles.length;
+            var triangles:Vector.<uint> = _triangulator.triangles;
+            var at:int = triangles.length;
             for (var i:int = first; i < end; i++)
             {
-                _triangles[at++] = readCorner(indices, i * _stride);
+                triangles[at++] = readCorner(indices, i * _stride);
             }
         }
 

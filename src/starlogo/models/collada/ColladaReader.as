@@ -23,8 +23,6 @@ package starlogo.models.collada
         private static const VERTICES_PER_STEP:int = 3000;
         private static const TRIANGLES_PER_STEP:int = 5000;
 
-        private var _limits:FileLimits;
-
         /**
          * @param name the model's name
          * @param text the document's text
@@ -35,8 +33,7 @@ package starlogo.models.collada
         {
             super(name, upAxis == null ? "z" : upAxis, scaling);
             refuseIf(text == null, name, "there is no text to read");
-            _limits = new FileLimits(name, text.length);
-            addSteps(new XmlReader(text, _limits), upAxis != null);
+            addSteps(new XmlReader(text, new FileLimits(name, text.length)), upAxis != null);
         }
 
         private function addSteps(xml:XmlReader, isAxisNamed:Boolean):void
@@ -84,7 +81,7 @@ package starlogo.models.collada
             var firstCorner:int = data.triangles.length;
             var vertexCount:int = mesh.vertices.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
-            _limits.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, instance.element);
+            instance.element.limits.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, instance.element);
             if (triangleCount > 0)
             {
                 addLabels(instance, firstCorner / 3);

@@ -56,14 +56,14 @@ package starlogo.models.cooked
         private static const HEAD_LENGTH:int = TABLE + SECTIONS * ENTRY_LENGTH;
         private static const WORDS_PER_STEP:int = 4000;
 
-        /** Whether the file is complete and unchanged, when no step is left. */
-        public var isWhole:Boolean = false;
-
         /** Whether the file has another form, because another version of the engine has made it. */
         public var isOfOtherVersion:Boolean = false;
 
         private var _bytes:ByteArray = newBytes();
         private var _whole:Fingerprint = new Fingerprint();
+
+        // whether the file is complete and unchanged; false until all steps are done
+        private var _isWhole:Boolean = false;
 
         /** @param bytes a possible cooked file; it is copied; only its position and byte order change; null for no file */
         public function CookedFile(bytes:ByteArray)
@@ -149,11 +149,7 @@ package starlogo.models.cooked
         /** Whether the file is complete and has this model key: see MODEL. */
         public function isOf(modelKey:Fingerprint):Boolean
         {
-            if (isWhole)
-            {
-                _bytes.position = TABLE;
-            }
-            return isWhole && modelKey.isNextOf(_bytes);
+            return _isWhole && hasSettings(MODEL, modelKey);
         }
 
         /**
@@ -165,8 +161,8 @@ package starlogo.models.cooked
          */
         public function section(index:int, settings:Fingerprint):ByteArray
         {
-            var length:int = isWhole ? lengthOf(index) : 0;
-            if (length == 0)
+            var length:int = _isWhole ? lengthOf(index) : 0;
+            if (length == 0 || settings != null && !hasSettings(index, settings))
             {
                 return null;
             }
@@ -175,15 +171,16 @@ package starlogo.models.cooked
             {
                 start += lengthOf(i);
             }
-            _bytes.position = TABLE + ENTRY_LENGTH * index;
-            if (settings != null && !settings.isNextOf(_bytes))
-            {
-                return null;
-            }
             var bytes:ByteArray = newBytes();
             bytes.writeBytes(_bytes, start, length);
             bytes.position = 0;
             return bytes;
+        }
+
+        private function hasSettings(index:int, settings:Fingerprint):Boolean
+        {
+            _bytes.position = TABLE + ENTRY_LENGTH * index;
+            return settings.isNextOf(_bytes);
         }
 
         private function lengthOf(index:int):int
@@ -206,7 +203,7 @@ package starlogo.models.cooked
                 var length:int = lengthOf(i);
                 rest = length < 0 ? NaN : rest - length;
             }
-            isWhole = isSealed && rest >= 0 && rest < Fingerprint.LENGTH;
+            _isWhole = isSealed && rest >= 0 && rest < Fingerprint.LENGTH;
         }
 
         // Whether a file whose version was read has the length that it says.

@@ -68,10 +68,10 @@ package starlogo.models.cooked
         // Reads the head. The work that it returns reads the numbers.
         private function reading(file:CookedFile, modelKey:Fingerprint):Steps
         {
-            refuseIf(modelKey != null && file.isWhole && !file.isOf(modelKey), name, "the cooked file is for another up axis, transform or scaling");
-            _bytes = file.section(CookedFile.MODEL, null);
             refuseIf(file.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
+            _bytes = file.section(CookedFile.MODEL, null);
             refuseIf(_bytes == null, name, "the cooked file is damaged: cook it again");
+            refuseIf(modelKey != null && !file.isOf(modelKey), name, "the cooked file is for another up axis, transform or scaling");
             data.cooked = file;
             data.scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
             var form:int = readCount(CookedWriter.DOUBLE);
@@ -82,7 +82,7 @@ package starlogo.models.cooked
             data.transform = hasTransform ? readTransform() : null;
             if (form == CookedWriter.DOUBLE)
             {
-                data.frame = SourceFrame.read(_bytes);
+                data.frame = readFrame();
                 refuseIf(data.frame == null, name, "the cooked file does not have the model's place in its source");
             }
             refuseIf(vertexCount == 0, name, "the cooked file has no vertices");
@@ -146,6 +146,16 @@ package starlogo.models.cooked
                 throw new ModelError(name, "", error.message);
             }
             return null;
+        }
+
+        private function readFrame():SourceFrame
+        {
+            var numbers:Vector.<Number> = new Vector.<Number>(13);
+            for (var i:int = 0; i < numbers.length; i++)
+            {
+                numbers[i] = _bytes.readDouble();
+            }
+            return SourceFrame.of(numbers);
         }
 
         private function readVector():Vector3D

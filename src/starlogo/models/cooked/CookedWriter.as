@@ -47,7 +47,7 @@ package starlogo.models.cooked
         private static function areSourceOf(points:Vector.<Number>, model:Model):Boolean
         {
             var made:ModelData = ModelData.of(model.name, points, model.triangles, model.data.scaling, model.data.transform);
-            return areSameNumbers(made.vertices, model.vertices) && made.frame.equals(model.source) && String(made.triangles) == String(model.triangles);
+            return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.frame.numbers, model.source.numbers) && String(made.triangles) == String(model.triangles);
         }
 
         /** The divisor for the numbers of a form. */
@@ -101,7 +101,10 @@ package starlogo.models.cooked
             }
             if (form == DOUBLE)
             {
-                model.source.writeTo(out);
+                for each (var number:Number in model.source.numbers)
+                {
+                    out.writeDouble(number);
+                }
             }
             writePoints(points, form, out);
             for (var i:int = 0; i < triangles.length; i++)

@@ -42,30 +42,46 @@ package starlogo.models.gltf
 
         /**
          * @param file the file; all its steps must be done
-         * @param data says where its numbers are
-         * @param layout says how many and of which kind; the same object as data, but for the parts of a sparse accessor
+         * @param json says where its numbers are: an accessor, or a part of a sparse one
+         * @param count the number of elements
+         * @param width the numbers of each element
+         * @param componentType the kind of its numbers: BYTE or another
+         * @param isNormalised whether its numbers stand for fractions of the largest one
          */
-        public function GltfAccessor(file:GltfFile, data:GltfJson, layout:GltfJson)
+        public function GltfAccessor(file:GltfFile, json:GltfJson, count:int, width:int, componentType:int, isNormalised:Boolean)
         {
-            json = data;
-            count = layout.whole("count", int.MAX_VALUE, -1);
-            _width = WIDTHS[layout.value.type];
-            _componentType = layout.whole("componentType", int.MAX_VALUE, -1);
-            layout.refuseIf(!SIZES.hasOwnProperty(_componentType), "expected 5120 to 5123, 5125 or 5126, but found " + _componentType, "componentType");
-            _divisor = layout.value.normalized === true && LARGEST[_componentType] > 0 ? LARGEST[_componentType] : 0;
-            var view:int = data.reference("bufferView", "bufferViews");
-            var offset:int = data.whole("byteOffset", int.MAX_VALUE, 0);
+            this.json = json;
+            this.count = count;
+            _width = width;
+            _componentType = componentType;
+            json.refuseIf(!SIZES.hasOwnProperty(componentType), "expected 5120 to 5123, 5125 or 5126, but found " + componentType, "componentType");
+            _divisor = isNormalised && LARGEST[componentType] > 0 ? LARGEST[componentType] : 0;
+            var view:int = json.reference("bufferView", "bufferViews");
+            var offset:int = json.whole("byteOffset", int.MAX_VALUE, 0);
             if (view >= 0)
             {
                 addRows(file, view, offset);
             }
-            file.limits.count(view < 0 ? FileLimits.ZEROS : FileLimits.NUMBERS, Number(count) * _width, data.place);
-            numbers = new Vector.<Number>(count * _width);
-            var sparse:GltfJson = data == layout ? data.object("sparse") : null;
+            file.limits.count(view < 0 ? FileLimits.ZEROS : FileLimits.NUMBERS, Number(count) * width, json.place);
+            numbers = new Vector.<Number>(count * width);
+        }
+
+        /** The accessor that is an entry of the file. */
+        public static function of(file:GltfFile, json:GltfJson):GltfAccessor
+        {
+            var accessor:GltfAccessor = new GltfAccessor(file, json, json.whole("count", int.MAX_VALUE, -1), WIDTHS[json.value.type], typeIn(json),
+                    json.value.normalized === true);
+            var sparse:GltfJson = json.object("sparse");
             if (sparse != null)
             {
-                addSparse(file, layout.value, sparse);
+                accessor.addSparse(file, sparse);
             }
+            return accessor;
+        }
+
+        private static function typeIn(json:GltfJson):int
+        {
+            return json.whole("componentType", int.MAX_VALUE, -1);
         }
 
         /** Whether its numbers are unsigned integers, as a list of indices requires. */
@@ -114,16 +130,16 @@ package starlogo.models.gltf
             }
         }
 
-        private function addSparse(file:GltfFile, accessor:Object, sparse:GltfJson):void
+        // Adds the steps that replace some elements.
+        private function addSparse(file:GltfFile, sparse:GltfJson):void
         {
             var some:int = sparse.whole("count", count, -1);
             var indices:GltfJson = sparse.object("indices");
             var values:GltfJson = sparse.object("values");
             sparse.refuseIf(indices == null || values == null, "expected indices and values");
             sparse.refuseIf(!indices.has("bufferView") || !values.has("bufferView"), "expected indices and values in bufferViews");
-            var at:GltfAccessor = new GltfAccessor(file, indices, indices.replaced({count: some, type: "SCALAR", componentType: indices.value.componentType}));
-            var by:GltfAccessor = new GltfAccessor(file, values, values.replaced({count: some, type: accessor.type,
-                            componentType: accessor.componentType, normalized: accessor.normalized}));
+            var at:GltfAccessor = new GltfAccessor(file, indices, some, 1, typeIn(indices), false);
+            var by:GltfAccessor = new GltfAccessor(file, values, some, _width, _componentType, _divisor > 0);
             add(at).add(by).slices(some, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {
                     replace(at, by.numbers, first, end);

@@ -59,15 +59,11 @@ package starlogo.models.gltf
             return most;
         }
 
-        /** What is animated at a time in seconds: the numbers of each property, by the node's index, a space and the path. */
-        public function valuesAt(time:Number):Object
+        /** The numbers of a node's property at a time in seconds. Null if the property is not animated. */
+        public function valueAt(node:int, path:String, time:Number):Vector.<Number>
         {
-            var values:Object = {};
-            for (var property:String in _samplers)
-            {
-                values[property] = _samplers[property].valueAt(time);
-            }
-            return values;
+            var sampler:GltfSampler = _samplers[node + " " + path];
+            return sampler == null ? null : sampler.valueAt(time);
         }
     }
 }

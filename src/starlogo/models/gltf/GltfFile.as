@@ -11,8 +11,8 @@ package starlogo.models.gltf
     import starlogo.steps.StepSequence;
 
     /**
-     * A glTF 2.0 file, binary or JSON. Its steps read the JSON and the buffers inside the file. Call setBuffer for buffers in other
-     * files.
+     * A glTF 2.0 file, binary or JSON. Its steps read the JSON and the buffers inside the file. Call setOtherFile for each of the
+     * other files.
      *
      * @private
      */
@@ -34,7 +34,7 @@ package starlogo.models.gltf
         private static const MESHOPT_PROBLEM:String = "compressed with meshopt, which is not read: " +
             "save the model without compression (gltfpack without -c, or \"gltf-transform copy\")";
 
-        /** The addresses of the buffers in other files, as the JSON has them, when no step is left. */
+        /** The addresses of the other files that have buffers, as the JSON has them, when no step is left. */
         public var otherFiles:Vector.<String> = new Vector.<String>();
 
         /** The JSON, when no step is left. */
@@ -42,6 +42,9 @@ package starlogo.models.gltf
 
         /** What the file may have and cost. It grows with the buffers in other files. */
         internal var limits:FileLimits;
+
+        // the buffers in each of the other files, by their indices
+        private var _buffersIn:Vector.<Vector.<int>> = new Vector.<Vector.<int>>();
 
         // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
@@ -100,23 +103,19 @@ package starlogo.models.gltf
         }
 
         /**
-         * Gives the content of a buffer that is in another file.
+         * Gives the content of one of the other files.
          *
-         * @param uri its address, as the file has it
+         * @param file its index among them
          * @param bytes its content; the endianness is set; null if it is missing
          * @param problem why it is missing
          * @throws ModelError if it is missing, or shorter than the file says
          */
-        public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
+        public function setOtherFile(file:int, bytes:ByteArray, problem:String):void
         {
-            var buffers:Array = json.list("buffers");
-            for (var i:int = 0; i < buffers.length; i++)
+            for each (var index:int in _buffersIn[file])
             {
-                if (buffers[i].uri === uri)
-                {
-                    json.refuseIf(bytes == null, problem, "buffers[" + i + "].uri");
-                    keep(i, bytes);
-                }
+                json.refuseIf(bytes == null, problem, "buffers[" + index + "].uri");
+                keep(index, bytes);
             }
             limits.addBytes(bytes.length);
         }
@@ -131,7 +130,7 @@ package starlogo.models.gltf
         {
             var found:GltfJson = json.fileEntry("accessors", index);
             found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found \"" + found.value.type + "\"", "type");
-            return _accessors[index] ||= new GltfAccessor(this, found, found);
+            return _accessors[index] ||= GltfAccessor.of(this, found);
         }
 
         /**
@@ -275,11 +274,14 @@ package starlogo.models.gltf
             }
             buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
                     TextWords.shorten(uri) + "\"", "uri");
-            if (otherFiles.indexOf(uri) < 0)
+            var file:int = otherFiles.indexOf(uri);
+            if (file < 0)
             {
                 limits.count(FileLimits.FILES, 1, buffer.place + ".uri");
-                otherFiles.push(uri);
+                file = otherFiles.push(uri) - 1;
+                _buffersIn.push(new Vector.<int>());
             }
+            _buffersIn[file].push(index);
         }
 
         private function keep(index:int, bytes:ByteArray):void

@@ -39,12 +39,6 @@ package starlogo.models.gltf
             }
         }
 
-        /** Another object in the place of this one. */
-        public function replaced(other:Object):GltfJson
-        {
-            return new GltfJson(modelName, other, place, _root);
-        }
-
         /** Throws a ModelError if something is wrong. The message is built in any case. @param key the property that is wrong; "" for the object */
         public function refuseIf(isWrong:Boolean, problem:String, key:String = ""):void
         {

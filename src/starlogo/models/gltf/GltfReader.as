@@ -24,16 +24,16 @@ package starlogo.models.gltf
          * @param file the file; all its steps must be done and all buffers set
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor
-         * @param pose what an animation gives at a time: see <code>GltfAnimation.valuesAt()</code>. The vertices are not normalised then. If it is
-         * null, they are read at rest, and normalised
+         * @param animation moves the scene. The vertices are not normalised then. If it is null, they are read at rest, and normalised
+         * @param time the time of the animation, in seconds
          */
-        public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, pose:Object = null)
+        public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, animation:GltfAnimation = null, time:Number = 0)
         {
             super(name, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
-            _scene = new GltfScene(file.json, turnToZUp(), pose);
+            _scene = new GltfScene(file.json, turnToZUp(), animation, time);
             add(_scene).begin(readingNodes).begin(droppingUnused);
-            if (pose == null)
+            if (animation == null)
             {
                 begin(normalising);
             }
@@ -61,10 +61,10 @@ package starlogo.models.gltf
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
             setReadShare(index / _scene.nodes.length);
-            _file.limits.count(FileLimits.THINGS, 1 + weights.length, mesh.place);
+            // each primitive may have a target for each weight
+            _file.limits.count(FileLimits.THINGS, (1 + weights.length) * (1 + mesh.count("primitives")), mesh.place);
             return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
                 {
-                    _file.limits.count(FileLimits.THINGS, 1 + weights.length, mesh.place);
                     return readingPrimitive(nodeIndex, label, mesh.element("primitives", primitive), weights, placed);
                 });
         }

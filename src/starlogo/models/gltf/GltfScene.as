@@ -14,7 +14,8 @@ package starlogo.models.gltf
 
         private var _json:GltfJson;
         private var _root:AffineTransform;
-        private var _pose:Object;
+        private var _animation:GltfAnimation;
+        private var _time:Number;
         private var _parents:Vector.<int>;
         private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
@@ -24,13 +25,15 @@ package starlogo.models.gltf
         /**
          * @param json the file's JSON
          * @param root is applied to the whole scene
-         * @param pose what an animation gives at a time: see <code>GltfAnimation.valuesAt()</code>; null at rest
+         * @param animation moves the nodes; null at rest
+         * @param time the time of the animation, in seconds
          */
-        public function GltfScene(json:GltfJson, root:AffineTransform, pose:Object)
+        public function GltfScene(json:GltfJson, root:AffineTransform, animation:GltfAnimation, time:Number)
         {
             _json = json;
             _root = root;
-            _pose = pose;
+            _animation = animation;
+            _time = time;
             var count:int = json.count("nodes");
             _parents = new Vector.<int>(count);
             _globalTransforms = new Vector.<AffineTransform>(count);
@@ -137,10 +140,10 @@ package starlogo.models.gltf
             return _pending.length > 0;
         }
 
-        /** The numbers that the pose gives to a node's property; null if it is at rest. */
+        /** The numbers that the animation gives to a node's property; null if it is at rest. */
         public function animated(node:int, path:String):Vector.<Number>
         {
-            return _pose == null ? null : _pose[node + " " + path];
+            return _animation == null ? null : _animation.valueAt(node, path, _time);
         }
 
         private function localTransformOf(index:int):AffineTransform

@@ -21,6 +21,11 @@ package starlogo.models.loading
      * they are over: the loader calls <code>step()</code> only while <code>isReady</code>. A step throws a ModelError if the file did not
      * arrive or is no model. The receiver's steps may throw other errors.
      *
+     * <p>Each method adds the steps that come after it, in this order: <code>fetch</code> the list of cooked files, <code>fetchCooked</code> and
+     * <code>readCooked</code>. If that gives no model, <code>fetchFile</code>, with its transform file. <code>setFile</code> decodes it,
+     * <code>read</code> finds its format, and <code>fetchBuffers</code> the other files of a glTF file. <code>setMaker</code> makes the
+     * model, and <code>keepModel</code> gives it to the receiver.</p>
+     *
      * @private
      */
     public final class ModelLoad extends StepSequence
@@ -46,8 +51,10 @@ package starlogo.models.loading
         private var _receiver:ModelReceiver;
         private var _newLoader:Function;
 
-        // The file's address; null if there is none to fetch. The list of cooked files; null if there is none for it.
+        // The file's address; null if there is none to fetch. Whether the transform file beside it is fetched too. The list of cooked files; null if
+        // there is none for it.
         private var _url:String = null;
+        private var _usesTransforms:Boolean = false;
         private var _manifest:CookedManifest = null;
 
         // The file, or its cooked file, and then the files that belong to it: its transform file, or the buffers of a glTF file. Empty before
@@ -104,33 +111,31 @@ package starlogo.models.loading
         public function fetch(url:String, usesTransforms:Boolean, manifest:CookedManifest):void
         {
             _url = url || "";
-            usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
+            _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
             if (manifest == null || !FileAddress.hasFolder(_url))
             {
-                fetchFile(usesTransforms);
+                fetchFile();
                 return;
             }
             _manifest = manifest;
             manifest.fetch(_newLoader);
-            call(function():void
-                {
-                    fetchCooked(usesTransforms);
-                });
+            call(fetchCooked);
         }
 
         /** Sets the file to read, as bytes or as text. The other is null. */
         public function setFile(bytes:ByteArray, text:String):void
         {
+            var isEncoded:Boolean = text == null && (bytes == null || ModelFormat.ofBytes(bytes) == null);
             call(function():void
                 {
-                    if (text == null && (bytes == null || ModelFormat.ofBytes(bytes) == null))
+                    if (isEncoded)
                     {
-                        text = FileText.decode(name, bytes);
-                        bytes = null;
+                        setFile(null, FileText.decode(name, bytes));
                     }
-                }).call(function():void
-                {
-                    read(bytes, text);
+                    else
+                    {
+                        read(bytes, text);
+                    }
                 });
         }
 
@@ -156,26 +161,23 @@ package starlogo.models.loading
             return download.isUnderWay;
         }
 
-        private function fetchCooked(usesTransforms:Boolean):void
+        private function fetchCooked():void
         {
             var address:String = _manifest.addressFor(_url);
             if (address == null)
             {
-                fetchFile(usesTransforms);
+                fetchFile();
                 return;
             }
             var file:FileDownload = download(address);
             call(function():void
                 {
-                    _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, usesTransforms));
-                }).repeat(function():Boolean
-                {
-                    return readCooked(usesTransforms);
-                });
+                    _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
+                }).repeat(readCooked);
         }
 
         // A cooked file that is missing, damaged or made for other arguments is no error. The model's own file is fetched instead.
-        private function readCooked(usesTransforms:Boolean):Boolean
+        private function readCooked():Boolean
         {
             try
             {
@@ -188,16 +190,16 @@ package starlogo.models.loading
             catch (error:ModelError)
             {
                 _maker = null;
-                fetchFile(usesTransforms);
+                fetchFile();
             }
             return false;
         }
 
-        private function fetchFile(usesTransforms:Boolean):void
+        private function fetchFile():void
         {
             _downloads.length = 0;
             var file:FileDownload = _url == "" ? null : download(_url);
-            var address:String = usesTransforms && FileAddress.hasFolder(_url) ? FileAddress.besideOf(_url, ".slb") : null;
+            var address:String = _usesTransforms && FileAddress.hasFolder(_url) ? FileAddress.besideOf(_url, ".slb") : null;
             var transformFile:FileDownload = address == null ? null : download(address);
             call(function():void
                 {
@@ -247,13 +249,13 @@ package starlogo.models.loading
         private function fetchBuffers(gltf:GltfFile):void
         {
             var buffers:Vector.<FileDownload> = new Vector.<FileDownload>();
-            for each (var uri:String in gltf.otherFiles)
+            for (var i:int = 0; i < gltf.otherFiles.length; i++)
             {
                 if (!FileAddress.hasFolder(_url))
                 {
-                    gltf.setBuffer(uri, null, "it is in another file, and the address of this file is not known: load() fetches both");
+                    gltf.setOtherFile(i, null, "it is in another file, and the address of this file is not known: load() fetches both");
                 }
-                buffers.push(download(FileAddress.folderOf(_url) + uri));
+                buffers.push(download(FileAddress.folderOf(_url) + gltf.otherFiles[i]));
             }
             call(function():void
                 {
@@ -265,7 +267,7 @@ package starlogo.models.loading
         {
             for (var i:int = 0; i < buffers.length; i++)
             {
-                gltf.setBuffer(gltf.otherFiles[i], buffers[i].bytes, buffers[i].problem);
+                gltf.setOtherFile(i, buffers[i].bytes, buffers[i].problem);
             }
             setMaker(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
         }

@@ -23,9 +23,11 @@ package starlogo.models.polygons
         private static const CORNERS_PER_STEP:int = 2000;
         private static const CORNERS_PER_POLYGON:int = 10;
 
+        /** Three indices for each triangle, in the direction of its polygon. */
+        public var triangles:Vector.<uint>;
+
         private var _limits:FileLimits;
         private var _vertices:Vector.<Number>;
-        private var _triangles:Vector.<uint>;
 
         // The corners of polygons so far, and CORNERS_PER_POLYGON for each call of a function of addingEach().
         private var _cornerCount:Number = 0;
@@ -33,13 +35,13 @@ package starlogo.models.polygons
         /**
          * @param limits limit the tests of corners
          * @param vertices x, y, z, ...; the polygons' corners are indices of these
-         * @param triangles takes the triangles, three indices each, in the direction of their polygon
+         * @param triangles takes the triangles
          */
         public function Triangulator(limits:FileLimits, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
             _limits = limits;
             _vertices = vertices;
-            _triangles = triangles;
+            this.triangles = triangles;
         }
 
         /**
@@ -61,8 +63,8 @@ package starlogo.models.polygons
                     }
                     else
                     {
-                        var end:Number = _cornerCount + _triangles.length + CORNERS_PER_STEP;
-                        while (rest == null && next < count && _cornerCount + _triangles.length < end)
+                        var end:Number = _cornerCount + triangles.length + CORNERS_PER_STEP;
+                        while (rest == null && next < count && _cornerCount + triangles.length < end)
                         {
                             rest = add(next++);
                             _cornerCount += CORNERS_PER_POLYGON;
@@ -114,7 +116,7 @@ package starlogo.models.polygons
                     nodes.push(rings.addLoop(hole, false));
                 }
             }
-            var clipper:EarClipper = new EarClipper(rings, start, new HoleBridges(rings, start, nodes), _triangles);
+            var clipper:EarClipper = new EarClipper(rings, start, new HoleBridges(rings, start, nodes), triangles);
             return clipper.step() ? clipper : null;
         }
 
@@ -123,7 +125,7 @@ package starlogo.models.polygons
         {
             if (a != b && b != c && c != a)
             {
-                _triangles.push(a, b, c);
+                triangles.push(a, b, c);
             }
         }
 

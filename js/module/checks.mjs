@@ -107,6 +107,7 @@ export class Checks {
 		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
 		// options as for the platform's own listeners, not only for Flash's class
 		if (name === "useCapture") return [...optionsOf(member), `if (typeof ${name} !== "boolean") ${refuse('"true, false or options"')}`];
+		if (name === "buffers") return [`${name} = $bytesByName(${where}, ${name});`];
 		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
 		if (vector) return this.#vectorCheck(parameter, vector, isNullable, where, mayHaveNull(docOfParameter(name, member.doc)));
 		const simple = this.#simpleCheck(parameter, member, type);

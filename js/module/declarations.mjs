@@ -12,7 +12,7 @@ const BY_HAND = readFileSync(join(ROOT, "js/module/byhand.d.ts"), "utf8");
 /** TypeScript types that ActionScript's types do not express, by the names of parameters and members. */
 const BY_NAME = new Map([
 	["accepts", '{ accept(agent: Agent): boolean }["accept"] | null'], // a method's parameter may be a subclass of Agent
-	["buffers", "Record<string, ByteArray>"],
+	["buffers", "Record<string, Bytes>"],
 	["collisionOrShapes", "Collision<A> | CollisionSystem | LevelShapes"],
 	["collisionOrSystem", "Collision<A> | CollisionSystem"],
 	["scaling", "Scaling"],

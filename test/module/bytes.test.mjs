@@ -9,7 +9,7 @@ import { MessageChannel, receiveMessageOnPort } from "node:worker_threads";
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = path.join(root, "bin/module");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
-const { Agent, BinCollider, BuiltInModel, ByteArray, Collision, CookedModel, GltfModel, GreatLand, ModelError } =
+const { Agent, BinCollider, BuiltInModel, ByteArray, Collision, CookedModel, GltfAnimations, GltfModel, GreatLand, ModelError } =
 	await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 
 const posted = (value) => {
@@ -58,8 +58,12 @@ test("a buffer beside a glTF file may have any name", () => {
 			accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: "VEC3" }], bufferViews: [{ buffer: 0, byteLength: 36 }], buffers: [{ uri, byteLength: 36 }],
 		};
 		const file = new TextEncoder().encode(JSON.stringify(document));
-		const buffers = Object.fromEntries([[uri, new ByteArray(data)]]);
-		assert.equal(GltfModel.fromBytes("g", file, null, "footprint", buffers).vertices.length, 9, uri);
+		for (const bytes of [data, data.buffer, new ByteArray(data)]) {
+			const buffers = Object.fromEntries([[uri, bytes]]);
+			assert.equal(GltfModel.fromBytes("g", file, null, "footprint", buffers).vertices.length, 9, uri);
+			assert.equal(new GltfAnimations("g", file, null, buffers).count, 0, uri);
+		}
+		assert.throws(() => GltfModel.fromBytes("g", file, null, "footprint", { [uri]: "AAAA" }), /buffers\["/, uri);
 		assert.throws(() => GltfModel.fromBytes("g", file, null, "footprint", {}), ModelError, uri);
 		assert.throws(() => GltfModel.fromBytes("g", file, null, "footprint", Object.create(null)), ModelError, uri);
 	}

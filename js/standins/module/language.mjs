@@ -170,6 +170,13 @@ export function $bytes(target, name, value, isNullable) {
 	return ByteArray.from(value);
 }
 
+/** The bytes by name for an argument of a public method: a ByteArray under each name, or null if there are none. */
+export function $bytesByName(target, name, value) {
+	if (value === null || value === undefined) return null;
+	if (typeof value !== "object") $refuse(target, name, value, "an object with bytes under each name");
+	return Object.fromEntries(Object.entries(value).map(([key, bytes]) => [key, $bytes(target, `${name}[${JSON.stringify(key)}]`, bytes, true)]));
+}
+
 /**
  * Options or a filter that a public method receives as a literal: a copy, whose setters check the values. An undefined value counts as absent.
  *

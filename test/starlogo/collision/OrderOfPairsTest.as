@@ -1,10 +1,13 @@
 package starlogo.collision
 {
     import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -82,6 +85,35 @@ package starlogo.collision
             }
             assertTrue(differing + " frames of different times", differing > frames);
             assertEnough();
+        }
+
+        [Test]
+        public function theGroundAndTheEdgesAreTheLastTwoOfTheList():void
+        {
+            _agents = new Vector.<Agent>();
+            for each (var x:Number in [0, 3])
+            {
+                for each (var y:Number in [0, 0.5])
+                {
+                    var agent:Agent = new Agent("sphere", "balls");
+                    agent.moveTo(x, y, 0);
+                    _agents.push(agent);
+                }
+            }
+            var calls:Array = [];
+            var note:Function = function(a:Agent, b:Agent):void
+                {
+                    calls.push(_agents.indexOf(a) + (_agents.indexOf(b) < 0 ? b.breed : "-" + _agents.indexOf(b)));
+                };
+            var collision:Collision = new Collision(new BinCollider());
+            collision.terrain = new Terrain(6, 6, 1, -2, -2);
+            collision.bounds = new WorldBounds(-9, -0.4, -9, 9, 9, 9);
+            for each (var other:String in ["balls", Collision.TERRAIN, Collision.EDGE])
+            {
+                collision.onCollision("balls", other, note);
+            }
+            collision.update(_agents);
+            assertEquals("0-1,1-0,0*terrain,0*edge,1*terrain,2-3,3-2,2*terrain,2*edge,3*terrain", calls.join());
         }
 
         [Test]

@@ -46,6 +46,20 @@ package starlogo.models
             assertCorner(file, 0.25, 4 * (3 / 16 - 2 / 64), 0, 0);
         }
 
+        /** What is not finite is refused when it is needed, turns too. */
+        [Test]
+        public function keysAreFinite():void
+        {
+            var file:Gltf = animated("rotation", [0, 0, 0, 1, 0, NaN, 0, 1, 0, 0, 0, Infinity], "VEC4", "STEP");
+            var turns:GltfAnimations = new GltfAnimations("a", file.toBinary());
+            assertEquals(12, turns.verticesAt(0, 0.5).length);
+            assertThrows(ModelError, /accessors\[3\]: its numbers at 1 seconds are not finite/, turns.verticesAt, 0, 1);
+            assertThrows(ModelError, /accessors\[3\]: its numbers at 2 seconds are not finite/, turns.verticesAt, 0, 2);
+            file = animated("translation", [0, 0, 0, NaN, 0, 0, 0, 0, 0], "VEC3", "LINEAR");
+            var moves:GltfAnimations = new GltfAnimations("a", file.toBinary());
+            assertThrows(ModelError, /accessors\[3\]: its numbers at 0.5 seconds are not finite/, moves.verticesAt, 0, 0.5);
+        }
+
         /** Of as many poses as a game has: none of them takes from what reading the file may cost. */
         [Test]
         public function posesAreManyAndFitTheModel():void

@@ -50,7 +50,8 @@ package starlogo.models
             refuses("meshes[0].primitives[0].attributes.POSITION", "one of 2 accessors", setIn("meshes", {primitives: [ {attributes: {POSITION: 2}}]}));
             refuses("meshes[0].primitives[0].indices", "one of 2 accessors", setIn("meshes", {primitives: [ {attributes: {POSITION: 0}, indices: "a"}]}));
             refuses("", "no vertices", setIn("meshes", {primitives: [ {attributes: {NORMAL: 0}}]}));
-            refuses("accessors[0].type", "expected \"VEC3\"", setIn("accessors", {type: "VEC2"}));
+            refuses("accessors[0].type", "expected \"VEC3\", but found \"VEC2\"", setIn("accessors", {type: "VEC2"}));
+            refuses("accessors[0].type", "but found nothing", setIn("accessors", {type: undefined}));
             refuses("accessors[0]", "it needs 12000012 bytes of bufferViews[0]", setIn("accessors", {count: 1000001}));
             refuses("accessors[0].count", "but found nothing", setIn("accessors", {count: undefined}));
             refuses("accessors[0].componentType", "but found 5124", setIn("accessors", {componentType: 5124}));

@@ -129,7 +129,7 @@ package starlogo.models.gltf
         internal function accessor(index:int, type:String):GltfAccessor
         {
             var found:GltfJson = json.fileEntry("accessors", index);
-            found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found \"" + found.value.type + "\"", "type");
+            found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found " + GltfJson.shown(found.value.type), "type");
             return _accessors[index] ||= GltfAccessor.of(this, found);
         }
 

@@ -177,7 +177,8 @@ package starlogo.models.gltf
             return value is Number && value >= 0 && value <= most && int(value) == value;
         }
 
-        private static function shown(value:*):String
+        /** A value of the JSON, as errors show it. */
+        public static function shown(value:*):String
         {
             value = JsonMeter.restored(value);
             if (value === undefined || value === null)

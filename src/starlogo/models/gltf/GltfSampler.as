@@ -46,7 +46,7 @@ package starlogo.models.gltf
             return _times.numbers[int(_times.count - 1)];
         }
 
-        /** The value at a time, in seconds. Before the first key and after the last one it stays. */
+        /** The value at a time, in seconds. Before the first key and after the last one it stays. @throws ModelError if it is not finite */
         public function valueAt(time:Number):Vector.<Number>
         {
             var times:Vector.<Number> = _times.numbers;
@@ -70,6 +70,12 @@ package starlogo.models.gltf
             var length:Number = times[next] - times[low];
             var share:Number = time > times[low] && length > 0 ? (time - times[low]) / length : 0;
             var value:Vector.<Number> = _interpolation == CUBIC ? cubic(low, next, share, length) : (_interpolation == LINEAR ? linear(low, next, share) : keyOf(low, 0));
+            var differences:Number = 0;
+            for each (var number:Number in value)
+            {
+                differences += number - number;
+            }
+            _values.json.refuseIf(differences != 0, "its numbers at " + time + " seconds are not finite");
             return _isRotation ? normalised(value) : value;
         }
 

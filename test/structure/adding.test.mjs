@@ -54,3 +54,15 @@ test('every question stands in the files of "A question"', () => {
 	const isAsked = (each) => older.some(([before, name]) => each.endsWith(`: ${name}`) && new RegExp(`\\b${before}\\b`).test(read(each.split(':')[0])));
 	assert.deepEqual(missing(questions, filesOf('docs/adding.md', 'A question'), known).filter((each) => !isAsked(each)), []);
 });
+
+test('members of the namespace engine are @private in documented classes, as ./antw asdoc demands', () => {
+	const hidden = /\/\*\*(?:(?!\*\/)[^])*@private(?:(?!\*\/)[^])*\*\/\s*$/;
+	const members = sourcesBelow('src/starlogo').flatMap((file) => {
+		const text = read(file);
+		const type = text.search(/^ {4}public /m);
+		if (type < 0 || hidden.test(text.slice(0, type).replace(/\[[^\n]*\]\s*$/, ''))) return [];
+		return [...text.matchAll(/^ {8}(?:(?:override|final|static) )*engine .*/gm)].map(({ index, 0: line }) => ({ isHidden: hidden.test(text.slice(0, index)), place: `${file}: ${line.trim()}` }));
+	});
+	assert.ok(members.length > 50, `${members.length}`);
+	assert.deepEqual(members.filter(({ isHidden }) => !isHidden).map(({ place }) => place), []);
+});

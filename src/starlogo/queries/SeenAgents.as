@@ -258,7 +258,8 @@ package starlogo.queries
         {
             if (!_isRead)
             {
-                throw new IllegalOperationError("update(agents) must be called before the first question, and then once a frame");
+                throw new IllegalOperationError("questions need an update(agents) of their own, not of the Collision: call that of the AgentQueries or "
+                        + "SeenAgents before its first question, and then once a frame");
             }
             if (tree.isStale)
             {

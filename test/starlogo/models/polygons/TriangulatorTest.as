@@ -128,6 +128,58 @@ package starlogo.models.polygons
             assertTrue("some have no area: " + empty, empty > 50 && empty < 750);
         }
 
+        /**
+         * A corner that lies on the line between two others, upright or level, is a corner of triangles on both of its sides. Otherwise the surface would
+         * have a gap there without width, and not be closed.
+         */
+        [Test]
+        public function noTriangleHasACornerOnItsEdge():void
+        {
+            var chevron:Array = [[0, 0], [2, -2], [4, -2], [2, 0], [4, 2], [2, 2]];
+            for (var turn:int = 0; turn < 4; turn++)
+            {
+                for (var start:int = 0; start < chevron.length; start++)
+                {
+                    var flat:Vector.<Number> = new Vector.<Number>();
+                    var corners:Vector.<uint> = new Vector.<uint>();
+                    for (var i:int = 0; i < chevron.length; i++)
+                    {
+                        corners.push(i);
+                        flat.push(chevron[i][0], chevron[i][1], 0);
+                    }
+                    var triangles:Vector.<uint> = new Vector.<uint>();
+                    cut(flat, triangles, new <Vector.<uint>>[corners]);
+                    assertEquals("turn " + turn + ", start " + start, "0>1 1>2 2>3 3>4 4>5 5>0", edgesOnce(triangles));
+                    chevron.push(chevron.shift());
+                }
+                for each (var corner:Array in chevron)
+                {
+                    corner.push(-corner.shift());
+                }
+            }
+        }
+
+        // The edges that triangles pass in one direction only, sorted.
+        private static function edgesOnce(triangles:Vector.<uint>):String
+        {
+            var passed:Object = {};
+            for (var i:int = 0; i < triangles.length; i++)
+            {
+                var from:uint = triangles[i];
+                var to:uint = triangles[i % 3 == 2 ? i - 2 : i + 1];
+                passed[from + ">" + to] = to + ">" + from;
+            }
+            var edges:Array = [];
+            for (var edge:String in passed)
+            {
+                if (passed[passed[edge]] === undefined)
+                {
+                    edges.push(edge);
+                }
+            }
+            return edges.sort().join(" ");
+        }
+
         private static function cut(vertices:Vector.<Number>, triangles:Vector.<uint>, loops:Vector.<Vector.<uint>>):void
         {
             var triangulator:Triangulator = new Triangulator(new FileLimits("polygons", 250000), vertices, triangles);

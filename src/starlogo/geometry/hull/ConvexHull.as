@@ -27,9 +27,6 @@ package starlogo.geometry.hull
     {
         private static const VERTICES_PER_STEP:int = 2000;
 
-        /** The vertices given to the constructor, x, y, z of each. */
-        public var vertices:Vector.<Number>;
-
         /** The hull's corners in ascending order, as indices of vertices. The first vertex has index 0. */
         public var indices:Vector.<int> = new Vector.<int>();
 
@@ -51,6 +48,8 @@ package starlogo.geometry.hull
         /** For each corner, the corners that share an edge with it, as positions in <code>indices</code>. */
         public var neighbors:Vector.<int>;
 
+        private var _vertices:Vector.<Number>;
+
         private var _work:StepSequence = new StepSequence();
         private var _simplex:InitialSimplex;
 
@@ -65,7 +64,7 @@ package starlogo.geometry.hull
          */
         public function ConvexHull(vertices:Vector.<Number>, atOnce:Boolean = true)
         {
-            this.vertices = vertices;
+            _vertices = vertices;
             _simplex = new InitialSimplex(vertices);
             _work.add(_simplex).begin(building);
             if (atOnce)
@@ -81,6 +80,12 @@ package starlogo.geometry.hull
         public function step():Boolean
         {
             return _work.step();
+        }
+
+        /** The vertices given to the constructor, x, y, z of each. Read only. */
+        public function get vertices():Vector.<Number>
+        {
+            return _vertices;
         }
 
         /** 3 if the vertices span a volume, 2 if they are in a plane, 1 if they are on a line, 0 if they are in one place. */
@@ -140,7 +145,7 @@ package starlogo.geometry.hull
             {
                 return joining(dimension == 1 ? new <int>[simplex[0], simplex[1], apex, simplex[1], simplex[0], apex] : new <int>[simplex[0], apex, apex]);
             }
-            var grid:Vector.<Number> = new Vector.<Number>(vertices.length);
+            var grid:Vector.<Number> = new Vector.<Number>(_vertices.length);
             simplex[3] = dimension == 2 ? apex : simplex[3];
             return rounding(grid).begin(function():Steps
                 {
@@ -157,8 +162,8 @@ package starlogo.geometry.hull
         {
             var work:StepSequence = new StepSequence();
             var isPlane:Boolean = dimension == 2;
-            var count:int = vertices.length / 3;
-            var from:Vector.<Number> = vertices;
+            var count:int = _vertices.length / 3;
+            var from:Vector.<Number> = _vertices;
             var bounds:VertexBounds = _simplex.bounds;
             if (isPlane)
             {
@@ -173,7 +178,7 @@ package starlogo.geometry.hull
                 from = grid;
                 work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
                     {
-                        turning.placePoints(vertices, 3 * first, 3 * end, grid, 3 * first);
+                        turning.placePoints(_vertices, 3 * first, 3 * end, grid, 3 * first);
                         bounds.add(grid, first, end);
                     });
             }
@@ -229,7 +234,7 @@ package starlogo.geometry.hull
                 {
                     positions[i] = indices.length;
                     indices.push(i);
-                    points.push(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
+                    points.push(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
                 }
             }
             for (i = 0; i < count; i++)
@@ -264,7 +269,7 @@ package starlogo.geometry.hull
         // The index of the point above a plane's vertices.
         private function get apex():int
         {
-            return vertices.length / 3;
+            return _vertices.length / 3;
         }
 
         // The triangles between the apex and each edge of the outline of vertices in a plane. Each triangle is there twice, once for each

@@ -121,7 +121,7 @@ package starlogo.intersection.sweep
             along.halfExtents = halfZ + pair.aX * b.abs02 + pair.aY * b.abs12 + pair.aZ * b.abs22;
             if (times.narrow(along))
             {
-                pair.time = times.time;
+                pair.time = times.touch < times.last ? times.touch : times.last;
             }
         }
 
@@ -178,7 +178,7 @@ package starlogo.intersection.sweep
                 halves[int(i + 6)] = pair.bZ * edges[int(i + 6)];
             }
             var areTouching:Boolean = narrowAcross(pair, 0, 3, 6) && narrowAcross(pair, 3, 6, 0) && narrowAcross(pair, 6, 0, 3);
-            pair.time = areTouching ? _times.time : RelativeMotion.NEVER;
+            pair.time = areTouching ? (_times.touch < _times.last ? _times.touch : _times.last) : RelativeMotion.NEVER;
         }
 
         // Narrows the interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is

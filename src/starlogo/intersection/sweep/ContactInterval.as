@@ -10,24 +10,23 @@ package starlogo.intersection.sweep
      */
     public final class ContactInterval
     {
-        // The interval, with the margins included.
+        /** The end of the interval, with the margins included. Read only. */
+        public var last:Number = 1;
+
+        /**
+         * The time from which the last axis no longer separates the shapes, without the margins. If it is not after the end of the interval,
+         * the shapes touch then. Read only.
+         */
+        public var touch:Number = 0;
+
+        // The beginning of the interval, with the margins included.
         private var _first:Number = 0;
-        private var _last:Number = 1;
-
-        // The time from which no axis separates the shapes, without the margins.
-        private var _touch:Number = 0;
-
-        /** The time of impact if an interval is left. Shapes that touch only because of the margins may touch at its end. */
-        public function get time():Number
-        {
-            return _touch < _last ? _touch : _last;
-        }
 
         /** Begins with no axis tried. */
         public function begin(latest:Number):void
         {
-            _first = _touch = 0;
-            _last = latest;
+            _first = touch = 0;
+            last = latest;
         }
 
         /**
@@ -56,7 +55,7 @@ package starlogo.intersection.sweep
                     return false;
                 }
                 time = (-wide - from) / travel;
-                if (time > _last)
+                if (time > last)
                 {
                     return false;
                 }
@@ -65,25 +64,25 @@ package starlogo.intersection.sweep
                     _first = time;
                 }
                 time = (-near - from) / travel;
-                if (time > _touch)
+                if (time > touch)
                 {
-                    _touch = time;
+                    touch = time;
                 }
             }
             else if (from > wide)
             {
                 return false;
             }
-            if (from + _last * travel > wide)
+            if (from + last * travel > wide)
             {
                 time = (wide - from) / travel;
                 if (time < _first)
                 {
                     return false;
                 }
-                if (time < _last)
+                if (time < last)
                 {
-                    _last = time;
+                    last = time;
                 }
             }
             return true;

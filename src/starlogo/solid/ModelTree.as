@@ -96,9 +96,9 @@ package starlogo.solid
             var builder:InteriorBuilder = new InteriorBuilder(boxTree, mesh, _surface);
             return new StepSequence().add(builder).call(function():void
                 {
-                    mesh = builder.mesh;
-                    _surface = builder.surface;
                     interior = builder.interior;
+                    mesh = interior.windingCounter.mesh;
+                    _surface = interior.windingCounter.surface;
                 });
         }
 

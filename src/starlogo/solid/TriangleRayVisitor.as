@@ -172,7 +172,7 @@ package starlogo.solid
                 if (sum == 0 || (sideA < 0 || sideB < 0 || sideC < 0) && (sideA > 0 || sideB > 0 || sideC > 0))
                 {
                     if (!isOver(aU, aV, bU, bV, sideC, sum) || !isOver(bU, bV, cU, cV, sideA, sum) || !isOver(cU, cV, aU, aV, sideB, sum)
-                            || !isIn(corners, corner, crossing))
+                            || !isIn(corners, 9 * i, crossing))
                     {
                         continue;
                     }
@@ -249,18 +249,18 @@ package starlogo.solid
         }
 
         // Whether a point of the ray is within a triangle's extents, enlarged by the gap.
-        private function isIn(corners:Vector.<Number>, corner:int, crossing:Number):Boolean
+        private function isIn(corners:Vector.<Number>, at:int, crossing:Number):Boolean
         {
-            return isBetween(_ray.x + crossing * _ray.directionX, corners, corner)
-                && isBetween(_ray.y + crossing * _ray.directionY, corners, corner + 1)
-                && isBetween(_ray.z + crossing * _ray.directionZ, corners, corner + 2);
+            return isBetween(_ray.x + crossing * _ray.directionX, corners, at)
+                && isBetween(_ray.y + crossing * _ray.directionY, corners, at + 1)
+                && isBetween(_ray.z + crossing * _ray.directionZ, corners, at + 2);
         }
 
-        private function isBetween(place:Number, corners:Vector.<Number>, last:int):Boolean
+        private function isBetween(place:Number, corners:Vector.<Number>, at:int):Boolean
         {
-            var a:Number = corners[int(last - 6)];
-            var b:Number = corners[int(last - 3)];
-            var c:Number = corners[last];
+            var a:Number = corners[at];
+            var b:Number = corners[int(at + 3)];
+            var c:Number = corners[int(at + 6)];
             return (a - place <= _margin || b - place <= _margin || c - place <= _margin)
                 && (place - a <= _margin || place - b <= _margin || place - c <= _margin);
         }

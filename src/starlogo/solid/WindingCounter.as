@@ -177,8 +177,11 @@ package starlogo.solid
             var qb:Number = points[int(q + _axisB)] - b;
             var rb:Number = points[int(r + _axisB)] - b;
             var crossing:int = crossingOf(pb, pc, qb, qc) + crossingOf(qb, qc, rb, rc) + crossingOf(rb, rc, pb, pc);
-            // The corner that is alone on its side of the half-line's plane comes first.
-            if (crossing == 0 || !(pc > 0 == qc > 0 ? isAhead(points, r, p, q) : (pc > 0 == rc > 0 ? isAhead(points, q, r, p) : isAhead(points, p, q, r))))
+            // One corner is alone on its side of the half-line's plane. It comes first.
+            var isPAlone:Boolean = qc > 0 == rc > 0;
+            var isQAlone:Boolean = pc > 0 == rc > 0;
+            var isRAlone:Boolean = pc > 0 == qc > 0;
+            if (crossing == 0 || isPAlone && !isAhead(points, p, q, r) || isQAlone && !isAhead(points, q, r, p) || isRAlone && !isAhead(points, r, p, q))
             {
                 return;
             }

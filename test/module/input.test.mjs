@@ -370,6 +370,14 @@ test("another library's Sphere is not taken for one of another copy", () => {
 	refused(() => sphereSphere(new Sphere(), new Sphere()), "sphereSphere: a must be a Sphere, not an object of class Sphere");
 });
 
+test("a BaseCollider around a collider is named as itself, where a collider is needed", () => {
+	const around = new engine.BaseCollider(new BinCollider());
+	const game = new Collision(around);
+	game.terrain = new engine.Terrain(2, 2);
+	for (const system of [around, game]) refused(() => new AgentQueries(system), "such as new TightestFitCollider(greatLand), not an object of class BaseCollider");
+	assert.throws(() => game.update([]), /a terrain needs one of the engine's collision systems, not an object of class BaseCollider$/);
+});
+
 test("names of the wrong kind are shown short, with what is meant", async () => {
 	const text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".repeat(50);
 	assert.throws(() => new engine.ObjModel(text, "bear"), (error) => util.inspect(error).length < 2500 && /a model's name comes before its text$/.test(error.message) && error.modelName.length < 80);

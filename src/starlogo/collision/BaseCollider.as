@@ -115,7 +115,7 @@ package starlogo.collision
             {
                 return collider.narrowPhase;
             }
-            throw errorAbout(_collisionSystem || this);
+            throw errorAbout(systemToName);
         }
 
         /** @private The engine's collider that finds the same pairs as this one, or null. Snapshots and questions use it. */
@@ -139,7 +139,7 @@ package starlogo.collision
             if (input.ground != null || input.edges != null)
             {
                 var what:String = input.ground != null ? "a terrain needs" : "bounds need";
-                throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
+                throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(systemToName, "a Collider"));
             }
             foreign.begin(input.agents);
             var listed:Vector.<Agent> = input.admitted == null ? input.agents : chosen(input.agents, input.admitted);
@@ -155,6 +155,12 @@ package starlogo.collision
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */
         engine function onFrame(statistics:CollisionStatistics):void
         {
+        }
+
+        // What errors name if this is none of the engine's systems: a game's own system that wrap() has put into this, or else this.
+        private function get systemToName():CollisionSystem
+        {
+            return _collisionSystem == null || _collisionSystem is BaseCollider ? this : _collisionSystem;
         }
 
         // Returns the collision system that does the work.

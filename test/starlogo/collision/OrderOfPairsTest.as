@@ -102,9 +102,9 @@ package starlogo.collision
             }
             var calls:Array = [];
             var note:Function = function(a:Agent, b:Agent):void
-                {
-                    calls.push(_agents.indexOf(a) + (_agents.indexOf(b) < 0 ? b.breed : "-" + _agents.indexOf(b)));
-                };
+            {
+                calls.push(_agents.indexOf(a) + (_agents.indexOf(b) < 0 ? b.breed : "-" + _agents.indexOf(b)));
+            };
             var collision:Collision = new Collision(new BinCollider());
             collision.terrain = new Terrain(6, 6, 1, -2, -2);
             collision.bounds = new WorldBounds(-9, -0.4, -9, 9, 9, 9);

@@ -2,6 +2,7 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.data.IntList;
+    import starlogo.geometry.Tolerances;
 
     /**
      * Moves a body straight on among rows of a table, until it touches one of them. A row that it would go into stops it. A row that it only
@@ -117,12 +118,12 @@ package starlogo.queries.motion
             out.fraction = 1;
             out.contact.setNormal(0, 0, 0);
             out.isDeep = out.isLifted = false;
-            body.beginMotion(rows, from, motion);
-            if (!_planes.begin(motion, SlideLimits.NONE))
+            if (!(motion.lengthSquared > Tolerances.VANISHING))
             {
                 lift.clear();
                 return;
             }
+            body.beginMotion(rows, from, motion);
             if (!lift.isLifted && beginsFree(body, from, motion, _impact))
             {
                 if (_impact.row >= 0)
@@ -132,6 +133,7 @@ package starlogo.queries.motion
                 }
                 return;
             }
+            _planes.begin(motion, SlideLimits.NONE);
             _recovery.leaveOverlaps(body, from, _planes, lift, _liftedPlace);
             out.isDeep = _planes.count > 0;
             out.isLifted = lift.isLifted;

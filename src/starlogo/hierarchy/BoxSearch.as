@@ -143,6 +143,8 @@ package starlogo.hierarchy
             var boxes:Vector.<Number> = tree.boxes;
             var children:Vector.<int> = tree.left;
             var ends:Vector.<int> = tree.endsUpToDepth;
+            // An exact visit ends at the nodes without children. It need not read another column.
+            var isLimited:Boolean = depth < BoxTree.EXACT;
             var nodes:Vector.<int> = _nodes;
             var enters:Vector.<Number> = _enters;
             var begin:Number = _from;
@@ -157,14 +159,14 @@ package starlogo.hierarchy
             while (true)
             {
                 visits++;
-                if (ends[node] >= depth)
+                var left:int = children[node];
+                if (left == 0 || isLimited && ends[node] >= depth)
                 {
                     visitor.visit(tree, node);
                     latest = visitor.limit < latest ? visitor.limit : latest;
                 }
                 else
                 {
-                    var left:int = children[node];
                     var at:int = 6 * left;
                     include "boxTimes.inc";
                     var enterLeft:Number = enter;

@@ -143,7 +143,11 @@ package starlogo.search
             placement.z = extents[2];
             takeShape(own);
             rank = depthLimit = 0;
-            findExtents();
+            offsetX = offsetY = offsetZ = 0;
+            halfX = extents[3];
+            halfY = extents[4];
+            halfZ = extents[5];
+            _isPlaced = false;
         }
 
         /**

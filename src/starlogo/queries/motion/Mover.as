@@ -118,12 +118,12 @@ package starlogo.queries.motion
             out.fraction = 1;
             out.contact.setNormal(0, 0, 0);
             out.isDeep = out.isLifted = false;
-            body.beginMotion(rows, from, motion);
-            if (!_planes.begin(motion, SlideLimits.NONE))
+            if (!(motion.lengthSquared > Tolerances.VANISHING))
             {
                 lift.clear();
                 return;
             }
+            body.beginMotion(rows, from, motion);
             if (!lift.isLifted && beginsFree(body, from, motion, _impact))
             {
                 if (_impact.row >= 0)
@@ -133,6 +133,7 @@ package starlogo.queries.motion
                 }
                 return;
             }
+            _planes.begin(motion, SlideLimits.NONE);
             _recovery.leaveOverlaps(body, from, _planes, lift);
             out.isDeep = _planes.count > 0;
             out.isLifted = lift.isLifted;

@@ -1,0 +1,148 @@
+#!/usr/bin/env node
+/**
+ * Changes the engine in one place at random, many times, and runs the tests until one fails: what survives is tested by nothing, or changes no
+ * answer. It is the translation that is changed, a line of which is a line of the source.
+ *
+ *   node test/mutations/run.mjs TESTS [COUNT [SEED [all [PACKAGES]]]]
+ *
+ * TESTS is what the build made of the engine and the tests together. PACKAGES are those to change, with commas: search,solid. The tests that the quick
+ * command takes for the changed source run, and then the hash of all that the soak's game sees is compared. With "all" every test runs that runs the
+ * changed line. The first time, all tests run once for that, and TESTS.coverage keeps which lines each of them runs. With "chosen" those run that ./antw
+ * test -Dtest=SOURCE runs in Node, and those that it leaves to the player; PACKAGES are all then. Of *.test.mjs those run that check the source.
+ *
+ * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes
+ * are visited in another order; boxes are wider, or what would spare work does not; there is room for more than comes; a limit that nothing is
+ * below is another such limit; a method that every subclass has fails in another way. The smallest sphere whose vertices are not all looked at
+ * again is larger by less than a step of the hull's grid. Corners of triangles are kept as moved although they are at their vertices' places. A
+ * level's triangles are prepared when it is added, or when it is asked first. Where two bodies part is halved from 0 on, which takes longer. Of two
+ * places that both lead into a platform the one or the other is taken (WalkMover.carry).
+ *
+ * What is there for rounding alone, or for a counter that only long games fill, hardly any test of every day runs: PenetrationSearch.findGrazing and its
+ * second push against the motion, the shorter depth in DirectionSearch.makeSure, the end of a triangle in the ray that TriangleRayVisitor makes longer by
+ * its slack, a sheet under the ground in CoreSweep, RowFilter.forget.
+ */
+import { spawnSync } from "node:child_process";
+import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { choose, fartherTests, readTests, testsBeside } from "../chosen.mjs";
+import { randomNumbers } from "../module/random.mjs";
+
+const PACKAGES = "collision,handlers,search,ground,terrain,hierarchy,solid,intersection,queries";
+
+/** Seconds of a processor that tests may take, so that a busy machine ends none of them; all of them take about 200, with their lines counted. And milliseconds for those that wait. */
+const PATIENCE_S = 600;
+const PATIENCE_MS = 3600000;
+
+/** Measures time: a busy machine fails it, whatever was changed. */
+const TIMED = "MeasurementTest";
+
+/** The hash of all that the soak's game sees. */
+const SOAK = "SoakTest.whatAGameSeesIsTheSameEverywhere";
+
+/** Tests that take no longer run in the order of their classes. */
+const QUICK_MS = 60;
+
+/** What is written in place of what: the first that a place has. */
+const CHANGES = [
+	[/ <= /g, " < "], [/ >= /g, " > "], [/ < /g, " <= "], [/ > /g, " >= "], [/ \+ /g, " - "], [/ - /g, " + "], [/ \* /g, " / "],
+	[/ \+= /g, " -= "], [/ -= /g, " += "], [/ && /g, " || "], [/ \|\| /g, " && "], [/ === /g, " !== "], [/ !== /g, " === "], [/ == /g, " != "], [/ != /g, " == "],
+	[/\bif \((?=.*\)\s*\{?$)/g, "if (!1 && "], [/\bif \((?=.*\)\s*\{?$)/g, "if (!0 || "], [/\btrue\b/g, "false"], [/\bfalse\b/g, "true"],
+	[/\bMath\.max\b/g, "Math.min"], [/\bMath\.min\b/g, "Math.max"], [/(?<=[-+*(=,[] ?)\b0\b(?![.x])/g, "1"], [/(?<=[-+*(=,[] ?)\b1\b(?![.x]| \/ 0 \/\*)/g, "2"], [/\+\+(?=;)/g, "--"],
+	[/^\s+(this\.)?[#\w.]+(\([^()]*\)| = [^;{]*);$/g, ";"],
+	[/ [-+*] [\w.#$]+(?=[;,) ])/g, ""], [/ (&&|\|\|) !?[\w.#$]+(\([^()]*\))?( [<>=!]+ [\w.#$]+)?(?=[;,) ])/g, ""],
+];
+
+/** A field gets its first value: mostly another is written before it is read. */
+const FIRST_VALUE = /^\s+this\.[#$\w]+ = (-?[\d.]+|null|false|true|""|\(0 \/ 0.*|-?Infinity);$/;
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const [tests, count = "100", seed = "1", all = "", packages = ""] = process.argv.slice(2);
+
+const filesBelow = (folder) => readdirSync(folder, { withFileTypes: true, recursive: true })
+	.filter((entry) => entry.name.endsWith(".as")).map((entry) => path.join(entry.parentPath ?? entry.path, entry.name));
+const classOf = (file) => path.basename(file, ".as");
+
+const lines = readFileSync(tests, "utf8").split("\n");
+
+/** Every place in a class, and what may be written there. */
+function placesOf(name) {
+	const first = lines.findIndex((line) => new RegExp(`^(const ${name} = .*)?(class|function) ${name}\\b`).test(line));
+	const places = [];
+	let isConstructor = false;
+	for (let i = first + 1; first >= 0 && !/^\}/.test(lines[i]); i++) {
+		const line = lines[i];
+		isConstructor = /^\tconstructor\(/.test(line) || (isConstructor && !/^\t\}/.test(line));
+		if (isConstructor && FIRST_VALUE.test(line)) continue;
+		if (/^\s*(\/\/|\*|\/\*)|throw new|static #?\w+ =|requireType|\$check/.test(line)) continue;
+		for (const [from, to] of CHANGES) for (const { index, 0: text } of line.matchAll(from)) places.push({ name, line: i, changed: line.slice(0, index) + to + line.slice(index + text.length) });
+	}
+	return places;
+}
+
+const everyPackage = () => readdirSync(path.join(root, "src/starlogo"), { withFileTypes: true }).filter((each) => each.isDirectory() && each.name !== "away3d").map((each) => each.name).join();
+const places = (packages || (all === "chosen" ? everyPackage() : PACKAGES)).split(",").flatMap((each) => filesBelow(path.join(root, "src/starlogo", each)).map(classOf)).flatMap(placesOf);
+const random = randomNumbers(Number(seed));
+for (let i = 0; i < 8; i++) random();
+
+const known = readTests();
+
+const simpleName = (name) => name.split(".").pop();
+
+/** What the runner is told to run for a change of a line of a class; null if no test runs it. */
+function testsOf(name, line) {
+	if (all === "all") {
+		const reaching = coverage.filter(({ lines }) => lines.some(([first, last]) => first <= line && line <= last));
+		// a line that runs when the tests are loaded may change any of them
+		const some = reaching.some(({ test }) => test === "") ? coverage : reaching;
+		return some.length > 0 ? [`--order=${some.map(({ test }) => test).filter((test) => test !== "")}`] : null;
+	}
+	const choice = choose(`${name}.as`, known.classes, known.sources);
+	const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
+	if (all !== "chosen") return [`--order=${[...near, SOAK]}`];
+	return [`--order=${near}`, `--beside=${testsBeside(choice.named)}`, `--then=${fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`)}`];
+}
+
+function runTests(file, options) {
+	return spawnSync("sh", ["-c", `ulimit -t ${PATIENCE_S}; exec "$@"`, "sh", process.execPath, path.join(root, "test/module/run.mjs"), file, ...options,
+		"--mount=/assets=assets", "--mount=/fixtures=test/fixtures", "--mount=/models=bin/test-models", "--mount=/assimp=/usr/share/assimp/models"],
+	{ cwd: root, encoding: "utf8", timeout: PATIENCE_MS, maxBuffer: 1 << 26 });
+}
+
+/** Which lines each test runs, and how long it takes: the quick ones first, and of these the tests of a class together. */
+function readCoverage() {
+	const kept = `${path.resolve(tests)}.coverage`;
+	const isKept = statSync(kept, { throwIfNoEntry: false })?.mtimeMs > statSync(tests).mtimeMs;
+	if (!isKept) {
+		console.log("all tests run once");
+		runTests(tests, [`--coverage=${kept}`]);
+	}
+	const rows = readFileSync(kept, "utf8").trim().split("\n").map((row) => JSON.parse(row)).filter(({ test }) => !test.startsWith(TIMED));
+	const slowness = ({ ms }) => (ms > QUICK_MS ? ms : 0);
+	return rows.sort((a, b) => slowness(a) - slowness(b));
+}
+
+const coverage = all === "all" ? readCoverage() : [];
+
+/** The first test that fails; null if none does. */
+function killerOf(file, name, line) {
+	const chosen = testsOf(name, line);
+	if (chosen === null) return null;
+	const run = runTests(file, ["--first", ...chosen]);
+	return run.error || run.signal ? "no end" : run.status === 0 ? null : /FAILED,? ([\w.]+)/.exec(run.stdout)?.[1] ?? "no start";
+}
+
+const file = path.join(path.dirname(path.resolve(tests)), `mutated-${process.pid}.mjs`);
+const survivors = [];
+console.log(`${count} of ${places.length} changes, from seed ${seed} on`);
+for (let i = 1; i <= Number(count); i++) {
+	const { name, line, changed } = places[Math.floor(random() * places.length)];
+	if (i <= 30) continue;
+	writeFileSync(file, lines.map((each, at) => (at === line ? changed : each)).join("\n"));
+	const killer = killerOf(file, name, line);
+	const change = `\n\t${lines[line].trim()}\n\t${changed.trim()}`;
+	console.log(`${i}. ${name}: ${killer ?? (testsOf(name, line) === null ? "SURVIVED, no test runs it" : "SURVIVED")}${killer === null || killer === "no end" ? change : ""}`);
+	if (killer === null) survivors.push(name);
+}
+rmSync(file);
+console.log(`${survivors.length} of ${count} survived: ${survivors.join(", ")}`);

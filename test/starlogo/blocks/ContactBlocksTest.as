@@ -50,6 +50,20 @@ package starlogo.blocks
         }
 
         [Test]
+        public function tellsTheFirstOfTwoSidesThatAreEquallyNear():void
+        {
+            var headings:Array = [45, -45, 135, 225];
+            var expected:Array = ["front", "front", "back", "back"];
+            _wall.moveTo(1.1, 0, 0);
+            for (var i:int = 0; i < 4; i++)
+            {
+                _bear.heading = headings[i];
+                _collisions.collision.update(_agents);
+                assertEquals("heading " + headings[i], expected[i], _blocks.sideHit(_bear, _wall));
+            }
+        }
+
+        [Test]
         public function tellsPointAndSpeed():void
         {
             _bear.sweeps = true;

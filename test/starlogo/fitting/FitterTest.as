@@ -132,6 +132,20 @@ package starlogo.fitting
             assertTrue(sphere.radius + "", sphere.radius < 0.78);
         }
 
+        /** The first vertex and the one farthest from it are two poles here, and all others are nearer to the middle: so the sphere is exactly theirs. */
+        [Test]
+        public function ritterSphereBeginsWithTheVertexFarthestFromTheFirst():void
+        {
+            var random:SeededRandom = new SeededRandom(59);
+            for (var i:int = 0; i < 20; i++)
+            {
+                var pole:Vector.<Number> = PointSets.shell(random, 1, 1);
+                var points:Vector.<Number> = pole.concat(PointSets.shell(random, 30, 0.95), new <Number>[-pole[0], -pole[1], -pole[2]]);
+                var fitter:Fitter = new RitterSphereFitter(RitterSphereFitter.FARTHEST_FROM_FIRST);
+                assertEquals(1, Math.round(Sphere(fitter.fit(points)).radius * 1e9) / 1e9);
+            }
+        }
+
         [Test]
         public function degenerateSetsGetDegenerateStructures():void
         {

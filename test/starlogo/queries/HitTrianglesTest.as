@@ -159,6 +159,19 @@ package starlogo.queries
         }
 
         [Test]
+        public function inATriangleWithoutAreaTheNearestCornerHasTheWholeWeight():void
+        {
+            var needle:Model = new Model("needle", new <Number>[0, 0, 0, 1, 0, 0, 0.4, 0, 0], new <uint>[0, 1, 2], Model.AS_GIVEN);
+            var queries:AgentQueries = queriesOf(needle, new Agent("needle"), "triangles");
+            var expected:Object = {"0.05": new Vector3D(1, 0, 0), "0.95": new Vector3D(0, 1, 0), "0.43": new Vector3D(0, 0, 1)};
+            for (var x:String in expected)
+            {
+                var hit:ShapeHit = queries.castShape(new Sphere(new Vector3D(Number(x), 0, 3), 0.1), 0, 0, -5);
+                assertTrue(x + ": " + hit.weights, hit.weights.equals(expected[x]));
+            }
+        }
+
+        [Test]
         public function castsTellThem():void
         {
             var model:Model = square("square");

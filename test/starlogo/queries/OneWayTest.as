@@ -90,6 +90,20 @@ package starlogo.queries
             }
         }
 
+        [Test]
+        public function aPushOutOfSomethingElseLeavesItWithinThePlatform():void
+        {
+            for each (var name:String in SYSTEMS)
+            {
+                begin(name, 0, 0, 2);
+                _queries.update(new <Agent>[_hero, _plank, agentAt("hero", 0.9, 0, 2)]);
+                _options.fall = 0;
+                assertClose(0.1, _queries.walk(_hero, 0, 0, _options).pushed, NEAR, name);
+                assertClose(-0.1, _hero.x, NEAR, name);
+                assertClose(2, _hero.z, NEAR, name);
+            }
+        }
+
         // Blocks stand on a floor of tiles. The side of a block and a needless plane at the edge of a tile are met in the same corner.
         [Test]
         public function slidesOverTilesAsIfItWereNotThere():void

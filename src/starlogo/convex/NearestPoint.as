@@ -43,9 +43,10 @@ package starlogo.convex
         /** The rounding error of a corner. */
         public var rounding:Number = 0;
 
-        // The simplex's corners, and the one that was added last. The simplex before was nearer than any part without it. -1 if any part may be the
-        // nearest.
+        // The simplex's corners.
         private var _corners:Vector.<Number>;
+
+        // The corner that was added last. No part without it is nearest, because the simplex before was nearer than that. -1 if any part may be.
         private var _newest:int;
 
         /** @param corners of the simplex, x, y, z of each; kept */

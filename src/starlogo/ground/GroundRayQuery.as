@@ -1,7 +1,6 @@
 package starlogo.ground
 {
     import starlogo.convex.RelativeMotion;
-    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.ray.Ray;
@@ -24,8 +23,6 @@ package starlogo.ground
         private var _search:GroundSearch = new GroundSearch();
         private var _triangles:GroundTriangles = new GroundTriangles();
         private var _test:TriangleRayVisitor = new TriangleRayVisitor();
-        private var _outside:TrianglePlane = new TrianglePlane();
-        private var _entry:RayEntry = new RayEntry();
 
         // Bounds of all heights, and a size that no triangle between them has.
         private var _whole:HeightRange = new HeightRange();
@@ -51,22 +48,15 @@ package starlogo.ground
                 return true;
             }
             begin(grid, ray, null);
-            var isHit:Boolean = false;
             while (_triangles.next())
             {
                 if (testTriangle())
                 {
-                    isHit = true;
                     _search.latest = _test.distance;
-                    _outside.setTriangle(_triangles.triangle.corners, 0);
+                    _test.writeHit(out);
                 }
             }
-            if (isHit)
-            {
-                out.distance = _test.distance;
-                out.setNormal(ray, _outside.normal.x, _outside.normal.y, _outside.normal.z);
-            }
-            return isHit;
+            return _test.slot >= 0;
         }
 
         /**
@@ -79,20 +69,12 @@ package starlogo.ground
         {
             if (beginsInside(grid, ray))
             {
-                _entry.begin(ray);
-                out.addEntry(_entry, 0, RayCrossings.INSIDE);
+                out.addInside(ray);
             }
             begin(grid, ray, out);
             while (_triangles.next())
             {
-                var before:int = out.count;
-                if (testTriangle())
-                {
-                    _outside.setTriangle(_triangles.triangle.corners, 0);
-                    _entry.setNormal(ray, _outside.normal.x, _outside.normal.y, _outside.normal.z);
-                    out.setNormal(before, _entry);
-                    out.triangles[before] = -1;
-                }
+                testTriangle();
             }
         }
 

@@ -1,9 +1,6 @@
 package starlogo.hierarchy
 {
     import flash.errors.IllegalOperationError;
-    import starlogo.engine;
-
-    use namespace engine;
 
     /**
      * Finds the best pair of nodes of two trees, by branch and bound, depth-first (thesis §4.6; Larsen, Gottschalk, Lin and Manocha, "Fast

@@ -3,13 +3,10 @@ package starlogo.hierarchy
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
-    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.PairTable;
     import starlogo.intersection.sweep.BoxAxes;
-
-    use namespace engine;
 
     /**
      * Finds the distance of two trees. The distance of two boxes' extents, along the axes of one box or the other, is a lower bound of the

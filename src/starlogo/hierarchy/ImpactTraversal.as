@@ -1,13 +1,10 @@
 package starlogo.hierarchy
 {
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
     import starlogo.intersection.sweep.BoxPair;
     import starlogo.intersection.sweep.BoxSweep;
-
-    use namespace engine;
 
     /**
      * Finds when two moving trees first touch, as RelativeMotion says. Parents touch no later than their children. The axes of the edges are
@@ -34,7 +31,7 @@ package starlogo.hierarchy
          *
          * @param motion of the second tree, from the pose on
          * @param visitor decides about nodes that decide; null if their boxes do
-         * @return the nodes that touch first, and the time as <code>least</code>; the next search overwrites it
+         * @return the nodes or items that touch first, and the time as <code>least</code>; the next search overwrites it
          */
         public function findTouch(trees:PosedTrees, motion:RelativeMotion, visitor:NodePairVisitor):BestPair
         {

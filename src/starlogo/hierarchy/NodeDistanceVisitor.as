@@ -3,10 +3,7 @@ package starlogo.hierarchy
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
-    import starlogo.engine;
     import starlogo.intersection.PairTable;
-
-    use namespace engine;
 
     /** Finds the distance of a structure from the boxes of a tree. The results are nested, as those of DistanceTraversal. @private */
     public final class NodeDistanceVisitor extends NodeVisitor

@@ -1,13 +1,10 @@
 package starlogo.hierarchy
 {
     import starlogo.bounding.Box;
-    import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.rayBox;
-
-    use namespace engine;
 
     /**
      * Finds where a ray first meets the boxes of a tree, or all places where it does.
@@ -45,7 +42,7 @@ package starlogo.hierarchy
          */
         public function findHit(tree:BoxTree, depth:int, ray:Ray, out:RayEntry):Boolean
         {
-            search(tree, depth, ray, 0, null);
+            findAll(tree, depth, ray, 0, null);
             return _first >= 0 && rayBox(_ray, tree.writeBox(_first, _box), out);
         }
 
@@ -56,19 +53,13 @@ package starlogo.hierarchy
          * @param depth how many of its levels are visited
          * @param ray in the tree's space
          * @param slack how far a place may be wrong because of rounding
-         * @param out the crossings are added to it
+         * @param out the crossings are added to it. Null if only the first node is wanted
          */
         public function findAll(tree:BoxTree, depth:int, ray:Ray, slack:Number, out:RayCrossings):void
         {
-            search(tree, depth, ray, slack, out);
-        }
-
-        // Visits the nodes that a ray meets. Without crossings, only the first node is wanted.
-        private function search(tree:BoxTree, depth:int, ray:Ray, slack:Number, all:RayCrossings):void
-        {
             _ray.copyFrom(ray);
             _slack = slack;
-            _all = all;
+            _all = out;
             _first = -1;
             limit = ray.to;
             _search.setRay(ray);

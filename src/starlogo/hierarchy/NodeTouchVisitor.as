@@ -3,10 +3,7 @@ package starlogo.hierarchy
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.intersection.PairTable;
-
-    use namespace engine;
 
     /**
      * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two decides

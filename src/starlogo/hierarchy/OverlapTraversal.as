@@ -1,13 +1,10 @@
 package starlogo.hierarchy
 {
-    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.BoxSeparation;
     import starlogo.intersection.sweep.BoxAxes;
     import starlogo.intersection.sweep.BoxPair;
-
-    use namespace engine;
 
     /**
      * Decides whether two standing trees overlap. It is like BestPairTraversal, but without bounds, because each pair overlaps

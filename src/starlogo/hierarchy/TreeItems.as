@@ -1,9 +1,5 @@
 package starlogo.hierarchy
 {
-    import starlogo.engine;
-
-    use namespace engine;
-
     /**
      * The items of a tree while it is made: its triangles or its vertices. Divides the items of a node in two, and changes
      * their order so that the items of each node stand side by side.

@@ -1,11 +1,8 @@
 package starlogo.solid
 {
-    import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
-
-    use namespace engine;
 
     /**
      * Prepares a model for exact tests, in steps: the corners of its triangles by slot; which vertices are at the same place; the surface that the

@@ -1,13 +1,10 @@
 package starlogo.solid
 {
     import flash.geom.Vector3D;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
-
-    use namespace engine;
 
     /**
      * Whether a point has an open side: from there, a ray along an axis meets no node without children. Then no surface is around the point. This

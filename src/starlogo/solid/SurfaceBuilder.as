@@ -1,10 +1,7 @@
 package starlogo.solid
 {
-    import starlogo.engine;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
-
-    use namespace engine;
 
     /**
      * Finds the surface that a model's triangles make, in steps: its parts, which are the sets of triangles with common vertices; which shells the

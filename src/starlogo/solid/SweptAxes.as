@@ -8,7 +8,7 @@ package starlogo.solid
 
     /**
      * Axes along which a moving shape and a triangle may stay apart. They rule out most triangles before a time of impact is sought. Most axes depend
-     * on the shape alone. A sphere or a capsule also has those across the motion and an edge of the triangle.
+     * on the shape and its motion, so all triangles share them. A sphere or a capsule also has those across the motion and an edge of the triangle.
      */
     internal final class SweptAxes
     {

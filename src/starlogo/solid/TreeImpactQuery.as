@@ -4,7 +4,6 @@ package starlogo.solid
     import starlogo.bounding.Box;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BestPair;
@@ -15,8 +14,6 @@ package starlogo.solid
     import starlogo.hierarchy.ImpactTraversal;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.PairTable;
-
-    use namespace engine;
 
     /**
      * Finds when and where two models first touch while the first one moves, relative to the second. The second one is a tree, or a structure stands
@@ -87,6 +84,7 @@ package starlogo.solid
             sweep(motion, motion.time, out);
             if (_motion.time > 0)
             {
+                // no surfaces touch now, so one model is inside of the other
                 _motion.time = 0;
                 findContactOfNodes(0, 0, out);
             }

@@ -1,14 +1,11 @@
 package starlogo.solid
 {
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.NodePairVisitor;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.NodeTouchVisitor;
-
-    use namespace engine;
 
     /**
      * Tests whether two models overlap where they are: two trees, or a tree and a structure (thesis §4.6). Nothing is allocated once the stacks

@@ -1,7 +1,6 @@
 package starlogo.solid
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
@@ -30,11 +29,6 @@ package starlogo.solid
         private var _triangles:TriangleRayVisitor = new TriangleRayVisitor();
         private var _start:Vector3D = new Vector3D();
 
-        // The normal of the triangle that the ray meets.
-        private var _plane:TrianglePlane = new TrianglePlane();
-
-        private var _entry:RayEntry = new RayEntry();
-
         /**
          * Finds where a ray first meets a model.
          *
@@ -54,7 +48,13 @@ package starlogo.solid
             }
             if (exact && model.hasTriangles)
             {
-                return findTriangle(model, ray, out);
+                searchTriangles(model, ray, null);
+                if (_triangles.slot < 0)
+                {
+                    return false;
+                }
+                _triangles.writeHit(out);
+                return true;
             }
             return _nodes.findHit(model.boxTree, exact ? BoxTree.EXACT : depth, ray, out);
         }
@@ -67,26 +67,16 @@ package starlogo.solid
          */
         public function findAll(model:ModelTree, depth:int, exact:Boolean, ray:Ray, out:RayCrossings):Boolean
         {
-            _entry.begin(ray);
             if (beginsInside(model, ray))
             {
-                out.addEntry(_entry, 0, RayCrossings.INSIDE);
+                out.addInside(ray);
             }
             if (!exact || !model.hasTriangles)
             {
                 _nodes.findAll(model.boxTree, exact ? BoxTree.EXACT : depth, ray, Tolerances.ROUNDING * model.boxTree.radiusAboutOrigin, out);
                 return false;
             }
-            var first:int = out.count;
             searchTriangles(model, ray, out);
-            for (var i:int = first; i < out.count; i++)
-            {
-                var slot:int = out.triangles[i];
-                _entry.begin(ray);
-                setNormal(model.mesh, slot, ray, _entry);
-                out.setNormal(i, _entry);
-                out.triangles[i] = model.boxTree.items[slot];
-            }
             return true;
         }
 
@@ -96,37 +86,13 @@ package starlogo.solid
             return model.isInside(_start, 0);
         }
 
-        private function findTriangle(model:ModelTree, ray:Ray, out:RayEntry):Boolean
-        {
-            searchTriangles(model, ray, null);
-            var slot:int = _triangles.slot;
-            if (slot < 0)
-            {
-                return false;
-            }
-            out.triangle = model.boxTree.items[slot];
-            out.distance = _triangles.distance;
-            setNormal(model.mesh, slot, ray, out);
-            return true;
-        }
-
         // Tests the triangles near a ray: finds the first that it meets, or adds all crossings.
         private function searchTriangles(model:ModelTree, ray:Ray, all:RayCrossings):void
         {
             var mesh:TriangleMesh = model.prepareMesh();
-            _triangles.begin(ray, mesh.corners, model.boxTree.radiusAboutOrigin, all);
+            _triangles.begin(ray, mesh.corners, model.boxTree.radiusAboutOrigin, all, model.boxTree.items);
             _search.setRay(ray);
             _search.find(mesh.tree, BoxTree.EXACT, _triangles);
-        }
-
-        // Sets the normal to that of a triangle, against the ray. A flat triangle has none; then it stays the opposite of the ray's direction.
-        private function setNormal(mesh:TriangleMesh, slot:int, ray:Ray, out:RayEntry):void
-        {
-            _plane.setTriangle(mesh.corners, 9 * slot);
-            if (!_plane.isFlat)
-            {
-                out.setNormal(ray, _plane.normal.x, _plane.normal.y, _plane.normal.z);
-            }
         }
     }
 }

@@ -1,9 +1,6 @@
 package starlogo.solid
 {
-    import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-
-    use namespace engine;
 
     /** A model's triangles, for exact tests: their corners and extents by slot, which is the order of the tree. */
     internal final class TriangleMesh

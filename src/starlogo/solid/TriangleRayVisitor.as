@@ -1,10 +1,12 @@
 package starlogo.solid
 {
+    import starlogo.convex.TrianglePlane;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
 
     /**
      * Finds the first triangle that a ray meets, or all of them, from either side (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
@@ -36,6 +38,11 @@ package starlogo.solid
         private var _ray:Ray = null;
         private var _all:RayCrossings = null;
         private var _corners:Vector.<Number>;
+        private var _items:Vector.<int>;
+
+        // The plane of a triangle that the ray meets, and a crossing of all.
+        private var _plane:TrianglePlane = new TrianglePlane();
+        private var _entry:RayEntry = new RayEntry();
 
         // The axes, u, v and w: the ray goes fastest along w.
         private var _u:int;
@@ -67,12 +74,14 @@ package starlogo.solid
          * @param ray in the space of the triangles; the object is kept
          * @param corners nine numbers for each triangle, by slot; kept
          * @param radius of a sphere around all triangles
-         * @param all receives the crossings with all triangles, without normals; kept. Null if the first triangle is wanted
+         * @param all receives the crossings with all triangles; kept. Null if the first triangle is wanted
+         * @param items the triangles' numbers in the model, by slot; kept. Null if they have none
          */
-        public function begin(ray:Ray, corners:Vector.<Number>, radius:Number, all:RayCrossings = null):void
+        public function begin(ray:Ray, corners:Vector.<Number>, radius:Number, all:RayCrossings = null, items:Vector.<int> = null):void
         {
             _ray = ray;
             _all = all;
+            _items = items;
             _corners = corners;
             limit = _latest = ray.to;
             slot = -1;
@@ -191,20 +200,41 @@ package starlogo.solid
             return hasFound;
         }
 
+        /** Writes where the ray meets the first triangle, and which one that is. There must be one. */
+        public function writeHit(out:RayEntry):void
+        {
+            writeTriangle(slot, out);
+            out.distance = distance;
+        }
+
+        // Writes the number and the normal of the triangle in a slot. If it is flat, the normal is the opposite of the ray's direction.
+        private function writeTriangle(crossed:int, out:RayEntry):void
+        {
+            out.begin(_ray);
+            out.triangle = _items == null ? -1 : _items[crossed];
+            _plane.setTriangle(_corners, 9 * crossed);
+            if (!_plane.isFlat)
+            {
+                out.setNormal(_ray, _plane.normal.x, _plane.normal.y, _plane.normal.z);
+            }
+        }
+
         // Adds the crossing of the triangle in a slot. The ray may pass a gap beside the place that is tested. On a steep triangle the place is then
         // farther off along the ray.
         private function addCrossing(crossed:int, crossing:Number, isEdgeOn:Boolean, sum:Number, spread:Number):void
         {
             var slack:Number = Tolerances.ROUNDING * Math.abs(crossing);
+            writeTriangle(crossed, _entry);
+            _entry.distance = crossing;
             if (isEdgeOn)
             {
                 slack += 4 * EDGE_ON * _margin;
-                _all.add(crossing, slack, Math.max(_last, crossing) + slack, RayCrossings.EDGE_ON, crossed);
+                _all.add(_entry, slack, Math.max(_last, crossing) + slack, RayCrossings.EDGE_ON);
             }
             else
             {
                 slack += 4 * _margin * (1 + spread / Math.abs(sum));
-                _all.add(crossing, slack, crossing, sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES, crossed);
+                _all.add(_entry, slack, crossing, sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES);
             }
         }
 

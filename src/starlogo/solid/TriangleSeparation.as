@@ -5,10 +5,11 @@ package starlogo.solid
     /**
      * A quick test that rules out most pairs of triangles, before ConvexKernel decides. Allocates nothing.
      *
-     * <p>The directions that it tries are the second triangle's normal, and those perpendicular to an edge of each. If each triangle crosses the
-     * other's plane, each has one corner alone on its side of that plane. Then only the edges from these two corners can face each other (Guigue
-     * and Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", Journal of Graphics Tools, 2003). If all of a
-     * triangle is on one side, it may have no such corner. Any of its corners is taken then, so fewer pairs are ruled out.</p>
+     * <p>The directions that it tries are the second triangle's normal, and those perpendicular to an edge of each. The caller has tried the first
+     * triangle's normal, by its TrianglePlane. If each triangle crosses the other's plane, each has one corner alone on its side of that plane. Then
+     * only the edges from these two corners can face each other (Guigue and Devillers, "Fast and robust triangle-triangle overlap test using
+     * orientation predicates", Journal of Graphics Tools, 2003). If all of a triangle is on one side, it may have no such corner. Any of its corners
+     * is taken then, so fewer pairs are ruled out.</p>
      *
      * @private
      */

@@ -1,13 +1,10 @@
 package starlogo.solid
 {
     import flash.geom.Vector3D;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
-
-    use namespace engine;
 
     /**
      * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a visitor, it counts the triangles that a

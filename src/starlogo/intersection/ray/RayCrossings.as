@@ -36,32 +36,39 @@ package starlogo.intersection.ray
         /** INSIDE, ENTERS, LEAVES or EDGE_ON. */
         public var sides:Vector.<int> = new Vector.<int>();
 
-        /** The triangle that is crossed, as the model counts them; -1 if it is none. TriangleRayVisitor writes its slot. */
+        /** The triangle that is crossed, as the model counts them; -1 if it is none. */
         public var triangles:Vector.<int> = new Vector.<int>();
 
         /** The unit normal at each crossing, against the ray: x, y, z. */
         public var normals:Vector.<Number> = new Vector.<Number>();
 
-        // For addStructure(): the ray in the opposite direction, and a place where it enters the structure.
+        // The ray of addStructure() in the opposite direction. A place where a ray begins, or where it enters a structure.
         private var _reversed:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
 
-        /** Adds a crossing without a normal. */
-        public function add(distance:Number, slack:Number, end:Number, side:int, triangle:int):void
+        /**
+         * Adds a crossing.
+         *
+         * @param entry has its distance, its normal and its triangle
+         */
+        public function add(entry:RayEntry, slack:Number, end:Number, side:int):void
         {
-            distances[count] = distance;
+            distances[count] = entry.distance;
             slacks[count] = slack;
             ends[count] = end;
             sides[count] = side;
-            triangles[count] = triangle;
+            triangles[count] = entry.triangle;
+            normals[3 * count] = entry.normalX;
+            normals[3 * count + 1] = entry.normalY;
+            normals[3 * count + 2] = entry.normalZ;
             count++;
         }
 
-        /** Adds a crossing where a ray enters a shape, or leaves it. No triangle decides about it. */
-        public function addEntry(entry:RayEntry, slack:Number, side:int):void
+        /** Adds that a ray begins inside of the shape. */
+        public function addInside(ray:Ray):void
         {
-            add(entry.distance, slack, entry.distance, side, -1);
-            setNormal(count - 1, entry);
+            _entry.begin(ray);
+            add(_entry, 0, ray.from, INSIDE);
         }
 
         /**
@@ -81,14 +88,14 @@ package starlogo.intersection.ray
                 return;
             }
             var entered:Number = entry.distance;
-            addEntry(entry, entered > ray.from ? slack : 0, ENTERS);
+            add(entry, entered > ray.from ? slack : 0, entered, ENTERS);
             // the same line in the opposite direction enters where the ray leaves
             _reversed.setReversed(ray);
             if (rayStructure(_reversed, structure, convex, entry) && -entry.distance <= ray.to)
             {
                 entry.setNormal(ray, entry.normalX, entry.normalY, entry.normalZ);
                 entry.distance = -entry.distance > entered ? -entry.distance : entered;
-                addEntry(entry, slack, LEAVES);
+                add(entry, slack, entry.distance, LEAVES);
             }
         }
 
@@ -100,14 +107,6 @@ package starlogo.intersection.ray
             out.normalX = normals[3 * index];
             out.normalY = normals[3 * index + 1];
             out.normalZ = normals[3 * index + 2];
-        }
-
-        /** Sets the normal of a crossing. */
-        public function setNormal(index:int, entry:RayEntry):void
-        {
-            normals[3 * index] = entry.normalX;
-            normals[3 * index + 1] = entry.normalY;
-            normals[3 * index + 2] = entry.normalZ;
         }
     }
 }

@@ -3,6 +3,7 @@ package starlogo.queries.rays
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertTrue;
     import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
     import support.Complaints;
     import support.Effort;
 
@@ -23,10 +24,11 @@ package starlogo.queries.rays
             for (var i:int = 0; i < count; i++)
             {
                 var crossings:RayCrossings = new RayCrossings();
+                var entry:RayEntry = new RayEntry();
                 for (var k:int = _random.integer(1, 6); k > 0; k--)
                 {
-                    var distance:Number = _random.integer(0, 9);
-                    crossings.add(distance, _random.pick([0, 0.5, 1, 2]), distance + _random.integer(0, 3), _random.pick([1, 1, -1, -1, 0]), k);
+                    entry.distance = _random.integer(0, 9);
+                    crossings.add(entry, _random.pick([0, 0.5, 1, 2]), entry.distance + _random.integer(0, 3), _random.pick([1, 1, -1, -1, 0]));
                 }
                 _surfaces.find(crossings, true);
                 joined += crossings.count - _surfaces.indices.count;

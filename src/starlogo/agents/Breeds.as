@@ -13,13 +13,11 @@ package starlogo.agents
         /** The breed of agents that stand for the edges of the world. */
         public static const EDGE:String = "*edge";
 
-        /** The number that stands for any breed of agents. Its name is empty, and no breed has such a name. */
+        /** The number that stands for any breed of agents. Its name is empty, and no breed has such a name. Lower numbers are of the world. */
         public static const ANY:int = 2;
 
         /** The numbers of the names of breeds. The first names are those of the ground and of the edges. */
         public static const NAMES:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ""]);
-
-        private static const OF_WORLD:int = 2;
 
         private static var sChanges:int = 0;
 
@@ -38,7 +36,7 @@ package starlogo.agents
         /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */
         public static function isOfWorld(number:int):Boolean
         {
-            return number < OF_WORLD;
+            return number < ANY;
         }
     }
 }

@@ -86,8 +86,8 @@ package starlogo.collision
          *
          * @param collider the normal points to it
          * @param collidee another agent
-         * @param out takes the contact; made if null
-         * @return out, or the new one
+         * @param out receives the contact; created if null
+         * @return out
          */
         public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {

@@ -8,7 +8,7 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * Whatever questions can see agents as: a Collision, a collision system, or the shapes of a level.
+     * Gives questions the shapes of agents: the base class of a Collision, of the collision systems, and of the shapes of a level.
      *
      * @private
      */

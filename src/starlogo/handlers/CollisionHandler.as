@@ -27,10 +27,10 @@ package starlogo.handlers
         /** START, COLLISION or END. */
         public var kind:int;
 
-        /** The number of the collider's breed, as in BreedInterests. */
+        /** The number of the collider's breed; Breeds.ANY for any breed. */
         public var breedNumber:int;
 
-        /** The number of the collidee's breed. */
+        /** The number of the collidee's breed; Breeds.ANY for any breed. */
         public var otherNumber:int;
 
         /** function(collider:Agent, collidee:Agent):void, or with a third argument, the contact. */

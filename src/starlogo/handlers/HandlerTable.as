@@ -39,10 +39,10 @@ package starlogo.handlers
         private var _called:Vector.<PairHandlers> = new Vector.<PairHandlers>();
         private var _calledIndices:HashTable = new HashTable();
 
-        // How many handlers were ever added, and how many of these the frame calls if they are not removed. Whether any has come or gone since the
-        // frame began.
-        private var _addedCount:int = 0;
-        private var _calledCount:int = 0;
+        // The serial number of the next handler. The frame calls handlers with lower numbers than the second one. Whether any has come or gone since
+        // the frame began.
+        private var _nextSerial:int = 0;
+        private var _endSerial:int = 0;
         private var _hasChanged:Boolean = false;
 
         /**
@@ -54,8 +54,8 @@ package starlogo.handlers
         {
             require(breed, otherBreed, callback);
             requireParameters(breed, otherBreed, callback, kind);
-            enter(new CollisionHandler(kind, breed, otherBreed, callback, _addedCount));
-            _addedCount++;
+            enter(new CollisionHandler(kind, breed, otherBreed, callback, _nextSerial));
+            _nextSerial++;
             _hasChanged = true;
         }
 
@@ -99,7 +99,7 @@ package starlogo.handlers
             var all:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
             for each (var entry:AddedHandlers in _added)
             {
-                entry.appendTo(all, _addedCount);
+                entry.appendTo(all, _nextSerial);
             }
             _added.length = _called.length = 0;
             _addedIndices.clear();
@@ -113,13 +113,13 @@ package starlogo.handlers
                 interests.addNumbers(handler.breedNumber, handler.otherNumber);
                 kinds |= 1 << handler.kind;
                 contactKinds |= handler.needsContact ? 1 << handler.kind : 0;
-                if (handler.serial >= _calledCount)
+                if (handler.serial >= _endSerial)
                 {
                     newNames.push(Breeds.NAMES.nameOf(handler.breedNumber), Breeds.NAMES.nameOf(handler.otherNumber));
                 }
             }
             warnOfBreeds(newNames, agents);
-            _calledCount = _addedCount;
+            _endSerial = _nextSerial;
         }
 
         /**
@@ -186,7 +186,7 @@ package starlogo.handlers
                     var entry:AddedHandlers = addedFor(number, other);
                     if (entry != null)
                     {
-                        entry.appendTo(found, _calledCount);
+                        entry.appendTo(found, _endSerial);
                     }
                 }
             }

@@ -22,9 +22,6 @@ package starlogo.handlers
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
-        /** The number of touches. */
-        public var count:int = 0;
-
         // By index: all touches that there are, and objects for later ones.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
 
@@ -39,6 +36,12 @@ package starlogo.handlers
 
         // The indices of the touches that ended in this frame, in the order in which they began.
         private var _ended:SortableIntList = new SortableIntList();
+
+        /** The number of touches that have not ended. */
+        public function get count():int
+        {
+            return _all.length - _free.count - _ended.count;
+        }
 
         /**
          * The pairs whose touches may be others than in the last frame: the added ones if all others go on. Null stands for all pairs. Ask before
@@ -58,8 +61,6 @@ package starlogo.handlers
         public function begin(pairs:FoundPairs, compared:IntList, table:HandlerTable):void
         {
             frame++;
-            // they are still there if the last frame has failed
-            forgetEnded();
             if (compared == null)
             {
                 compareAll(pairs, table);
@@ -84,13 +85,19 @@ package starlogo.handlers
         }
 
         /**
-         * Ends a frame.
+         * Ends a frame, also one that has failed: forgets the touches that have ended.
          *
          * @param areComplete whether each pair with handlers for starts or ends has got its touch, both ways
          */
         public function end(pairs:FoundPairs, areComplete:Boolean):void
         {
-            forgetEnded();
+            for (var i:int = 0; i < _ended.count; i++)
+            {
+                var touch:Touch = endedAt(i);
+                touch.first = touch.second = null;
+                _free.add(touch.index);
+            }
+            _ended.count = 0;
             pairs.tracker = areComplete ? this : null;
         }
 
@@ -124,7 +131,6 @@ package starlogo.handlers
                 touch.secondBreed = secondBreed;
                 touch.isBothWays = isBothWays;
                 _indices.set (Math.min(first.idNumber, second.idNumber), Math.max(first.idNumber, second.idNumber), touch.index);
-                count++;
             }
             return touch;
         }
@@ -217,20 +223,8 @@ package starlogo.handlers
             if (touch.first != null && touch.seenIn != frame)
             {
                 _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
-                count--;
                 _ended.add(touch.index, touch.serial);
             }
-        }
-
-        private function forgetEnded():void
-        {
-            for (var i:int = 0; i < _ended.count; i++)
-            {
-                var touch:Touch = _all[_ended.numbers[i]];
-                touch.first = touch.second = null;
-                _free.add(touch.index);
-            }
-            _ended.count = 0;
         }
 
         // The index of the touch of two agents, in either order; -1 if there is none.

@@ -70,7 +70,7 @@ package starlogo.search
         /**
          * Finds the pairs of agents that touch and whose breeds are of interest.
          *
-         * @param input among what
+         * @param input the agents, and which of them take part
          * @param mayKeep whether the search may begin with the pairs of the last one
          * @param counts takes the counts of this search
          * @return the pairs. The next search overwrites them

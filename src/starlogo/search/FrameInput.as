@@ -8,7 +8,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Among what a frame's pairs are to be found: the list of agents, which of them take part, and which breeds count.
+     * The input of a frame's search: the list of agents, which of them take part, which breeds count, the ground and the edges of the world.
      *
      * @private
      */

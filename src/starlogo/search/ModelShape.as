@@ -13,8 +13,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The shape that a Collider uses for a model, in the model's space. All agents with the model for which it chooses alike share it. A
-     * BaseShapeChoice sets it.
+     * The shape that a Collider uses for a model, in the model's space. Agents with the same model and the same
+     * kind (<code>BaseShapeChoice.kindOf()</code>) share it. A BaseShapeChoice sets it.
      */
     public final class ModelShape
     {

@@ -24,6 +24,14 @@ package starlogo.search
         // The number of agents without a counted id: those of edges.
         private static var sUncounted:int = 0;
 
+        /** @param breed Breeds.TERRAIN or Breeds.EDGE */
+        public function WorldAgent(breed:String)
+        {
+            // the name without its asterisk
+            super(breed.substr(1));
+            breedNumber = Breeds.NAMES.numberOf(breed);
+        }
+
         /**
          * The ground or the edges as they are now.
          *
@@ -36,14 +44,6 @@ package starlogo.search
                 throw new ArgumentError("the place of " + this + " is not known: it was exchanged before another Collision wrote the snapshot");
             }
             return surface;
-        }
-
-        /** @param breed Breeds.TERRAIN or Breeds.EDGE */
-        public function WorldAgent(breed:String)
-        {
-            // the name without its asterisk
-            super(breed.substr(1));
-            breedNumber = Breeds.NAMES.numberOf(breed);
         }
 
         /** @private An id that is not counted: the edges'. A Terrain gives its agent a counted one. */

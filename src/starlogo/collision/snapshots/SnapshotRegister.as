@@ -18,6 +18,8 @@ package starlogo.collision.snapshots
     {
         // How many ids are remembered, unless the last snapshot alone has more.
         private static const MOST_IDS:int = 65536;
+
+        // How many ids an error names.
         private static const NAMED:int = 10;
 
         // What an entry begins with. The ids of the agents follow.

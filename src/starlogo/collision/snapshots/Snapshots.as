@@ -37,10 +37,10 @@ package starlogo.collision.snapshots
         private static const HAS_GROUND:int = 2;
         private static const HAS_HEIGHTS:int = 4;
 
-        // The kinds of collision systems: BaseShapeChoice.system, in the bits above these.
+        // The factor of the number of the collision system (BaseShapeChoice.system), which is in the bits above these.
         private static const SYSTEM:int = 8;
 
-        // By BaseShapeChoice.system.
+        // The names of the collision systems, by BaseShapeChoice.system.
         private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider"];
 
         private var _register:SnapshotRegister = new SnapshotRegister();
@@ -88,7 +88,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + kindOf(search) * SYSTEM);
+            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + systemOf(search) * SYSTEM);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -120,7 +120,7 @@ package starlogo.collision.snapshots
             var parts:SnapshotParts = new SnapshotParts();
             try
             {
-                readParts(copy, agents, kindOf(search), ground, edges, parts);
+                readParts(copy, agents, systemOf(search), ground, edges, parts);
             }
             catch (error:Error)
             {
@@ -268,7 +268,7 @@ package starlogo.collision.snapshots
             return touches;
         }
 
-        private static function kindOf(search:CollisionSearch):int
+        private static function systemOf(search:CollisionSearch):int
         {
             return search.narrowPhase.choice.system;
         }

@@ -29,11 +29,13 @@ package starlogo.search.pairs
      */
     public final class EdgePairTests extends PairTests
     {
+        // By edge: the direction out of the world.
+        private static const OUTWARDS:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
+                new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
+
         private var _limits:TreeLimits;
 
-        // By edge: the direction out of the world, and how far the body is beyond the edge (less than 0 if the body is before it).
-        private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
-                new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
+        // By edge: how far the body is beyond it (less than 0 if the body is before it).
         private var _penetrations:Vector.<Number> = new Vector.<Number>(6, true);
 
         private var _supportSearch:SupportSearch = new SupportSearch();
@@ -140,7 +142,7 @@ package starlogo.search.pairs
         private function writeContact(deepest:int, a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var left:Number = 1 - motion.time;
-            _supportSearch.findPoint(a, _limits, _outwards[deepest], a.largestHalf, _farthest);
+            _supportSearch.findPoint(a, _limits, OUTWARDS[deepest], a.largestHalf, _farthest);
             out.x = _farthest.x - left * motion.x;
             out.y = _farthest.y - left * motion.y;
             out.z = _farthest.z - left * motion.z;
@@ -179,7 +181,7 @@ package starlogo.search.pairs
                 _penetrations[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
-                    _supportSearch.findSupport(body, _limits, _outwards[edge], _farthest);
+                    _supportSearch.findSupport(body, _limits, OUTWARDS[edge], _farthest);
                     _penetrations[edge] = _farthest.support - place;
                 }
             }
@@ -195,7 +197,7 @@ package starlogo.search.pairs
         // The length of a vector in the direction out of the world.
         private function along(edge:int, x:Number, y:Number, z:Number):Number
         {
-            return x * _outwards[edge].x + y * _outwards[edge].y + z * _outwards[edge].z;
+            return x * OUTWARDS[edge].x + y * OUTWARDS[edge].y + z * OUTWARDS[edge].z;
         }
 
         // Adds the half-space before an edge. For edges other than the deepest, the way out is longer by a tenth of the tolerance of a contact's
@@ -203,7 +205,7 @@ package starlogo.search.pairs
         // patch counts in its place.
         private function addHalfSpace(edge:int, isDeepest:Boolean, body:Body):void
         {
-            var outwards:Vector3D = _outwards[edge];
+            var outwards:Vector3D = OUTWARDS[edge];
             var half:Number = body.largestHalf == 0 ? 1 : body.largestHalf;
             var slack:Number = Tolerances.SEPARATION / 5 * half;
             var depth:Number = Math.max(0, _penetrations[edge]);
@@ -214,7 +216,7 @@ package starlogo.search.pairs
         // Moves the point of a contact into the middle of the overlap with an edge. There may be no such edge: then its place is infinite.
         private function moveToMiddle(edge:int, edges:Body, out:ContactPoint):void
         {
-            var outwards:Vector3D = _outwards[edge];
+            var outwards:Vector3D = OUTWARDS[edge];
             var offset:Number = placeOf(edges, edge) + _penetrations[edge] / 2 - along(edge, out.x, out.y, out.z);
             if (isFinite(offset))
             {

@@ -67,7 +67,7 @@ package starlogo.search.pairs
             _extents.halfY = a.halfY;
             _extents.halfZ = a.halfZ;
             var found:int = _earlyOut.decide(gridOf(b), _extents, a.form);
-            return found == GroundEarlyOut.UNKNOWN ? overlap(a, b) : found == GroundEarlyOut.TOUCHING;
+            return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).overlapsAt(RelativeMotion.NONE, 0) : found == GroundEarlyOut.TOUCHING;
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */
@@ -126,7 +126,12 @@ package starlogo.search.pairs
             {
                 for (var i:int = 0; i < count; i++)
                 {
-                    measure(a, exits[i]);
+                    // the depth of the structure around the tree becomes that of the tree itself
+                    var exit:ContactPoint = exits[i];
+                    var plane:Number = exit.normalX * exit.x + exit.normalY * exit.y + exit.normalZ * exit.z + exit.depth / 2;
+                    _inwards.setTo(-exit.normalX, -exit.normalY, -exit.normalZ);
+                    _supportSearch.findSupport(a, _limits, _inwards, _farthest);
+                    exit.depth = plane + _farthest.support;
                 }
             }
             return count;
@@ -138,24 +143,9 @@ package starlogo.search.pairs
             queryOf(a, b).findClosest(areTouching, out);
         }
 
-        // Changes a contact's depth behind a plane from the depth of the structure around a tree to that of the tree itself.
-        private function measure(a:Body, exit:ContactPoint):void
-        {
-            var plane:Number = exit.normalX * exit.x + exit.normalY * exit.y + exit.normalZ * exit.z + exit.depth / 2;
-            _inwards.setTo(-exit.normalX, -exit.normalY, -exit.normalZ);
-            _supportSearch.findSupport(a, _limits, _inwards, _farthest);
-            exit.depth = plane + _farthest.support;
-        }
-
         private static function gridOf(ground:Body):HeightGrid
         {
             return ground.shape.grid;
-        }
-
-        // Whether the two overlap, by the full test.
-        private function overlap(a:Body, b:Body):Boolean
-        {
-            return queryOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
         }
 
         // The query of the ground, set to a body.

@@ -18,13 +18,13 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            return _tests.areLeavesTouching(a, b);
+            return _tests.areOverlapping(a, b, false);
         }
 
         /** @inheritDoc */
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _tests.findImpactOfLeaves(a, b, motion, out);
+            _tests.findTreeImpact(a, b, motion, false, out);
         }
 
         /** @inheritDoc */

@@ -23,9 +23,9 @@ package starlogo.search.pairs
      */
     public final class SupportSearch
     {
-        // The nodes still to visit, the next one last, and how far each may reach. Trees may be too deep for recursion.
+        // The nodes still to visit, the next one last, and an upper bound of the support of each. Trees may be too deep for recursion.
         private var _nodes:Vector.<int> = new Vector.<int>();
-        private var _limits:Vector.<Number> = new Vector.<Number>();
+        private var _upperBounds:Vector.<Number> = new Vector.<Number>();
         private var _box:Box = BoxTree.newBox();
 
         // The direction in the model's space.
@@ -64,6 +64,7 @@ package starlogo.search.pairs
             var at:Placement = body.placement;
             turnIntoModel(direction, at, _direction);
             findInModel(body, limits, _direction, out);
+            // addFarthest reads from out how far points have to be
             var farthest:Number = out.support;
             out.support -= Tolerances.SEPARATION * half / at.size;
             addFarthest(body, limits, _direction, out);
@@ -116,12 +117,12 @@ package starlogo.search.pairs
             var depth:int = depthOf(body, limits, corners);
             out.support = -Infinity;
             _nodes[0] = 0;
-            _limits[0] = Infinity;
+            _upperBounds[0] = Infinity;
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
-                var limit:Number = Math.min(_limits[top], tree.writeBox(node, _box).supportAlong(direction));
-                if (limit <= out.support)
+                var upperBound:Number = Math.min(_upperBounds[top], tree.writeBox(node, _box).supportAlong(direction));
+                if (upperBound <= out.support)
                 {
                     continue;
                 }
@@ -132,12 +133,12 @@ package starlogo.search.pairs
                     var along:Number = axis == 0 ? direction.x : axis == 1 ? direction.y : direction.z;
                     _nodes[top] = along > 0 ? left : left + 1;
                     _nodes[top + 1] = along > 0 ? left + 1 : left;
-                    _limits[top] = _limits[top + 1] = limit;
+                    _upperBounds[top] = _upperBounds[top + 1] = upperBound;
                     top += 2;
                 }
                 else if (corners == null)
                 {
-                    out.support = limit;
+                    out.support = upperBound;
                 }
                 else
                 {

@@ -80,12 +80,6 @@ package starlogo.search.pairs
             return _overlaps.isOneInside(_pair);
         }
 
-        /** Whether two bodies touch if the leaves of trees decide and no triangles. */
-        internal function areLeavesTouching(a:Body, b:Body):Boolean
-        {
-            return areOverlapping(a, b, false);
-        }
-
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
@@ -108,12 +102,6 @@ package starlogo.search.pairs
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             findTreeImpact(a, b, motion, _limits.exact, out);
-        }
-
-        /** Finds the first touch as <code>findImpact()</code> does, if the leaves of trees decide and no triangles. */
-        internal function findImpactOfLeaves(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
-        {
-            findTreeImpact(a, b, motion, false, out);
         }
 
         /** @inheritDoc */
@@ -159,7 +147,8 @@ package starlogo.search.pairs
             _testCount = _counts.nodeVisits = _counts.triangleTests = 0;
         }
 
-        private function areOverlapping(a:Body, b:Body, exact:Boolean):Boolean
+        /** Whether two bodies touch. @param exact whether triangles decide, or else the leaves of trees */
+        internal function areOverlapping(a:Body, b:Body, exact:Boolean):Boolean
         {
             if (NarrowPhase.isReversed(a, b))
             {
@@ -170,7 +159,8 @@ package starlogo.search.pairs
             return _overlaps.areOverlapping(_pair);
         }
 
-        private function findTreeImpact(a:Body, b:Body, motion:RelativeMotion, exact:Boolean, out:ContactPoint):void
+        /** Finds the first touch as <code>findImpact()</code> does. @param exact as in areOverlapping */
+        internal function findTreeImpact(a:Body, b:Body, motion:RelativeMotion, exact:Boolean, out:ContactPoint):void
         {
             var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), exact);
             _testCount++;

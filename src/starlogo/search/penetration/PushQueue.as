@@ -90,6 +90,7 @@ package starlogo.search.penetration
             // if the new contact does not decide, the current push is out of it, and leads nowhere
             if (_count < MOST && _halfSpaces.solve(3, 0, found) && found.numbers[0] == current.deciding && isNew(found.displacement, slack))
             {
+                // its numbers are those of _halfSpaces: the contacts of the current push, and then the new one
                 found.numbers[0] = _contacts.count - 1;
                 found.numbers[1] = current.numbers[found.numbers[1]];
                 found.numbers[2] = current.numbers[found.numbers[2]];

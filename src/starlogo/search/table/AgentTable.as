@@ -354,9 +354,12 @@ package starlogo.search.table
             var seen:int = last.revisions[row];
             if (last.x[row] != x || last.y[row] != y || last.z[row] != z)
             {
-                // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump
+                // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump. So the next
+                // search reads the row again, and moves its extents
                 list.agents[row].revision++;
-                places.setLast(row, x, y, z);
+                last.x[row] = x;
+                last.y[row] = y;
+                last.z[row] = z;
             }
             last.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
             _placedRevisions[row] = STALE;

@@ -209,7 +209,7 @@ package starlogo.search.table
                 // grows by an eighth, because a vector that grows by one element is copied each time
                 if (_end > agents.length)
                 {
-                    grow(_end + (_end >> 3));
+                    agents.length = ranks.length = _marks.length = _end + (_end >> 3);
                 }
             }
             agents[row] = agent;
@@ -217,11 +217,6 @@ package starlogo.search.table
             arrived.add(row);
             _rowsById.set (agent.idNumber, 0, row);
             return row;
-        }
-
-        private function grow(length:int):void
-        {
-            agents.length = ranks.length = _marks.length = length;
         }
 
         // Lists rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.

@@ -109,15 +109,6 @@ package starlogo.search.table
             moveExtentsOf(row);
         }
 
-        /** Sets the place of a row in the last search. */
-        public function setLast(row:int, x:Number, y:Number, z:Number):void
-        {
-            last.x[row] = x;
-            last.y[row] = y;
-            last.z[row] = z;
-            moveExtentsOf(row);
-        }
-
         /** Lets an agent have no motion from its place in the search before the last. */
         public function forgetMotion(row:int):void
         {

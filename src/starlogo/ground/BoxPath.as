@@ -20,7 +20,7 @@ package starlogo.ground
         /** Where the height 0 is, relative to the search's origin. Read only. */
         public var zeroHeight:Number = 0;
 
-        /** How long the box passes along x or along y, with its own length. Read only. */
+        /** The longer side of the rectangle over which the box passes, with the search's <code>maxDistance</code> at both ends. Read only. */
         public var length:Number = 0;
 
         /** The search, and its ground. Read only. */

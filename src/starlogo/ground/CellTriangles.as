@@ -124,8 +124,8 @@ package starlogo.ground
         }
 
         // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
-        // no wall near the box. A wall begins at the top of the lower column. If the search has no floor, walls are cut a cell's width above and
-        // below the box, because long triangles have larger rounding errors.
+        // no wall near the box. A wall begins at the top of the lower column. Walls are cut a cell's width above the box and, if the search has no floor,
+        // below it, because long triangles have larger rounding errors.
         private function writeWall(side:int, isUpper:Boolean, corners:Vector.<Number>):Boolean
         {
             var grid:HeightGrid = _path.grid;

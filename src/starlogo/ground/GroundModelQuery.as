@@ -19,8 +19,7 @@ package starlogo.ground
      * <p>A connected piece that does not touch the ground's surface is wholly under the ground or wholly outside of it, so one point decides.
      * So each convex piece is tested against the triangles of the surface near it, and a point of it against the height of the ground.</p>
      *
-     * <p>Answers are nested, because a node's piece contains the pieces and the triangles of all its
-     * descendants.</p>
+     * <p>Answers are nested, because a node's piece contains the pieces and the triangles of all its descendants.</p>
      *
      * @private
      */

@@ -151,7 +151,7 @@ package starlogo.ground
             while (_pairs.next())
             {
                 _pairs.side.findBehind(RelativeMotion.NONE, _tried);
-                if (_pairs.side.isOverTriangle(_tried) && !isNoDeeper(_tried, deepest) && isDepthProven(_tried) && isDeepest(_tried, deepest, out))
+                if (_pairs.side.isOverTriangle(_tried) && isClearlyDeeper(_tried, deepest, out) && isDepthProven(_tried))
                 {
                     deepest = _tried.depth;
                     _pairs.search.minHeight = deepest;
@@ -198,16 +198,10 @@ package starlogo.ground
             return IN_FRONT * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
-        // Whether a contact is not deeper than the deepest one so far by more than rounding. NaN might be deeper.
-        private function isNoDeeper(contact:ContactPoint, deepest:Number):Boolean
+        // Whether a contact is the first one, or deeper than the deepest one so far by more than rounding.
+        private function isClearlyDeeper(contact:ContactPoint, deepest:Number, kept:ContactPoint):Boolean
         {
-            return deepest > 0 && contact.depth < deepest + _pairs.triangle.margin;
-        }
-
-        // Whether a contact is the deepest one so far, or the first one.
-        private static function isDeepest(contact:ContactPoint, deepest:Number, kept:ContactPoint):Boolean
-        {
-            return contact.depth > deepest || contact.depth == deepest && !kept.proof.hasTriangle;
+            return !kept.proof.hasTriangle || (deepest > 0 ? contact.depth >= deepest + _pairs.triangle.margin : contact.depth > 0);
         }
 
         // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.

@@ -10,7 +10,7 @@ package starlogo.ground
      * ground, and for drawing it. If the box moves, they come nearly in the order in which it meets them.
      *
      * <p>The surface consists of the cells' tops and of upright walls. A wall between two columns goes down to the top of the lower one, every other
-     * wall to the search's floor. If there is none, walls are cut a little above and below it.</p>
+     * wall to the search's floor. Tall walls are cut above the box, and below it if the search has no floor.</p>
      *
      * <p>A stack has the squares that are still to be visited. If the box comes to the heights of a square, its smaller squares take its
      * place. The smallest squares, of level 0, are the cells.</p>

@@ -61,7 +61,7 @@ package starlogo.ground
         private var _point:Vector3D = new Vector3D();
         private var _ground:GroundPoint = new GroundPoint();
 
-        // The margin of the model's place and surface, and that of the piece without that of a triangle.
+        // The margin for the model's place and surface, and the margin of the current piece, to which each triangle adds its own.
         private var _margin:Number = 0;
         private var _pieceMargin:Number = 0;
 
@@ -179,7 +179,7 @@ package starlogo.ground
             return true;
         }
 
-        /** Leaves out the triangles near the current piece that are not at a point of the ground. */
+        /** Finds only those triangles from now on that are at a point of the ground, in place of those near the current piece. */
         public function narrowTo(at:GroundPoint):void
         {
             var box:GroundBox = search.box;

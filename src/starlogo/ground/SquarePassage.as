@@ -10,7 +10,7 @@ package starlogo.ground
         /** The square of how far the box is beside the square all the time, along x and y. */
         public var besideSquared:Number = 0;
 
-        /** The heights between which the box is then, or near enough to something. */
+        /** Triangles between these heights count: where the box is then, or as near as the limits of the search say. */
         public var low:Number = 0;
         public var high:Number = 0;
     }

@@ -1,7 +1,8 @@
 package starlogo.ground
 {
     /**
-     * A lower bound for the lengths of all exits from the ground at a place that are shorter than this; 0 if none is known.
+     * A lower bound for the lengths of the exits from the ground at a place; 0 if none is known. Exits that are longer than
+     * <code>maxLength</code> do not count.
      *
      * @param around receives bounds of the heights near the place
      * @private

@@ -94,7 +94,7 @@ package starlogo.queries
             out.pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
             out.pieceLength = whole / out.pieces;
-            // on the steepest slope the way is this long
+            // the way on the steepest slope, and how far a slide after a fall goes sideways
             out.range = whole / out.cosine + Math.min(options.fall, size) / 2;
         }
 

@@ -31,9 +31,6 @@ package starlogo.terrain
         private var _terrain:Terrain;
         private var _source:GroundTriangles = new GroundTriangles();
 
-        // Bounds of all heights.
-        private var _whole:HeightRange = new HeightRange();
-
         // The search whose triangles are drawn.
         private var _search:GroundSearch = new GroundSearch();
 
@@ -86,8 +83,9 @@ package starlogo.terrain
             _revision = _terrain.worldAgent.revision;
             _search.grid = _terrain.grid;
             vertices.length = normals.length = triangles.length = 0;
-            _search.grid.pyramid.findWhole(_whole);
-            _search.floor = _whole.least;
+            var whole:HeightRange = new HeightRange();
+            _search.grid.pyramid.findWhole(whole);
+            _search.floor = whole.least;
             _source.begin(_search);
             while (_source.next())
             {

@@ -38,8 +38,7 @@ package starlogo.queries.motion
         // The factor by which the inset grows until the core is free.
         private static const NARROWER:Number = 4;
 
-        // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. Unless the motion is long, a slop is a
-        // hundred times as wide as the gaps across which shapes touch.
+        // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. A sweep may touch across a wider gap.
         private static const FLAT:Number = 0.01;
 
         /**
@@ -59,9 +58,10 @@ package starlogo.queries.motion
 
         private var _source:Body;
 
-        // How much of its least half-extent the core should lose: a slop, or more. A slim or small body loses less. And the largest inset that a
-        // motion may have: it leads out of every shallow overlap.
+        // How much of its least half-extent the core should lose: a slop at first. A slim or small body loses less.
         private var _inset:Number = 0;
+
+        // The largest inset that the motion may have. With it the core is free of every shallow overlap.
         private var _mostInset:Number = 0;
 
         // The core at the place where it was asked for last; and this place, whose x is NaN if the core's size has changed.

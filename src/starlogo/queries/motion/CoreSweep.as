@@ -53,7 +53,7 @@ package starlogo.queries.motion
             {
                 out.contact.setNormal(-motion.x, -motion.y, -motion.z);
                 out.contact.normalise();
-                out.along = -lengthOf(motion);
+                out.along = -motion.length;
             }
             return true;
         }
@@ -73,9 +73,9 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds when the whole body touches the row that the core meets first: earlier than the core, by how far the core is behind the body's surface at
-         * the contact. But an inner face of a concave body touches later than the core's. There the whole body is swept too. If it touches elsewhere, the
-         * core's time counts: this is no inner face.
+         * Finds when the whole body touches the row that the core has met. It does so earlier than the core, because its surface is in front of the core's
+         * at the contact. An inner face of a concave body is behind the core's, and touches later. There the whole body is swept too. Its time counts
+         * unless it is farther from the expected time than the core's, because then the body touches elsewhere.
          *
          * @param out what <code>findFirst()</code> has found; receives the time of the touch
          */
@@ -99,23 +99,10 @@ package starlogo.queries.motion
             }
         }
 
-        // Where a motion ends. It is valid until the next call.
-        private function endOf(from:Vector3D, motion:Vector3D):Vector3D
-        {
-            _end.copyFrom(from);
-            _end.incrementBy(motion);
-            return _end;
-        }
-
-        private static function lengthOf(motion:Vector3D):Number
-        {
-            return Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
-        }
-
         /**
          * Finds when and how a row stops the core. If the first contact on the way does not point against the motion, the core leaves what it touches
          * there, and may enter another face at the same time: at the edge of a tile, its top. Then the sweep begins again, a clearance farther on.
-         * A flat core may be past the body there.
+         * A flat core may be past a sheet there, so it is not swept again.
          *
          * @param out receives the answer, without the time of the touch
          * @return whether the row stops it
@@ -128,13 +115,13 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            var length:Number = lengthOf(motion);
-            var clearance:Number = body.core.clearance / length;
+            var length:Number = motion.length;
+            var clearancePart:Number = body.core.clearance / length;
             var against:Number = -SlidePlanes.PARALLEL_SINE * length;
             out.time = _sweep.time;
             if (out.time > 0 && !(out.contact.along(motion) < against) && !body.core.isFlat)
             {
-                var part:Number = Math.min(1, out.time + clearance);
+                var part:Number = Math.min(1, out.time + clearancePart);
                 var rest:Number = 1 - part;
                 _beyond.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
                 _sweep.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
@@ -147,7 +134,7 @@ package starlogo.queries.motion
             out.row = row;
             out.along = out.contact.along(motion);
             out.isNormalFallback = !(out.along < against);
-            out.comparedTime = out.isNormalFallback && out.time > 0 ? out.time + clearance : out.time;
+            out.comparedTime = out.isNormalFallback && out.time > 0 ? out.time + clearancePart : out.time;
             return true;
         }
 
@@ -169,6 +156,14 @@ package starlogo.queries.motion
                 out.setNormal(0, 0, 0);
             }
             return motion.time != RelativeMotion.NEVER;
+        }
+
+        // Where a motion ends. It is valid until the next call.
+        private function endOf(from:Vector3D, motion:Vector3D):Vector3D
+        {
+            _end.copyFrom(from);
+            _end.incrementBy(motion);
+            return _end;
         }
     }
 }

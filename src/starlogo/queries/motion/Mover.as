@@ -65,11 +65,11 @@ package starlogo.queries.motion
          * touch, and it could not come back. It tries several places. The first is half a tolerance before the contact. The tolerance is the
          * distance across which the two still touch. On a long way rounding may hide the touch. Then the body ends where its core touches the row.
          *
-         * @param result the answer of <code>findTouch()</code> for this body, whose place changes
+         * @param result an answer of <code>findTouch()</code> for this body, which a row stops. Its place changes
          */
         public function goIntoTouch(body:MovingBody, result:MotionResult):void
         {
-            if (result.row < 0 || result.fraction == 0)
+            if (result.fraction == 0)
             {
                 return;
             }

@@ -72,7 +72,7 @@ package starlogo.queries.motion
             {
                 source.turn(agent, turn);
             }
-            takeSource();
+            _whole.copyFrom(source);
             return source;
         }
 
@@ -92,22 +92,14 @@ package starlogo.queries.motion
             {
                 source.readPlaced(body);
             }
-            takeSource();
+            _whole.copyFrom(source);
         }
 
         /** Becomes the body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
         public function readStructure(structure:BoundingStructure):void
         {
             source.readStructure(structure);
-            takeSource();
-        }
-
-        private function takeSource():void
-        {
-            if (hasShape)
-            {
-                _whole.copyFrom(source);
-            }
+            _whole.copyFrom(source);
         }
 
         /** Whether it has a shape: false while the model of its agent is loading. */
@@ -248,7 +240,7 @@ package starlogo.queries.motion
             return agents[row].isOneWay;
         }
 
-        /** Whether the body goes on through a row that it meets with this contact, because the row is one-way, and the body comes not from above. */
+        /** Whether the body goes on through a row that it meets with this contact, because the row is one-way, and the body does not come from above. */
         public function passes(row:int, contact:ContactPoint):Boolean
         {
             return isOneWay(row) && contact.normalZ < UPWARDS;

@@ -56,7 +56,7 @@ package starlogo.queries.motion
          * obstacles any more.
          *
          * @param from where the motion begins
-         * @param planes receives the planes of deep overlaps. They belong to no corner
+         * @param planes receives the planes of deep overlaps, before its first corner
          * @param lift what the body is lifted out of already; receives the whole lift, and where the body then is
          */
         public function leaveOverlaps(body:MovingBody, from:Vector3D, planes:SlidePlanes, lift:StartLift):void
@@ -146,7 +146,11 @@ package starlogo.queries.motion
                 {
                     var row:int = body.obstacles.numbers[i];
                     var ofRow:int = lift == null ? pushOff(body, row, place, round) : liftOut(body, row, place, round, lift);
-                    result = ofRow == FREE ? result : ofRow;
+                    if (ofRow != FREE)
+                    {
+                        result = ofRow;
+                        _last.copyFrom(_contact);
+                    }
                 }
             }
             if (result != FREE)
@@ -169,7 +173,8 @@ package starlogo.queries.motion
                 return STUCK;
             }
             lift.add(_contact);
-            return push(place, _contact, _contact.depth + body.core.clearance);
+            _contact.push(place, _contact.depth + body.core.clearance);
+            return PUSHED;
         }
 
         // Pushes a body by the clearance off a row that it touches.
@@ -186,13 +191,7 @@ package starlogo.queries.motion
             }
             _beside.copyFrom(place);
             _beside.decrementBy(_touching);
-            return push(place, _contact, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
-        }
-
-        private function push(place:Vector3D, contact:ContactPoint, by:Number):int
-        {
-            contact.push(place, by);
-            _last.copyFrom(contact);
+            _contact.push(place, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
             return PUSHED;
         }
 

@@ -112,7 +112,7 @@ package starlogo.queries.motion
 
         /**
          * Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
-         * too of one that begins with all of the body inside of another structure, and with room to spare, as that around a level.
+         * too if all of the body begins inside of another structure, with room to spare: inside of the structure around a level, for example.
          */
         public static function warnIfInside(body:MovingBody, row:int, contact:ContactPoint):void
         {

@@ -7,20 +7,26 @@ package starlogo.queries.motion
      */
     public final class SlideLimits
     {
+        /** A value of <code>walkableZ</code>: no contact is a wall. */
+        public static const NO_WALLS:Number = -2;
+
+        /** A value of <code>fallSlope</code>: the motion is no fall. */
+        public static const NO_FALL:Number = -1;
+
         /** No limits. Nothing writes to it. */
         public static const NONE:SlideLimits = new SlideLimits();
 
-        /** A contact counts as an upright wall if the z of its normal is less than this. With -2 none does so. */
-        public var walkableZ:Number = -2;
+        /** A contact counts as an upright wall if the z of its normal is less than this. */
+        public var walkableZ:Number = NO_WALLS;
 
         /** The greatest length of its way on the ground plane. The planes of contacts can turn a motion up or down more level. */
         public var maxHorizontal:Number = Infinity;
 
         /**
-         * For a fall: the least slope on which it goes on, as a tangent; less than 0 if the motion is no fall. In each corner a fall begins
+         * For a fall: the least slope on which it goes on, as a tangent, which is not negative. In each corner a fall begins
          * straight down again. So it has no momentum, and never goes up.
          */
-        public var fallSlope:Number = -1;
+        public var fallSlope:Number = NO_FALL;
 
         /** Sets all limits. */
         public function setTo(walkableZ:Number, maxHorizontal:Number, fallSlope:Number):void

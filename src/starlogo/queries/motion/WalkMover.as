@@ -195,7 +195,7 @@ package starlogo.queries.motion
         // Slides along the way of a piece, and up or down.
         private function slide(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:SlideResult):void
         {
-            _limits.setTo(walkableZ, walk.pieceLength, -1);
+            _limits.setTo(walkableZ, walk.pieceLength, SlideLimits.NO_FALL);
             _vector.setTo(walk.piece.x, walk.piece.y, rise);
             _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
         }
@@ -210,7 +210,7 @@ package starlogo.queries.motion
         // Slides down like a fall, as long as what it slides on is too steep to stand on.
         private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number, out:SlideResult):void
         {
-            _limits.setTo(-2, maxHorizontal, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
+            _limits.setTo(SlideLimits.NO_WALLS, maxHorizontal, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
             _vector.setTo(0, 0, -depth);
             _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
         }

@@ -1,5 +1,6 @@
-// This room has the structures that enclose models. A structure has its numbers in public fields, and is placed into another one of its
-// kind, and sets a ConvexShape; the room intersection compares two of them. Read this file first, then Sphere, and then Hull with its HullTopology.
+// This room has the structures that enclose models. A structure has its numbers in public fields. place() writes it, transformed by a placement,
+// into another one of its kind. shapeInto() describes it to the room convex, and the room intersection compares two of them. Read this file first,
+// then Sphere, and then Hull with its HullTopology.
 package starlogo.bounding
 {
     import flash.errors.IllegalOperationError;
@@ -279,10 +280,12 @@ package starlogo.bounding
         }
 
         /**
-         * Writes the farthest point in a direction, or the middle of those that count as the farthest. The radius of a hull does not count.
+         * Writes the farthest point in a direction, or the middle of those that count as the farthest. A hull's point is one of the hull of its
+         * corners, without the radius.
          *
          * @param direction a unit vector
-         * @param least where points of a capsule or a hull begin to count. A box's edges and faces do if they are across the direction
+         * @param least for a capsule or a hull: points whose coordinate along the direction is at least this count as the farthest. Edges and faces of
+         *     a box count if they are across the direction
          * @private
          */
         engine function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void

@@ -76,7 +76,7 @@ package starlogo.bounding
         /** @private */
         override engine function widenForSurfaces():void
         {
-            // as of a Box
+            // for the reason that Box.widenForSurfaces() gives
             widen(2 * Tolerances.SURFACES * (radius + 0.5 * Vector3D.distance(start, end)));
         }
 

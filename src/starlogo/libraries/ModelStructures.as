@@ -53,7 +53,7 @@ package starlogo.libraries
             }
             for each (structure in smallest)
             {
-                // a volume that was read may be NaN
+                // If a volume that was read is NaN, so is the least one. Then the first structure is the tightest.
                 if (tightest == null && structure != null && !(structure.volume > least))
                 {
                     tightest = structure;

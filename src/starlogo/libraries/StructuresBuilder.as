@@ -88,8 +88,8 @@ package starlogo.libraries
 
         private function addChecks():void
         {
-            // how far outside of a structure vertices may be
             var vertices:Vector.<Number> = _session.vertices;
+            // how far outside of a structure vertices may be
             var tolerance:Number = Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
             for each (var fitter:Fitter in _fitters)
             {

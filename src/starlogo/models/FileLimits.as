@@ -2,7 +2,7 @@ package starlogo.models
 {
     /**
      * The largest numbers of vertices, triangles and other things that a file may have, and the tests of corners that cutting its polygons
-     * may take. A reader asks before it reserves memory for a declared count, and before it does something again. The limits grow with the
+     * may take. A reader asks before it reserves memory for a declared count, and before it reads or places something once more. The limits grow with the
      * bytes that are present, so time and memory are in proportion to them (docs/limits.md).
      *
      * @private

@@ -1,13 +1,10 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.engine;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfAnimation;
     import starlogo.models.gltf.GltfReader;
     import starlogo.steps.finish;
-
-    use namespace engine;
 
     /**
      * The animations of a glTF file, as poses of the GltfModel of the same file:
@@ -20,7 +17,6 @@ package starlogo.models
      */
     public final class GltfAnimations
     {
-        private var _name:String;
         private var _file:GltfFile;
         private var _upAxis:Object;
         private var _animations:Vector.<GltfAnimation> = new Vector.<GltfAnimation>();
@@ -36,9 +32,8 @@ package starlogo.models
          */
         public function GltfAnimations(name:String, bytes:ByteArray, upAxis:Object = null, buffers:Object = null)
         {
-            _name = name;
             _upAxis = upAxis;
-            _file = GltfModel.fileOf(name, bytes, buffers);
+            _file = GltfFile.of(name, bytes, buffers);
             for (var i:int = 0; i < _file.animationCount; i++)
             {
                 var read:GltfAnimation = new GltfAnimation(_file, i);
@@ -99,7 +94,7 @@ package starlogo.models
                 throw new RangeError("the time must be a finite number, not " + time);
             }
             _file.renewLimits();
-            return new GltfReader(_name, _file, _upAxis, null, found, time).readAll().vertices;
+            return new GltfReader(_file, _upAxis, null, found, time).readAll().vertices;
         }
 
         private function animationOf(animation:int):GltfAnimation

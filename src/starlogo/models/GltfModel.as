@@ -1,13 +1,8 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.engine;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
-    import starlogo.models.text.TextWords;
-    import starlogo.steps.finish;
-
-    use namespace engine;
 
     /**
      * A model from a glTF 2.0 file, binary (.glb) or JSON (.gltf).
@@ -34,7 +29,7 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(name, null, null, scaling, new GltfReader(name, fileOf(name, bytes, buffers), upAxis, scaling).readAll());
+            super(name, null, null, scaling, new GltfReader(GltfFile.of(name, bytes, buffers), upAxis, scaling).readAll());
         }
 
         /**
@@ -53,24 +48,6 @@ package starlogo.models
                 buffers:Object = null):GltfModel
         {
             return new GltfModel(name, bytes, upAxis, scaling, buffers);
-        }
-
-        /**
-         * A file with its buffers.
-         *
-         * @private
-         */
-        engine static function fileOf(name:String, bytes:ByteArray, buffers:Object):GltfFile
-        {
-            var file:GltfFile = new GltfFile(name, bytes, null);
-            finish(file);
-            for (var i:int = 0; i < file.otherFiles.length; i++)
-            {
-                var uri:String = file.otherFiles[i];
-                file.setOtherFile(i, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
-                        "\"" + TextWords.shorten(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
-            }
-            return file;
         }
     }
 }

@@ -68,6 +68,7 @@ package starlogo.models
 
         private function renumber(first:int, end:int):void
         {
+            // also without triangles, because slices() calls this once then
             _vertices.length = 3 * _count;
             for (var i:int = first; i < end; i++)
             {

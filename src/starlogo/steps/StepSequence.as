@@ -77,11 +77,9 @@ package starlogo.steps
          */
         public function begin(make:Function):StepSequence
         {
-            var made:Steps = null;
-            return repeat(function():Boolean
+            return beginEach(1, function(index:int):Steps
                 {
-                    made = made == null ? make() : (made.step() ? made : null);
-                    return made != null;
+                    return make();
                 });
         }
 

@@ -39,12 +39,12 @@ package starlogo.fitting.hull
             addSteps(new HullSimplification(session, most));
         }
 
-        // Most hulls need to be scaled, so the first rounds are those with few vertices.
-        private function addSteps(reduction:HullSimplification):void
+        // Most hulls need to be scaled. So the first rounds measure the few vertices of the convex hull, and only the last ones measure all.
+        private function addSteps(simplification:HullSimplification):void
         {
-            add(reduction).call(function():void
+            add(simplification).call(function():void
                 {
-                    hull = new Hull(reduction.listCorners());
+                    hull = new Hull(simplification.listCorners());
                     addRound(_session.hull.points, 0);
                 });
         }

@@ -18,12 +18,16 @@ package starlogo.fitting.minimal
      */
     public final class CapsuleDescent extends StepSequence
     {
+        // The most moves, the step size at which the descent ends, and the most rounds over the multipliers in a move.
         private static const STEPS:int = 60;
         private static const SMALLEST_STEP:Number = 1e-7;
         private static const SWEEPS:int = 60;
+
         // A point cannot matter in one step if its distance is less than the radius by more than this share of the radius.
         private static const ACTIVE:Number = 0.15;
         private static const MOST_ACTIVE:int = 48;
+
+        // After a move that gains less than this share of the volume, the steps become smaller.
         private static const GAIN:Number = 1e-7;
 
         /** The ends so far, x, y, z of each. */

@@ -75,8 +75,8 @@ package starlogo.libraries.cooked
             return found == null || hulls == null && settings.wantsHull ? null : new ModelStructures(found, hull, settings.keepsAll);
         }
 
-        // What writeStructures() has written: the structure of each kind up to the last one that there may be, or null. Null if the bytes have none,
-        // one that cannot be, or one much larger than the model's largest coordinate.
+        // Reads what writeStructures() has written. Returns a structure, or null, for each kind up to the last one that there may be. Returns null if
+        // there are no bytes, or if they have no structure, one that cannot exist, or one much larger than the model's largest coordinate.
         private static function structuresIn(bytes:ByteArray, last:int, largest:Number):Vector.<BoundingStructure>
         {
             if (bytes == null || bytes.length < 4)
@@ -84,6 +84,7 @@ package starlogo.libraries.cooked
                 return null;
             }
             var limit:Number = Math.max(1, LARGEST_FACTOR * largest);
+            // a structure of each kind, which receives the numbers
             var o:Vector3D = new Vector3D();
             var all:Vector.<BoundingStructure> = new <BoundingStructure>[new Sphere(o, 0), new Capsule(o, o, 0),
                     new Box(o, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0), new Hull(new <Number>[0, 0, 0])];

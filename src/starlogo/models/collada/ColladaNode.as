@@ -11,7 +11,7 @@ package starlogo.models.collada
         /** The node around this one, or null. */
         public var parent:ColladaNode;
 
-        /** The parent's transform in the scene, and those elements of the node that are visited so far. */
+        /** The parent's transform in the scene, combined with the node's own transform elements that are visited so far. */
         public var transform:AffineTransform;
 
         /** The number of nodes around it. */

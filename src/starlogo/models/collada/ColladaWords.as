@@ -44,6 +44,7 @@ package starlogo.models.collada
                 end++;
             }
             var more:Array = TextWords.of(_text.substring(_start, end));
+            // most texts are one piece, whose list is taken as it is
             for (var i:int = 0; i < more.length && _start > 0; i++)
             {
                 words.push(more[i]);

@@ -85,7 +85,6 @@ package starlogo.models.cooked
                 data.frame = readFrame();
                 refuseIf(data.frame == null, name, "the cooked file does not have the model's place in its source");
             }
-            refuseIf(vertexCount == 0, name, "the cooked file has no vertices");
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
             refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), name, "the cooked file has fewer bytes than it says");
             data.vertices.length = 3 * vertexCount;

@@ -9,6 +9,7 @@ package starlogo.models.gltf
     import starlogo.models.text.FileText;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.finish;
 
     /**
      * A glTF 2.0 file, binary or JSON. Its steps read the JSON and the buffers inside the file. Call setOtherFile for each of the
@@ -68,6 +69,20 @@ package starlogo.models.gltf
             text = TextWords.withoutByteOrderMark(text);
             limits = new FileLimits(name, text.length);
             addSteps(new JsonMeter(text, limits));
+        }
+
+        /** Reads a file at once. @param buffers the content of each other file, by its address; null if there are none */
+        public static function of(name:String, bytes:ByteArray, buffers:Object):GltfFile
+        {
+            var file:GltfFile = new GltfFile(name, bytes, null);
+            finish(file);
+            for (var i:int = 0; i < file.otherFiles.length; i++)
+            {
+                var uri:String = file.otherFiles[i];
+                file.setOtherFile(i, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
+                        "\"" + TextWords.shorten(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
+            }
+            return file;
         }
 
         private function addSteps(meter:JsonMeter):void
@@ -145,7 +160,7 @@ package starlogo.models.gltf
             var buffer:int = view.reference("buffer", "buffers");
             view.refuseIf(buffer < 0, "it names no buffer");
             var start:int = view.whole("byteOffset", int.MAX_VALUE, 0);
-            var size:int = view.whole("byteLength", int.MAX_VALUE, -1);
+            var size:int = view.whole("byteLength", int.MAX_VALUE);
             user.refuseIf(offset + length > size, "it needs " + (offset + length) + " bytes of " + view.place + ", which has " + size);
             if (_buffers[buffer] == null)
             {
@@ -249,7 +264,8 @@ package starlogo.models.gltf
 
         private function readBuffer(index:int, buffer:GltfJson):void
         {
-            buffer.whole("byteLength", FileLimits.MOST_BYTES, -1);
+            // keep() reads the length; here a wrong one is refused before the buffer is fetched or decoded
+            buffer.whole("byteLength", FileLimits.MOST_BYTES);
             var uri:* = buffer.value.uri;
             buffer.refuseIf(uri !== undefined && !(uri is String), "expected an address", "uri");
             if (uri === undefined)
@@ -287,7 +303,7 @@ package starlogo.models.gltf
         private function keep(index:int, bytes:ByteArray):void
         {
             var buffer:GltfJson = json.fileEntry("buffers", index);
-            var wanted:int = buffer.whole("byteLength", FileLimits.MOST_BYTES, -1);
+            var wanted:int = buffer.whole("byteLength", FileLimits.MOST_BYTES);
             buffer.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;

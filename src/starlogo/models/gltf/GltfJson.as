@@ -124,8 +124,8 @@ package starlogo.models.gltf
             return index;
         }
 
-        /** An integer property from 0 to a maximum; the preset value if there is none, unless that is negative. */
-        public function whole(key:String, most:int, preset:int):int
+        /** An integer property from 0 to a maximum. @param preset the value if there is none; -1 if there must be one */
+        public function whole(key:String, most:int, preset:int = -1):int
         {
             var found:* = JsonMeter.restored(value[key]);
             if (found === undefined && preset >= 0)

@@ -20,18 +20,17 @@ package starlogo.models.gltf
         private var _scene:GltfScene;
 
         /**
-         * @param name the model's name
          * @param file the file; all its steps must be done and all buffers set
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor
          * @param animation moves the scene. The vertices are not normalised then. If it is null, they are read at rest, and normalised
          * @param time the time of the animation, in seconds
          */
-        public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, animation:GltfAnimation = null, time:Number = 0)
+        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, animation:GltfAnimation = null, time:Number = 0)
         {
-            super(name, upAxis == null ? "y" : upAxis, scaling);
+            super(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
-            _scene = new GltfScene(file.json, turnToZUp(), animation, time);
+            _scene = new GltfScene(file, turnToZUp(), animation, time);
             add(_scene).begin(readingNodes).begin(droppingUnused);
             if (animation == null)
             {

@@ -12,7 +12,7 @@ package starlogo.models.gltf
         /** The indices of the nodes in the scene that have a mesh, when no step is left. */
         public var nodes:Vector.<int> = new Vector.<int>();
 
-        private var _json:GltfJson;
+        private var _file:GltfFile;
         private var _root:AffineTransform;
         private var _animation:GltfAnimation;
         private var _time:Number;
@@ -23,18 +23,18 @@ package starlogo.models.gltf
         private var _joints:Array = []; // of each skin, by its index
 
         /**
-         * @param json the file's JSON
+         * @param file the file; all its steps must be done
          * @param root is applied to the whole scene
          * @param animation moves the nodes; null at rest
          * @param time the time of the animation, in seconds
          */
-        public function GltfScene(json:GltfJson, root:AffineTransform, animation:GltfAnimation, time:Number)
+        public function GltfScene(file:GltfFile, root:AffineTransform, animation:GltfAnimation, time:Number)
         {
-            _json = json;
+            _file = file;
             _root = root;
             _animation = animation;
             _time = time;
-            var count:int = json.count("nodes");
+            var count:int = file.json.count("nodes");
             _parents = new Vector.<int>(count);
             _globalTransforms = new Vector.<AffineTransform>(count);
             _isVisited = new Vector.<Boolean>(count);
@@ -55,7 +55,7 @@ package starlogo.models.gltf
             var chain:Vector.<int> = new Vector.<int>();
             for (var i:int = node; i >= 0 && _globalTransforms[i] == null; i = _parents[i])
             {
-                _json.refuseIf(chain.length > _globalTransforms.length, "it contains itself", "nodes[" + node + "]");
+                _file.json.refuseIf(chain.length > _globalTransforms.length, "it contains itself", "nodes[" + node + "]");
                 chain.push(i);
             }
             var transform:AffineTransform = i < 0 ? _root : _globalTransforms[i];
@@ -69,16 +69,16 @@ package starlogo.models.gltf
         }
 
         /** The joints of a skin. Its steps may still be running. */
-        public function jointsOf(file:GltfFile, skin:int):GltfJoints
+        public function jointsOf(skin:int):GltfJoints
         {
-            return _joints[skin] ||= new GltfJoints(file, this, skin);
+            return _joints[skin] ||= new GltfJoints(_file, this, skin);
         }
 
         private function findParents(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                var node:GltfJson = _json.fileEntry("nodes", i);
+                var node:GltfJson = _file.json.fileEntry("nodes", i);
                 var count:int = node.count("children");
                 for (var k:int = 0; k < count; k++)
                 {
@@ -92,11 +92,11 @@ package starlogo.models.gltf
         // The scene that the file shows. If the file names none, all scenes. If there are no scenes, all nodes that are in no other node.
         private function findRoots():void
         {
-            var shown:int = _json.reference("scene", "scenes");
-            var sceneCount:int = _json.count("scenes");
+            var shown:int = _file.json.reference("scene", "scenes");
+            var sceneCount:int = _file.json.count("scenes");
             for (var index:int = Math.max(shown, 0); index < (shown < 0 ? sceneCount : shown + 1); index++)
             {
-                var scene:GltfJson = _json.fileEntry("scenes", index);
+                var scene:GltfJson = _file.json.fileEntry("scenes", index);
                 var rootCount:int = scene.count("nodes");
                 for (var i:int = 0; i < rootCount; i++)
                 {
@@ -127,7 +127,7 @@ package starlogo.models.gltf
             for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
             {
                 var node:int = _pending.pop();
-                var entry:GltfJson = _json.fileEntry("nodes", node);
+                var entry:GltfJson = _file.json.fileEntry("nodes", node);
                 if (entry.has("mesh"))
                 {
                     nodes.push(node);
@@ -148,7 +148,7 @@ package starlogo.models.gltf
 
         private function localTransformOf(index:int):AffineTransform
         {
-            var node:GltfJson = _json.fileEntry("nodes", index);
+            var node:GltfJson = _file.json.fileEntry("nodes", index);
             var m:Vector.<Number> = node.numbers("matrix", 16);
             if (m != null)
             {

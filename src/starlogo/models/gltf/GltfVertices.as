@@ -53,7 +53,7 @@ package starlogo.models.gltf
             var attributes:GltfJson = primitive.object("attributes");
             if (skin >= 0 && attributes.has("JOINTS_0"))
             {
-                _joints = scene.jointsOf(file, skin);
+                _joints = scene.jointsOf(skin);
                 call(copyPoints).add(_joints);
                 addSkin(file, attributes);
             }

@@ -7,9 +7,9 @@ package starlogo.models.gltf
     import starlogo.steps.Steps;
 
     /**
-     * Checks the size and the brackets of JSON before the player parses it, in steps. Parsers are recursive, so deep nesting could overflow the
-     * stack, and they create an object for every value. Players parse some numbers differently. Such numbers are marked as strings, and restored()
-     * gives their values.
+     * Reads through JSON before the player parses it, in steps. It checks the size and the brackets, because parsers are recursive, so deep nesting
+     * could overflow the stack, and because they create an object for every value. It also marks the numbers that players parse differently: they
+     * become strings, and restored() gives their values.
      */
     internal final class JsonMeter implements Steps
     {
@@ -35,9 +35,11 @@ package starlogo.models.gltf
         private var _text:String;
         private var _next:int = 0;
         private var _depth:int = 0;
+        private var _limits:FileLimits;
+
+        // The text with its marked numbers, in pieces. They end at a place of the text; 0 if no number is marked yet.
         private var _pieces:Array = [];
         private var _taken:int = 0;
-        private var _limits:FileLimits;
 
         /**
          * @param text possible JSON

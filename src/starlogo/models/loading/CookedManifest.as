@@ -65,15 +65,15 @@ package starlogo.models.loading
             try
             {
                 bytes.position = 0;
-                var read:Object = JSON.parse(bytes.readUTFBytes(bytes.length)).models;
-                for (var name:String in read)
+                var listed:Object = JSON.parse(bytes.readUTFBytes(bytes.length)).models;
+                for (var name:String in listed)
                 {
-                    models["#" + name] = read[name];
+                    models["#" + name] = listed[name];
                 }
             }
             catch (error:Error)
             {
-                return {}; // it is no JSON
+                // it is no JSON
             }
             return models;
         }

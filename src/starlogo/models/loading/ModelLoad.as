@@ -21,10 +21,10 @@ package starlogo.models.loading
      * they are over: the loader calls <code>step()</code> only while <code>isReady</code>. A step throws a ModelError if the file did not
      * arrive or is no model. The receiver's steps may throw other errors.
      *
-     * <p>Each method adds the steps that come after it, in this order: <code>fetch</code> the list of cooked files, <code>fetchCooked</code> and
-     * <code>readCooked</code>. If that gives no model, <code>fetchFile</code>, with its transform file. <code>setFile</code> decodes it,
-     * <code>read</code> finds its format, and <code>fetchBuffers</code> the other files of a glTF file. <code>setMaker</code> makes the
-     * model, and <code>keepModel</code> gives it to the receiver.</p>
+     * <p>Each method adds the steps that come after it. <code>fetch</code> fetches the list of cooked files, if there is one. Then
+     * <code>fetchCooked</code> and <code>readCooked</code> try the cooked file. If that gives no model, <code>fetchFile</code> fetches the model's own
+     * file and its transform file. <code>setFile</code> decodes the file, <code>read</code> finds its format, and <code>fetchBuffers</code> fetches the
+     * other files of a glTF file. <code>setMaker</code> makes the model, and <code>keepModel</code> gives it to the receiver.</p>
      *
      * @private
      */
@@ -269,7 +269,7 @@ package starlogo.models.loading
             {
                 gltf.setOtherFile(i, buffers[i].bytes, buffers[i].problem);
             }
-            setMaker(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
+            setMaker(new GltfReader(gltf, _upAxis as ModelTransform, _scaling));
         }
 
         private function keepModel():void

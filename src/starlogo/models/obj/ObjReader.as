@@ -23,13 +23,14 @@ package starlogo.models.obj
         private var _lines:LineReader;
         private var _limits:FileLimits;
 
-        // Faces with more than three corners are kept here until all vertices are known.
+        // Faces with more than three corners, which are kept until all vertices are known, and the most triangles that they are cut into.
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
         private var _polygonTriangles:int = 0;
 
         // The material and the mesh of each polygon.
         private var _polygonLabels:Vector.<int> = new Vector.<int>();
 
+        // The highest index of a vertex in a face, and its line.
         private var _highestIndex:int = -1;
         private var _highestLine:int;
 

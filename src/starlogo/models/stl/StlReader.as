@@ -29,7 +29,7 @@ package starlogo.models.stl
         // of a text file; null for a binary one
         private var _lines:LineReader = null;
 
-        // of a text file: the number of corners of the present facet so far, and the last one
+        // of a text file: the number of corners of the present facet so far
         private var _corners:int = 0;
 
         /**

@@ -113,8 +113,10 @@ package starlogo.solid
         {
             var begin:Number = travel * _motion.earliest;
             var end:Number = travel * limit;
-            _extents[axis] = middle - half + (begin < end ? begin : end);
-            _extents[int(axis + 1)] = middle + half + (begin < end ? end : begin);
+            var low:Number = begin < end ? begin : end;
+            var high:Number = begin < end ? end : begin;
+            _extents[axis] = middle - half + low;
+            _extents[int(axis + 1)] = middle + half + high;
         }
 
         /** @inheritDoc */

@@ -1,7 +1,8 @@
 /**
  * A level as one mesh, in this engine and in others, each as its documentation says that it is fastest: z is up, and a level is what `prepare`
  * gives of a model's numbers, ready for its first ray. Each has `ray`, and where it can `sphere`, `capsule` and `walker`;
- * the first can say where there is room for the capsule. Box3D is among them if the variable BOX3D names the folder of its WebAssembly.
+ * the first can say where there is room for the capsule. Each keeps the shapes that it casts, so the times do not include making them.
+ * Box3D is among them if the variable BOX3D names the folder of its WebAssembly.
  */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -61,14 +62,24 @@ function inEngine({ vertices, triangles }) {
 		origin.setTo(x, y, z);
 		return origin;
 	};
-	const standing = ([x, y, z]) => new Capsule(new Vector3D(x, y, z - CORE), new Vector3D(x, y, z + CORE), RADIUS);
+	const [ball, pill] = [new Sphere(new Vector3D(), 0), new Capsule(new Vector3D(), new Vector3D(), RADIUS)];
+	const ballAt = ([x, y, z], radius) => {
+		ball.center.setTo(x, y, z);
+		ball.radius = radius;
+		return ball;
+	};
+	const standing = ([x, y, z]) => {
+		pill.start.setTo(x, y, z - CORE);
+		pill.end.setTo(x, y, z + CORE);
+		return pill;
+	};
 	return {
 		ray: (from, to, reach) => {
 			place(from);
 			direction.setTo(...to);
 			return queries.cast(origin, direction, reach, null, hit)?.distance ?? Infinity;
 		},
-		sphere: (from, radius, way) => queries.castShape(new Sphere(place(from), radius), ...way, null, shapeHit)?.time ?? 1,
+		sphere: (from, radius, way) => queries.castShape(ballAt(from, radius), ...way, null, shapeHit)?.time ?? 1,
 		capsule: (from, way) => queries.castShape(standing(from), ...way, null, shapeHit)?.time ?? 1,
 		isFree: (from) => queries.overlapping(standing(from)).length === 0,
 		walker: (from) => {

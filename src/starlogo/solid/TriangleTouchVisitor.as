@@ -34,8 +34,8 @@ package starlogo.solid
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _kernel:TriangleKernel = new TriangleKernel();
 
-        // The extents of the structure's core and of its motion: minX, maxX, minY, ... The core of a round structure is a point
-        // or a segment.
+        // The extents of the structure's core and of its motion until the limit: minX, maxX, minY, ... The core of a round structure is a point or
+        // a segment.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // The radius around the structure's core, with the tolerance and a margin for rounding.
@@ -68,8 +68,8 @@ package starlogo.solid
          */
         public function findTouch(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
-            begin(model, structure, pose, motion);
             limit = motion.isStill ? 0 : motion.latest;
+            begin(model, structure, pose, motion);
             motion.time = RelativeMotion.NEVER;
             _found = -1;
             _search.find(_mesh.tree, BoxTree.EXACT, this);
@@ -92,9 +92,7 @@ package starlogo.solid
             _radius = shape.radius + shape.margin + rounding;
             _search.setExtents(_extents, shape.margin + rounding);
             _search.setMotion(motion);
-            sweepExtents(0, motion.x);
-            sweepExtents(2, motion.y);
-            sweepExtents(4, motion.z);
+            sweepExtents();
             _sweep.copyVector(motion);
             if (!motion.isStill)
             {
@@ -102,16 +100,23 @@ package starlogo.solid
             }
         }
 
-        // Makes the structure's extents along an axis those of its core while it moves, from the motion's earliest to its latest time. The travel is the
-        // whole motion's.
-        private function sweepExtents(axis:int, travel:Number):void
+        // Sets the extents to those of the structure's core while it moves, from the motion's earliest time to the limit.
+        private function sweepExtents():void
+        {
+            sweepAlong(0, _search.x, _search.halfX - _radius, _motion.x);
+            sweepAlong(2, _search.y, _search.halfY - _radius, _motion.y);
+            sweepAlong(4, _search.z, _search.halfZ - _radius, _motion.z);
+        }
+
+        // Does it along an axis. The middle and the half-extent are those of the core at time 0. The travel is the whole motion's.
+        private function sweepAlong(axis:int, middle:Number, half:Number, travel:Number):void
         {
             var begin:Number = travel * _motion.earliest;
-            var end:Number = travel * _motion.latest;
+            var end:Number = travel * limit;
             var low:Number = begin < end ? begin : end;
             var high:Number = begin < end ? end : begin;
-            _extents[axis] += _kernel.shape.radius + low;
-            _extents[int(axis + 1)] += high - _kernel.shape.radius;
+            _extents[axis] = middle - half + low;
+            _extents[int(axis + 1)] = middle + half + high;
         }
 
         /** @inheritDoc */
@@ -148,6 +153,7 @@ package starlogo.solid
                 if (keepEarlier(_sweep, _motion))
                 {
                     _found = i;
+                    sweepExtents();
                 }
             }
         }

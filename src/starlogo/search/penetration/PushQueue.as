@@ -14,8 +14,8 @@ package starlogo.search.penetration
         // The most pushes that are kept.
         private static const MOST:int = 256;
 
-        // Two pushes are the same if their ends are this near, as a fraction of the length. Where many planes meet, each three of them end at the same
-        // place but for their slack, and all of these would be tried before a push that leads elsewhere.
+        // Two pushes are the same if their ends are this near, as a fraction of the length. Where many planes meet, each three of them lead to
+        // the same place but for their slack. All of these would be tried before a push that leads elsewhere.
         private static const SAME_END:Number = 1e-6;
 
         // Before the first push.

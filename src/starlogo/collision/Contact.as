@@ -21,6 +21,10 @@ package starlogo.collision
      * normal: it also tries the shortest way out of the structures around both, and the surfaces at the ends of these ways. The way ends at the
      * first free place, which may be a hollow. This takes the time of 30 to 135 tests of whether the two touch.</p>
      *
+     * <p>Two hierarchies may have several ways out that are about as short. Which one is found depends on which of the two is first in the list of
+     * the last search, because that one is tested against the other. Agents that are not in the list come after it, the older ones first. It does not
+     * depend on which of the two is the collider, nor on earlier searches.</p>
+     *
      * <p>If a collision system of your own computes no contacts, the point is half way between the agents, and the depth is 0.</p>
      */
     public final class Contact

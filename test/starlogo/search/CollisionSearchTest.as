@@ -6,6 +6,7 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
+    import starlogo.collision.Collision;
     import starlogo.collision.Contact;
     import support.Complaints;
     import support.EachCollider;
@@ -51,6 +52,61 @@ package starlogo.search
             }
             wrong.assertNone();
             assertTrue(compared + " contacts, " + deep + " deep", deep > compared / 3 && deep > 60);
+        }
+
+        /** A collider that has seen a long game computes the contacts that a new one computes which sees this frame's list alone. */
+        [Test]
+        public function contactsDoNotDependOnEarlierFrames():void
+        {
+            var random:SeededRandom = new SeededRandom(78);
+            var land:GreatLand = landOf(SolidModels.all());
+            var wrong:Complaints = new Complaints();
+            var compared:int = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var agents:Vector.<Agent> = RandomWorlds.mixed(10, ["cube", "sphere", "hollow", "crossed", "apart", "open cube"], 1.5, random);
+                var collision:Collision = new Collision(EachCollider.make(name, land));
+                var found:Array = [];
+                collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, function(collider:Agent, collidee:Agent, contact:Contact):void
+                    {
+                        found.push([collider, collidee, textOf(contact, 1)]);
+                    });
+                for (var frame:int = Effort.choose(20, 300, 5); frame > 0; frame--)
+                {
+                    change(agents, random);
+                    found.length = 0;
+                    collision.update(agents);
+                    var fresh:Collider = EachCollider.make(name, land);
+                    fresh.findCollisions(agents);
+                    for each (var of:Array in found)
+                    {
+                        compared++;
+                        var expected:String = textOf(fresh.contactOf(of[0], of[1]), 1);
+                        wrong.addIf(of[2] != expected, name, of[2] + ", not " + expected);
+                    }
+                }
+            }
+            wrong.assertNone();
+            assertTrue(compared + " contacts", compared > 400);
+        }
+
+        // Two agents exchange their places in the list, and others move, turn or stay.
+        private static function change(agents:Vector.<Agent>, random:SeededRandom):void
+        {
+            var i:int = random.integer(0, agents.length - 1);
+            var k:int = random.integer(0, agents.length - 1);
+            var first:Agent = agents[i];
+            agents[i] = agents[k];
+            agents[k] = first;
+            for each (var agent:Agent in agents)
+            {
+                agent.sweeps = false;
+                if (random.chance(0.2))
+                {
+                    agent.moveTo(random.between(-1.5, 1.5), random.between(-1.5, 1.5), random.between(-1.5, 1.5));
+                    agent.heading += random.pick([0, 0, 30]);
+                }
+            }
         }
 
         // Lets all agents sweep, and moves them after a first search.

@@ -24,6 +24,9 @@ package starlogo.terrain
         // Beside holes the search may miss the shortest way: of 2,000 ways, one is more than 1.5 times as long.
         private static const MOST_BESIDE_HOLES:Number = 2;
         private static const HAIR:Number = 1e-9;
+
+        // How much farther the rounding of a place leads, as a fraction of the place.
+        private static const ROUNDING:Number = 1e-14;
         private static const SHAPES:Array = ["sphere", "cylinder", "cube", "ell"];
 
         private var _land:GreatLand = new GreatLand();
@@ -216,11 +219,51 @@ package starlogo.terrain
             _wrong.assertNone();
         }
 
+        /**
+         * Deep in jagged ground, many planes meet where the search tries to get out. Far from the origin, the gap across which two touch because of
+         * rounding is wider than 1e-9 of the agent.
+         */
+        [Test]
+        public function deepInJaggedGroundNearTheOriginAndFarAway():void
+        {
+            var touches:int = 0;
+            var count:int = Effort.choose(300, 4000, 10);
+            while (touches < count)
+            {
+                var name:String = _random.pick(["tightest fits", "hierarchies", "triangles"]);
+                var collider:Collider = EachCollider.make(name, _land);
+                var agent:Agent = new Agent(_random.pick(SHAPES));
+                agent.size = _random.between(0.1, 0.9);
+                agent.heading = _random.between(0, 360);
+                agent.roll = _random.pick([0, 40]);
+                var from:Number = _random.pick([0, 1 << 20]);
+                var terrain:Terrain = jaggedAt(from);
+                agent.moveTo(from + _random.between(-2, 2), from + _random.between(-2, 2), _random.between(-3, 0.2));
+                if (collider.areColliding(agent, terrain.agent))
+                {
+                    touches++;
+                    check(name + ", from " + from, collider, agent, terrain);
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        private function jaggedAt(from:Number):Terrain
+        {
+            var terrain:Terrain = new Terrain(5, 5, 1, from - 2, from - 2);
+            terrain.isBlocky = _random.chance(0.3);
+            for (var at:int = 0; at < 25; at++)
+            {
+                terrain.setHeight(at % 5, at / 5, _random.between(-2, 0.3));
+            }
+            return terrain;
+        }
+
         private function check(where:String, collider:Collider, agent:Agent, terrain:Terrain, most:Number = MOST):void
         {
             var contact:Contact = collider.contactOf(agent, terrain.agent);
             var depth:Number = contact.depth;
-            var hair:Number = HAIR * Math.max(2 * agent.size, terrain.cellWidth);
+            var hair:Number = HAIR * Math.max(2 * agent.size, terrain.cellWidth) + ROUNDING * Math.abs(terrain.x);
             if (touches(collider, agent, terrain, contact.normal, depth + hair) || depth > hair && !touches(collider, agent, terrain, contact.normal, depth - hair))
             {
                 _wrong.add(collider + " does not separate", where + ", " + agent + ": " + depth + " along " + contact.normal);

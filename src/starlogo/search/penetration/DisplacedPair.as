@@ -25,6 +25,9 @@ package starlogo.search.penetration
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
         private static const LEAST_EXTENT:Number = 1e-100;
 
+        // The tolerance is at least this many times the gap across which the two touch because places are rounded.
+        private static const GAPS_OF_ROUNDING:Number = 4;
+
         /** The first body, at the place that is tried. */
         public var first:Body = new Body();
 
@@ -37,10 +40,16 @@ package starlogo.search.penetration
          */
         public var extent:Number = 0;
 
-        /** How far a depth may be off (Tolerances.SEPARATION), in patches. */
+        /**
+         * How far a depth may be off, in patches: Tolerances.SEPARATION of the extent. Far from the origin, rounding decides instead: two bodies
+         * touch across its gap, so no way out would ever seem free to a search that goes less far than the gap.
+         */
         public var tolerance:Number = 0;
 
-        /** How far before and behind a depth the first body is tried: a quarter of the tolerance. The rest of it is for rounding. */
+        /**
+         * How far before and behind a depth the first body is tried: a quarter of the tolerance, and at least the gap of rounding. The rest of the
+         * tolerance is for rounding.
+         */
         public var probeDistance:Number = 0;
 
         /** The gap across which the two touch because places are rounded. */
@@ -69,11 +78,12 @@ package starlogo.search.penetration
             first.readShrunk(a, _from, 0);
             var share:Number = isSecondGround ? CELL_SHARE : 1;
             var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
-            rounding = a.margin + b.margin;
+            // the test with the ground counts the margin of the first body for both
+            rounding = a.margin + (isSecondGround ? a.margin : b.margin);
             // if both are points, the gap across which they still touch takes the place of the extent
             extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
-            tolerance = Tolerances.SEPARATION * extent;
-            probeDistance = Tolerances.SEPARATION / 4 * extent;
+            tolerance = Math.max(Tolerances.SEPARATION * extent, GAPS_OF_ROUNDING * rounding);
+            probeDistance = tolerance / 4;
         }
 
         /** Whether the second body is the ground. */

@@ -15,6 +15,9 @@ package starlogo.search.penetration
      * changed: it goes as far along the ground, and from there as high as the agent has to be lifted. The shortest of these ways is taken if no push
      * is shorter. One sweep down finds each lift, because all places above a free one are free.</p>
      *
+     * <p>The way is about the shortest, not always the shortest: which sides begin pushes depends on the deepest part, and parts may be equally deep
+     * up to rounding.</p>
+     *
      * @private
      */
     public final class GroundExitSearch extends ExitSearch

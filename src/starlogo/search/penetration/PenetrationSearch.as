@@ -58,7 +58,7 @@ package starlogo.search.penetration
         {
             out.depth = 0;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);
-            _tried.distance = -Math.max(_pair.probeDistance, _pair.rounding);
+            _tried.distance = -_pair.probeDistance;
             if (!_pair.testAt(_tried))
             {
                 out.pointAgainst(motion);

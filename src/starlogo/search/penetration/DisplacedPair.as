@@ -79,7 +79,8 @@ package starlogo.search.penetration
             var share:Number = isSecondGround ? CELL_SHARE : 1;
             var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
             // the test with the ground counts the margin of the first body for both
-            rounding = a.margin + (isSecondGround ? a.margin : b.margin);
+            var other:Body = isSecondGround ? a : b;
+            rounding = a.margin + other.margin;
             // if both are points, the gap across which they still touch takes the place of the extent
             extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
             tolerance = Math.max(Tolerances.SEPARATION * extent, GAPS_OF_ROUNDING * rounding);

@@ -14,10 +14,6 @@ package starlogo.search.penetration
         // The most pushes that are kept.
         private static const MOST:int = 256;
 
-        // Two pushes are the same if their ends are this near, as a fraction of the length. Where many planes meet, each three of them lead to
-        // the same place but for their slack. All of these would be tried before a push that leads elsewhere.
-        private static const SAME_END:Number = 1e-6;
-
         // Before the first push.
         private static const NONE:ShortestExit = new ShortestExit();
 
@@ -92,7 +88,7 @@ package starlogo.search.penetration
             }
             var found:ShortestExit = _pushes[_count];
             // if the new contact does not decide, the current push is out of it, and leads nowhere
-            if (_count < MOST && _halfSpaces.solve(3, 0, found) && found.numbers[0] == current.deciding && isNew(found, slack))
+            if (_count < MOST && _halfSpaces.solve(3, 0, found) && found.numbers[0] == current.deciding && isNew(found.displacement, slack))
             {
                 // its numbers are those of _halfSpaces: the contacts of the current push, and then the new one
                 found.numbers[0] = _contacts.count - 1;
@@ -106,16 +102,14 @@ package starlogo.search.penetration
             }
         }
 
-        // Whether a push differs from all pushes, except the current one, by more than the slack and more than SAME_END.
-        private function isNew(push:ShortestExit, slack:Number):Boolean
+        // Whether a displacement differs from all pushes, except the current one, by more than the slack.
+        private function isNew(displacement:Vector3D, slack:Number):Boolean
         {
-            var displacement:Vector3D = push.displacement;
-            var least:Number = Math.max(slack, SAME_END * push.length);
             for (var i:int = 0; i < _count; i++)
             {
                 var other:Vector3D = _pushes[i].displacement;
                 var off:Number = Math.abs(other.x - displacement.x) + Math.abs(other.y - displacement.y) + Math.abs(other.z - displacement.z);
-                if (off <= least && _pushes[i] !== current)
+                if (off <= slack && _pushes[i] !== current)
                 {
                     return false;
                 }

@@ -81,7 +81,7 @@ package starlogo.collision
         {
             if (_tracker != null)
             {
-                _tracker.end(_pairs, _areTouchesComplete);
+                _tracker.end(_areTouchesComplete);
                 _tracker = null;
             }
             _pairs = null;
@@ -193,10 +193,10 @@ package starlogo.collision
         // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
         private function touchOf(pair:int):Touch
         {
-            var touch:Touch = _tracker.touchAt(_pairs, pair);
+            var touch:Touch = _tracker.touchAt(pair);
             if (touch == null && _list.hasBoth(_pairs, pair))
             {
-                touch = _tracker.touchOrStartAt(_pairs, pair);
+                touch = _tracker.touchOrStartAt(pair);
             }
             return touch;
         }

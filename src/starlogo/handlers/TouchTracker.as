@@ -19,6 +19,9 @@ package starlogo.handlers
      */
     public final class TouchTracker
     {
+        // In place of the index of a touch: there is none.
+        private static const NONE:int = -1;
+
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
@@ -30,6 +33,15 @@ package starlogo.handlers
 
         // The indices of the objects for later touches.
         private var _free:IntList = new IntList();
+
+        // The pairs of the frame, and by pair: the index of its touch, or NONE. The number of the search that has found them if each pair has got its
+        // touch, or else NONE.
+        private var _pairs:FoundPairs = null;
+        private var _touches:Vector.<int> = new Vector.<int>();
+        private var _search:int = NONE;
+
+        // The indices of the touches of pairs that the frame has dropped.
+        private var _dropped:IntList = new IntList();
 
         // The number of touches that ever began.
         private var _begun:Number = 0;
@@ -49,7 +61,7 @@ package starlogo.handlers
          */
         public function pairsToCompare(pairs:FoundPairs):IntList
         {
-            return pairs.trackerBefore === this ? pairs.added : null;
+            return pairs === _pairs && pairs.areKept && pairs.searches == _search + 1 ? pairs.added : null;
         }
 
         /**
@@ -61,13 +73,14 @@ package starlogo.handlers
         public function begin(pairs:FoundPairs, compared:IntList, table:HandlerTable):void
         {
             frame++;
+            _pairs = pairs;
             if (compared == null)
             {
-                compareAll(pairs, table);
+                compareAll(table);
             }
             else
             {
-                compareSome(pairs, compared, table);
+                compareSome(compared, table);
             }
             _ended.sortFirst(_ended.count);
         }
@@ -89,7 +102,7 @@ package starlogo.handlers
          *
          * @param areComplete whether each pair with handlers for starts or ends has got its touch, both ways
          */
-        public function end(pairs:FoundPairs, areComplete:Boolean):void
+        public function end(areComplete:Boolean):void
         {
             for (var i:int = 0; i < _ended.count; i++)
             {
@@ -98,23 +111,23 @@ package starlogo.handlers
                 _free.add(touch.index);
             }
             _ended.count = 0;
-            pairs.tracker = areComplete ? this : null;
+            _search = areComplete ? _pairs.searches : NONE;
         }
 
-        /** The touch of a pair; null if there is none. */
-        public function touchAt(pairs:FoundPairs, pair:int):Touch
+        /** The touch of a pair of the frame; null if there is none. */
+        public function touchAt(pair:int):Touch
         {
-            var index:int = pairs.touches[pair];
-            return index == FoundPairs.NONE ? null : _all[index];
+            var index:int = _touches[pair];
+            return index == NONE ? null : _all[index];
         }
 
-        /** Gives a pair the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
-        public function touchOrStartAt(pairs:FoundPairs, pair:int):Touch
+        /** Gives a pair of the frame the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
+        public function touchOrStartAt(pair:int):Touch
         {
-            var first:Agent = pairs.firstOf(pair);
-            var second:Agent = pairs.secondOf(pair);
+            var first:Agent = _pairs.firstOf(pair);
+            var second:Agent = _pairs.secondOf(pair);
             var touch:Touch = touchOrStart(first, second, first.breedNumber, second.breedNumber);
-            pairs.touches[pair] = touch.index;
+            _touches[pair] = touch.index;
             return touch;
         }
 
@@ -155,12 +168,12 @@ package starlogo.handlers
             return ordered;
         }
 
-        private function compareAll(pairs:FoundPairs, table:HandlerTable):void
+        private function compareAll(table:HandlerTable):void
         {
-            pairs.clearTouches();
-            for (var pair:int = 0; pair < pairs.count; pair++)
+            makeRoom();
+            for (var pair:int = 0; pair < _pairs.count; pair++)
             {
-                renew(pairs, pair, table);
+                renew(pair, table);
             }
             for (var index:int = 0; index < _all.length; index++)
             {
@@ -168,16 +181,68 @@ package starlogo.handlers
             }
         }
 
-        private function compareSome(pairs:FoundPairs, added:IntList, table:HandlerTable):void
+        private function compareSome(added:IntList, table:HandlerTable):void
         {
+            dropTouches();
+            makeRoom();
+            moveTouches();
             for (var i:int = 0; i < added.count; i++)
             {
-                renew(pairs, added.numbers[i], table);
+                renew(added.numbers[i], table);
             }
-            var dropped:IntList = pairs.droppedTouches;
-            for (i = 0; i < dropped.count; i++)
+            for (i = 0; i < _dropped.count; i++)
             {
-                endUnlessSeen(_all[dropped.numbers[i]]);
+                endUnlessSeen(_all[_dropped.numbers[i]]);
+            }
+        }
+
+        // Grows by an eighth, because a vector that grows a little in each frame is copied each time.
+        private function makeRoom():void
+        {
+            if (_touches.length < _pairs.count)
+            {
+                _touches.length = _pairs.count + (_pairs.count >> 3);
+            }
+        }
+
+        // Takes the touches of dropped pairs out of the column, and lists them.
+        private function dropTouches():void
+        {
+            var dropped:IntList = _pairs.dropped;
+            var countBefore:int = _pairs.count - _pairs.added.count + dropped.count;
+            var touches:Vector.<int> = _touches;
+            var next:int = 0;
+            var kept:int = 0;
+            _dropped.count = 0;
+            for (var pair:int = 0; pair < countBefore; pair++)
+            {
+                if (next == dropped.count || dropped.numbers[next] != pair)
+                {
+                    touches[kept] = touches[pair];
+                    kept++;
+                    continue;
+                }
+                next++;
+                if (touches[pair] != NONE)
+                {
+                    _dropped.add(touches[pair]);
+                }
+            }
+        }
+
+        // Moves the touches of kept pairs to where their pairs are now. The places of added pairs are between them.
+        private function moveTouches():void
+        {
+            var added:IntList = _pairs.added;
+            var touches:Vector.<int> = _touches;
+            var pair:int = _pairs.count - 1;
+            for (var i:int = added.count - 1; i >= 0; i--)
+            {
+                for (; pair > added.numbers[i]; pair--)
+                {
+                    touches[pair] = touches[int(pair - i - 1)];
+                }
+                pair--;
             }
         }
 
@@ -202,10 +267,11 @@ package starlogo.handlers
 
         // Lets the touch of a pair go on, if there is one. It does not go on if the two have no handlers for starts or ends, if a breed has changed, or
         // if handlers were called for the first agent only.
-        private function renew(pairs:FoundPairs, pair:int, table:HandlerTable):void
+        private function renew(pair:int, table:HandlerTable):void
         {
-            var index:int = table.handlersOfPair(pairs, pair).tracksTouches ? indexOf(pairs.firstOf(pair), pairs.secondOf(pair)) : -1;
-            if (index < 0)
+            _touches[pair] = NONE;
+            var index:int = table.handlersOfPair(_pairs, pair).tracksTouches ? indexOf(_pairs.firstOf(pair), _pairs.secondOf(pair)) : NONE;
+            if (index == NONE)
             {
                 return;
             }
@@ -213,7 +279,7 @@ package starlogo.handlers
             if (touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
             {
                 touch.seenIn = frame;
-                pairs.touches[pair] = index;
+                _touches[pair] = index;
             }
         }
 
@@ -227,7 +293,7 @@ package starlogo.handlers
             }
         }
 
-        // The index of the touch of two agents, in either order; -1 if there is none.
+        // The index of the touch of two agents, in either order; NONE if there is none.
         private function indexOf(a:Agent, b:Agent):int
         {
             return a.idNumber < b.idNumber ? _indices.find(a.idNumber, b.idNumber) : _indices.find(b.idNumber, a.idNumber);

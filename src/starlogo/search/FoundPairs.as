@@ -12,16 +12,12 @@ package starlogo.search
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
      * <p>PairFinder has pairs added, and PairSorter sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
-     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter exchanges the rows, and TouchTracker
-     * writes the touches.</p>
+     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter exchanges the rows.</p>
      *
      * @private
      */
     public final class FoundPairs
     {
-        /** In place of the index of a touch: there is none. */
-        public static const NONE:int = -1;
-
         /** The number of pairs. */
         public var count:int = 0;
 
@@ -31,17 +27,14 @@ package starlogo.search
         /** The list of the frame, which has the agent of each row. */
         public var list:ListedAgents = null;
 
-        /** The TouchTracker that has given each of these pairs its touch; null if none has. */
-        public var tracker:Object = null;
+        /** How many searches have written their pairs here. */
+        public var searches:int = 0;
 
-        /** If these pairs are earlier pairs, of which some were dropped, and with <code>added</code>: the tracker of the earlier pairs. Otherwise null. */
-        public var trackerBefore:Object = null;
+        /** Whether these are the pairs of the search before, without the dropped pairs and with the added ones. */
+        public var areKept:Boolean = false;
 
-        /** By pair: the index of its touch, or NONE. TouchTracker sets it, and kept pairs keep it. Before clearTouches() it means nothing. */
-        public var touches:Vector.<int> = new Vector.<int>();
-
-        /** The indices of the touches that the dropped pairs had. */
-        public var droppedTouches:IntList = new IntList();
+        /** If they are: the indices of the dropped pairs among the earlier pairs, in ascending order. */
+        public var dropped:IntList = new IntList();
 
         /** The indices of the added pairs among these pairs, in ascending order. */
         public var added:IntList = new IntList();
@@ -55,7 +48,8 @@ package starlogo.search
         {
             this.list = list;
             count = 0;
-            tracker = trackerBefore = null;
+            searches++;
+            areKept = false;
         }
 
         /** Adds a pair of two rows. */
@@ -88,10 +82,9 @@ package starlogo.search
         internal function drop(list:ListedAgents, marks:Vector.<int>, mark:int):void
         {
             this.list = list;
-            trackerBefore = tracker;
-            tracker = null;
-            droppedTouches.count = added.count = 0;
-            makeRoom(count);
+            searches++;
+            areKept = true;
+            dropped.count = added.count = 0;
             var all:Vector.<int> = rows;
             var end:int = 2 * count;
             var kept:int = 0;
@@ -103,12 +96,11 @@ package starlogo.search
                 {
                     all[kept] = a;
                     all[int(kept + 1)] = b;
-                    touches[kept >> 1] = touches[i >> 1];
                     kept += 2;
                 }
-                else if (touches[i >> 1] != NONE)
+                else
                 {
-                    droppedTouches.add(touches[i >> 1]);
+                    dropped.add(i >> 1);
                 }
             }
             count = kept >> 1;
@@ -124,7 +116,11 @@ package starlogo.search
             var from:int = count;
             count += found.count;
             var to:int = count;
-            makeRoom(to);
+            if (rows.length < 2 * to)
+            {
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                rows.length = 2 * (to + (to >> 3));
+            }
             added.count = found.count;
             if (added.numbers.length < found.count)
             {
@@ -139,36 +135,11 @@ package starlogo.search
                     to--;
                     rows[int(2 * to)] = rows[int(2 * from - 2)];
                     rows[int(2 * to + 1)] = rows[int(2 * from - 1)];
-                    touches[to] = touches[int(from - 1)];
                 }
                 to--;
                 added.numbers[i] = to;
-                touches[to] = NONE;
                 rows[int(2 * to)] = a;
                 rows[int(2 * to + 1)] = b;
-            }
-        }
-
-        // Grows by an eighth, because a vector that grows a little in each frame is copied each time.
-        private function makeRoom(pairCount:int):void
-        {
-            if (rows.length < 2 * pairCount)
-            {
-                rows.length = 2 * (pairCount + (pairCount >> 3));
-            }
-            if (touches.length < pairCount)
-            {
-                touches.length = pairCount + (pairCount >> 3);
-            }
-        }
-
-        /** Lets no pair have a touch. */
-        public function clearTouches():void
-        {
-            makeRoom(count);
-            for (var pair:int = 0; pair < count; pair++)
-            {
-                touches[pair] = NONE;
             }
         }
 

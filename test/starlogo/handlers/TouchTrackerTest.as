@@ -75,14 +75,14 @@ package starlogo.handlers
                     a = _found.firstOf(i);
                     b = _found.secondOf(i);
                     var name:String = nameOf(a, b);
-                    var known:Touch = _tracker.touchAt(_found, i);
+                    var known:Touch = _tracker.touchAt(i);
                     assertEquals(name, pairs.indexOf(name) >= 0, known != null);
                     if (known == null)
                     {
-                        known = _tracker.touchOrStartAt(_found, i);
+                        known = _tracker.touchOrStartAt(i);
                         known.isBothWays = true;
                         assertStrictlyEquals("either way round it is the same", known, _tracker.touchOrStart(b, a, b.breedNumber, a.breedNumber, true));
-                        assertStrictlyEquals(known, _tracker.touchAt(_found, i));
+                        assertStrictlyEquals(known, _tracker.touchAt(i));
                         assertEquals(frame, known.beganIn);
                         if (left.indexOf(name) < 0)
                         {
@@ -90,7 +90,7 @@ package starlogo.handlers
                         }
                     }
                 }
-                _tracker.end(_found, false);
+                _tracker.end(false);
                 most = Math.max(most, left.length);
                 assertEquals(left.join(), namesOf(_tracker.inOrder()));
                 assertEquals(left.length, _tracker.count);
@@ -111,19 +111,17 @@ package starlogo.handlers
                 beginWithLast();
                 var dropped:Array = [];
                 var left:Array = [];
-                var touches:Array = [];
-                _found.droppedTouches.count = 0;
+                _found.dropped.count = 0;
                 for (var i:int = 0; i < pairs.length; i++)
                 {
                     if (random.next() < (frame % 40 < 20 ? 0.1 : 0.4))
                     {
-                        _found.droppedTouches.add(_found.touches[i]);
+                        _found.dropped.add(i);
                         dropped.push(pairs[i]);
                     }
                     else
                     {
                         left.push(pairs[i]);
-                        touches.push(_found.touches[i]);
                     }
                 }
                 pairs = left.concat();
@@ -155,7 +153,6 @@ package starlogo.handlers
                 for (i = 0; i < places.length; i++)
                 {
                     pairs.splice(places[i], 0, found[i]);
-                    touches.splice(places[i], 0, FoundPairs.NONE);
                     _found.added.numbers[i] = places[i];
                 }
                 _found.added.count = found.length;
@@ -163,7 +160,6 @@ package starlogo.handlers
                 for (i = 0; i < pairs.length; i++)
                 {
                     addPair(agentOf(pairs[i], 0), agentOf(pairs[i], 1));
-                    _found.touches[i] = touches[i];
                 }
                 assertEquals("pairs were kept", frame > 1, _tracker.pairsToCompare(_found) != null);
                 _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
@@ -178,26 +174,26 @@ package starlogo.handlers
                     });
                 for (i = 0; i < pairs.length; i++)
                 {
-                    var touch:Touch = _tracker.touchAt(_found, i);
+                    var touch:Touch = _tracker.touchAt(i);
                     assertEquals(pairs[i], begun.indexOf(pairs[i]) >= 0, touch != null);
                     if (touch == null)
                     {
-                        touch = _tracker.touchOrStartAt(_found, i);
+                        touch = _tracker.touchOrStartAt(i);
                         touch.isBothWays = true;
                         begun.push(pairs[i]);
                     }
                     assertEquals(pairs[i], nameOf(touch.first, touch.second));
                 }
-                _tracker.end(_found, true);
+                _tracker.end(true);
                 assertEquals(begun.join(), namesOf(_tracker.inOrder()));
                 assertEquals(begun.length, _tracker.count);
                 numbers = pairs.concat();
             }
             assertTrue("some remained", begun.length > 5);
             beginWithLast();
-            _found.droppedTouches.count = _found.added.count = 0;
+            _found.dropped.count = _found.added.count = 0;
             _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
-            _tracker.end(_found, false);
+            _tracker.end(false);
             beginWithLast();
             assertNull("the frame before was not complete", _tracker.pairsToCompare(_found));
         }
@@ -228,16 +224,16 @@ package starlogo.handlers
         // The touch of the first pair that goes on in the next frame.
         private function next():Touch
         {
-            _tracker.end(_found, false);
+            _tracker.end(false);
             _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
-            return _tracker.touchAt(_found, 0);
+            return _tracker.touchAt(0);
         }
 
         // The next pairs are the last ones with few changes, as after FoundPairs.drop().
         private function beginWithLast():void
         {
-            _found.trackerBefore = _found.tracker;
-            _found.tracker = null;
+            _found.searches++;
+            _found.areKept = true;
         }
 
         private function addPair(a:Agent, b:Agent):void

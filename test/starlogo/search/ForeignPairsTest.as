@@ -41,10 +41,10 @@ package starlogo.search
         public function eachListHasItsOwnRows():void
         {
             read([_a, _b], [_a, _b]);
-            _found.tracker = this;
+            var searches:int = _found.searches;
             read([_b, _c], [_c, _b]);
             assertPairs([_c, _b]);
-            assertTrue("these are other pairs", _found.tracker == null && _found.trackerBefore == null);
+            assertTrue("these are other pairs", _found.searches > searches && !_found.areKept);
         }
 
         private function read(list:Array, pairs:Array):void

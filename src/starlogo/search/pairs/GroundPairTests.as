@@ -30,6 +30,9 @@ package starlogo.search.pairs
      */
     public final class GroundPairTests extends PairTests
     {
+        // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
+        private static const CELL_SHARE:Number = 1e-4;
+
         private var _limits:TreeLimits;
 
         private var _supportSearch:SupportSearch = new SupportSearch();
@@ -116,6 +119,19 @@ package starlogo.search.pairs
         override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
             queryOf(a, b).penetration.findOuterContact(out);
+        }
+
+        /** @inheritDoc */
+        override public function roundingGapOf(a:Body, b:Body):Number
+        {
+            // the margin of the body counts twice, as if another agent stood at its place
+            return 2 * a.margin;
+        }
+
+        /** @inheritDoc */
+        override public function extentOf(a:Body, b:Body):Number
+        {
+            return Math.max(CELL_SHARE * gridOf(b).cellWidth, 2 * a.largestHalf);
         }
 
         /** @inheritDoc */

@@ -88,6 +88,18 @@ package starlogo.search.pairs
             throw new IllegalOperationError(this + " does not implement findOuterContact");
         }
 
+        /** The gap across which two bodies touch because their places are rounded. */
+        public function roundingGapOf(a:Body, b:Body):Number
+        {
+            return a.margin + b.margin;
+        }
+
+        /** The extent that tolerances of a way out are fractions of: the larger one of the two. It is 0 for two points. */
+        public function extentOf(a:Body, b:Body):Number
+        {
+            return 2 * Math.max(a.largestHalf, b.largestHalf);
+        }
+
         /**
          * Finds contacts with which other ways of the first body out of the second may begin. Only the ground has some.
          *

@@ -19,9 +19,6 @@ package starlogo.search.penetration
      */
     public final class DisplacedPair
     {
-        // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
-        private static const CELL_SHARE:Number = 1e-4;
-
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
         private static const LEAST_EXTENT:Number = 1e-100;
 
@@ -35,8 +32,7 @@ package starlogo.search.penetration
         public var second:Body = null;
 
         /**
-         * The extent that tolerances are fractions of: the larger of the two. Of the ground a small share of a cell counts. If both are points,
-         * it is the gap across which they still touch.
+         * The extent that tolerances are fractions of: the larger of the two. If both are points, it is the gap across which they still touch.
          */
         public var extent:Number = 0;
 
@@ -76,13 +72,8 @@ package starlogo.search.penetration
             _from.y = a.placement.y + (motion.startY + time * motion.y);
             _from.z = a.placement.z + (motion.startZ + time * motion.z);
             first.readShrunk(a, _from, 0);
-            var share:Number = isSecondGround ? CELL_SHARE : 1;
-            var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
-            // the test with the ground counts the margin of the first body for both
-            var other:Body = isSecondGround ? a : b;
-            rounding = a.margin + other.margin;
-            // if both are points, the gap across which they still touch takes the place of the extent
-            extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
+            rounding = _tests.roundingGapOf(a, b);
+            extent = Math.max(_tests.extentOf(a, b), Math.max(rounding, LEAST_EXTENT));
             tolerance = Math.max(Tolerances.SEPARATION * extent, GAPS_OF_ROUNDING * rounding);
             probeDistance = tolerance / 4;
         }

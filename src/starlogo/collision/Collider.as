@@ -32,10 +32,14 @@ package starlogo.collision
      */
     public class Collider extends BaseCollider
     {
-        // The phases of a frame.
-        private static const IDLE:int = 0;
-        private static const SEARCHING:int = 1;
-        private static const HANDLING:int = 2;
+        /** @private A phase of a Collision: between two frames. */
+        engine static const IDLE:int = 0;
+
+        /** @private The Collision searches for a frame. A BaseCollider around its collider may call findCollisions for it. */
+        engine static const SEARCHING:int = 1;
+
+        /** @private The handlers of the frame run. */
+        engine static const HANDLING:int = 2;
 
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
@@ -44,8 +48,7 @@ package starlogo.collision
         private var _owner:Collision = null;
         private var _extraSearch:CollisionSearch = null;
 
-        // What the Collision does with it. While it searches for a frame, a BaseCollider around this one may call findCollisions. While handlers
-        // run, contactOf sees the frame.
+        // What the Collision does.
         private var _phase:int = IDLE;
 
         // The search whose contacts contactOf gives.
@@ -171,7 +174,7 @@ package starlogo.collision
         {
             if (!isOwned)
             {
-                search.table.places.forgetMotions();
+                forgetMotions();
                 _owner = owner;
             }
             else if (owner !== _owner)
@@ -179,6 +182,12 @@ package starlogo.collision
                 throw new ArgumentError("the collider belongs to another Collision, whose motions and contacts it keeps: give each Collision "
                         + "a collider of its own, or first exchange the collisionSystem of the other");
             }
+        }
+
+        /** @private Lets no agent have a motion in the next frame. */
+        engine function forgetMotions():void
+        {
+            search.table.places.last.forgetAll();
         }
 
         private function get isOwned():Boolean
@@ -192,28 +201,18 @@ package starlogo.collision
             _contactSearch = search;
         }
 
-        /** @private Begins to search for a frame of its Collision. */
-        engine function beginFrame():void
+        /**
+         * @private While handlers run, contactOf sees the frame, whatever they search. The ground and the edges stay as the frame has read them, whatever
+         * they do to these.
+         */
+        override engine function enterPhase(phase:int):void
         {
-            _phase = SEARCHING;
-        }
-
-        /** @private Keeps the frame for contactOf while its handlers run, whatever they search, and whatever they do to the ground or the edges. */
-        engine function holdFrame():void
-        {
-            _phase = HANDLING;
-            takeContactsFromFrame();
-            search.table.holdWorld(true);
-        }
-
-        /** @private The frame is over. */
-        engine function endFrame():void
-        {
-            if (_phase == HANDLING)
+            _phase = phase;
+            if (phase == HANDLING)
             {
-                search.table.holdWorld(false);
+                takeContactsFromFrame();
             }
-            _phase = IDLE;
+            search.table.holdWorld(phase == HANDLING);
         }
 
         /** @private */

@@ -251,7 +251,7 @@ package starlogo.collision
             var inner:Collider = _system.innerCollider;
             if (inner != null)
             {
-                inner.search.table.places.forgetMotions();
+                inner.forgetMotions();
             }
         }
 
@@ -272,20 +272,16 @@ package starlogo.collision
             var start:Number = getTimer();
             _handlerErrors.length = 0;
             var system:BaseCollider = _system;
-            var collider:Collider = system.innerCollider;
             _updating = system;
             try
             {
-                runFrame(agents, system, collider);
+                runFrame(agents, system);
             }
             finally
             {
                 _calls.end();
                 _updating = null;
-                if (collider != null)
-                {
-                    collider.endFrame();
-                }
+                system.enterPhase(Collider.IDLE);
             }
             _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
@@ -361,7 +357,7 @@ package starlogo.collision
         }
 
         // Finds the pairs of a frame, and calls their handlers. What the filter or a handler exchanges counts from the next frame on.
-        private function runFrame(agents:Vector.<Agent>, system:BaseCollider, collider:Collider):void
+        private function runFrame(agents:Vector.<Agent>, system:BaseCollider):void
         {
             var touches:TouchTracker = _lastFrame.touches;
             _handlers.begin(agents);
@@ -373,17 +369,11 @@ package starlogo.collision
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
-            if (collider != null)
-            {
-                collider.beginFrame();
-            }
+            system.enterPhase(Collider.SEARCHING);
             var pairs:FoundPairs = system.findPairs(_input, _foreign, _statistics);
             var searched:Collider = system.equivalentCollider;
             lastFrame.keep(_input.agents, searched == null ? null : searched.search);
-            if (collider != null)
-            {
-                collider.holdFrame();
-            }
+            system.enterPhase(Collider.HANDLING);
             _calls.make(pairs, system, _handlers, touches, agents, _handlerErrors);
             lastFrame.hasFailed = false;
         }

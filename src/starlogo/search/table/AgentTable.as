@@ -182,16 +182,15 @@ package starlogo.search.table
             }
         }
 
-        /** Holds the ground and the edges of the world as they were read, or lets go of them. Call it in turns with true and false. */
+        /** Holds the ground and the edges of the world as they were read, or lets go of them. */
         public function holdWorld(isHeld:Boolean):void
         {
             var ground:ModelShape = shapes[ListedAgents.GROUND_ROW];
-            var change:int = isHeld ? 1 : -1;
-            _isWorldHeld = isHeld;
-            if (ground != null)
+            if (ground != null && isHeld != _isWorldHeld)
             {
-                ground.grid.holders += change;
+                ground.grid.holders += isHeld ? 1 : -1;
             }
+            _isWorldHeld = isHeld;
         }
 
         /**
@@ -351,7 +350,6 @@ package starlogo.search.table
         public function setLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
         {
             var last:RowPlaces = places.last;
-            var seen:int = last.revisions[row];
             if (last.x[row] != x || last.y[row] != y || last.z[row] != z)
             {
                 // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump. So the next
@@ -361,7 +359,10 @@ package starlogo.search.table
                 last.y[row] = y;
                 last.z[row] = z;
             }
-            last.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
+            if (!hasMotion)
+            {
+                last.forget(row);
+            }
             _placedRevisions[row] = STALE;
         }
 
@@ -410,7 +411,7 @@ package starlogo.search.table
             var before:ModelShape = shapes[row];
             if (before == null || shape == null || shape.modelName != before.modelName)
             {
-                places.forgetMotion(row);
+                places.previous.forget(row);
             }
             shapes[row] = shape;
             if (shape == null)

@@ -109,21 +109,6 @@ package starlogo.search.table
             moveExtentsOf(row);
         }
 
-        /** Lets an agent have no motion from its place in the search before the last. */
-        public function forgetMotion(row:int):void
-        {
-            previous.revisions[row] = RowPlaces.NOT_SEEN;
-        }
-
-        /** Lets no agent have a motion from its place in the last search. */
-        public function forgetMotions():void
-        {
-            for (var row:int = 0; row < last.revisions.length; row++)
-            {
-                last.revisions[row] = RowPlaces.NOT_SEEN;
-            }
-        }
-
         /** Makes room for so many rows, which are more than before. */
         public function grow(length:int):void
         {

@@ -13,8 +13,8 @@ package starlogo.search.table
      */
     public final class RowPlaces extends Points
     {
-        /** In place of a revision: the agent has no motion from its place. It is less than the revision of any jump. */
-        public static const NOT_SEEN:int = -2;
+        // In place of a revision: no motion begins at the place. It is less than the revision of any jump.
+        private static const NOT_SEEN:int = -2;
 
         /** The agent's revision at that place. */
         public var revisions:Vector.<int> = new Vector.<int>();
@@ -39,6 +39,21 @@ package starlogo.search.table
         public function isMotionStart(row:int, agent:Agent):Boolean
         {
             return agent.jumpRevision <= revisions[row];
+        }
+
+        /** Lets no motion of a row's agent begin at its place. */
+        public function forget(row:int):void
+        {
+            revisions[row] = NOT_SEEN;
+        }
+
+        /** Lets no motion of any agent begin at its place. */
+        public function forgetAll():void
+        {
+            for (var row:int = 0; row < revisions.length; row++)
+            {
+                forget(row);
+            }
         }
 
         /** Takes the place of one row from other places. */

@@ -20,7 +20,7 @@ const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'sta
 
 /** Classes of those packages that do not, and why. */
 const COLD = {
-	'starlogo.handlers.AddedHandlers': 'when handlers change',
+	'starlogo.handlers.HandlerList': 'when handlers change',
 	'starlogo.handlers.HandlerTable': 'made when handlers change',
 	'starlogo.handlers.PairHandlers': 'made when handlers change',
 	'starlogo.hierarchy.BoxTreeBuilder': 'when a model loads',

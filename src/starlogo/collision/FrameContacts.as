@@ -50,16 +50,16 @@ package starlogo.collision
          * @param pair the index of the pair
          * @param first the first agent of the pair
          * @param second the second agent
-         * @param isBack whether the second agent is the collider
+         * @param isSecondCollider whether the second agent is the collider
          */
-        public function contactFor(pair:int, first:Agent, second:Agent, isBack:Boolean):Contact
+        public function contactFor(pair:int, first:Agent, second:Agent, isSecondCollider:Boolean):Contact
         {
             if (pair >= _frames.length || _frames[pair] != _frame)
             {
                 find(pair, first, second);
             }
             _given.copyFrom(_contacts[pair]);
-            if (isBack)
+            if (isSecondCollider)
             {
                 _given.normal.negate();
             }

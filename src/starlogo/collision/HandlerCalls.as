@@ -16,9 +16,6 @@ package starlogo.collision
     /** Calls the handlers of a frame: first for touches that have ended, then for the pairs. If a handler throws, the next one is still called. */
     internal final class HandlerCalls
     {
-        // The kind of handlers that are called in each frame of a touch, as in HandlerTable.kinds.
-        private static const EACH_FRAME:int = 1 << CollisionHandler.COLLISION;
-
         // In place of the index of a pair: a touch that has ended.
         private static const NO_PAIR:int = -1;
 
@@ -28,7 +25,7 @@ package starlogo.collision
         private var _contacts:FrameContacts = new FrameContacts();
         private var _pairs:FoundPairs = null;
         private var _table:HandlerTable = null;
-        private var _list:GameList = new GameList();
+        private var _gameList:GameList = new GameList();
 
         // Knows the touches; null if there are none and no handler is for starts or ends.
         private var _tracker:TouchTracker = null;
@@ -57,23 +54,23 @@ package starlogo.collision
         {
             _pairs = pairs;
             _table = table;
-            _list.begin(agents);
+            _gameList.begin(agents);
             count = 0;
             _areTouchesComplete = true;
-            var isTracked:Boolean = tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0;
+            var isTracked:Boolean = tracker.count > 0 || (table.kinds & ~CollisionHandler.COLLISION) != 0;
             var compared:IntList = isTracked ? tracker.pairsToCompare(pairs) : null;
             if (table.contactKinds != 0)
             {
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
                 _contacts.begin(system);
-                findContacts((table.contactKinds & EACH_FRAME) == 0 ? compared : null);
+                findContacts((table.contactKinds & CollisionHandler.COLLISION) == 0 ? compared : null);
             }
             if (isTracked)
             {
                 _tracker = tracker;
                 tracker.begin(pairs, compared, table);
             }
-            callAll((table.kinds & EACH_FRAME) == 0 ? compared : null, errors);
+            callAll((table.kinds & CollisionHandler.COLLISION) == 0 ? compared : null, errors);
         }
 
         /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */
@@ -86,16 +83,16 @@ package starlogo.collision
             }
             _pairs = null;
             _contacts.end();
-            _list.end();
+            _gameList.end();
         }
 
         // Computes the contacts that handlers take, before a handler moves an agent. Null stands for all pairs.
-        private function findContacts(some:IntList):void
+        private function findContacts(chosen:IntList):void
         {
-            var end:int = some == null ? _pairs.count : some.count;
+            var end:int = chosen == null ? _pairs.count : chosen.count;
             for (var i:int = 0; i < end; i++)
             {
-                var pair:int = some == null ? i : some.numbers[i];
+                var pair:int = chosen == null ? i : chosen.numbers[i];
                 if (_table.handlersOfPair(_pairs, pair).needsContacts)
                 {
                     _contacts.find(pair, _pairs.firstOf(pair), _pairs.secondOf(pair));
@@ -157,7 +154,7 @@ package starlogo.collision
             {
                 _handlers = _table.handlersOf(touch.firstBreed, touch.secondBreed);
             }
-            callHandlers(NO_PAIR, touch.first, touch.second, 1 << CollisionHandler.END, touch.isBothWays ? _handlers.handlers.length : _handlers.forwardCount);
+            callHandlers(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.isCalledForBoth ? _handlers.handlers.length : _handlers.firstCount);
         }
 
         // The handlers belong to the breeds that the two agents have before the first of them is called.
@@ -172,7 +169,7 @@ package starlogo.collision
             var end:int = _handlers.handlers.length;
             if (!_handlers.tracksTouches)
             {
-                callHandlers(pair, first, second, EACH_FRAME, end);
+                callHandlers(pair, first, second, CollisionHandler.COLLISION, end);
                 return;
             }
             var touch:Touch = touchOf(pair);
@@ -181,12 +178,12 @@ package starlogo.collision
                 _areTouchesComplete = false;
                 return;
             }
-            var isStarting:Boolean = touch.beganIn == _tracker.frame;
-            callHandlers(pair, first, second, isStarting ? EACH_FRAME | 1 << CollisionHandler.START : EACH_FRAME, end);
+            var isStarting:Boolean = touch.firstFrame == _tracker.frame;
+            callHandlers(pair, first, second, isStarting ? CollisionHandler.COLLISION | CollisionHandler.START : CollisionHandler.COLLISION, end);
             if (isStarting)
             {
-                touch.isBothWays = _next > _handlers.forwardCount || _next == end;
-                _areTouchesComplete &&= touch.isBothWays;
+                touch.isCalledForBoth = _next > _handlers.firstCount || _next == end;
+                _areTouchesComplete &&= touch.isCalledForBoth;
             }
         }
 
@@ -194,9 +191,9 @@ package starlogo.collision
         private function touchOf(pair:int):Touch
         {
             var touch:Touch = _tracker.touchAt(pair);
-            if (touch == null && _list.hasBoth(_pairs, pair))
+            if (touch == null && _gameList.hasBoth(_pairs, pair))
             {
-                touch = _tracker.touchOrStartAt(pair);
+                touch = _tracker.findOrStartAt(pair);
             }
             return touch;
         }
@@ -206,29 +203,29 @@ package starlogo.collision
         private function callHandlers(pair:int, first:Agent, second:Agent, kinds:int, end:int):void
         {
             var handlers:Vector.<CollisionHandler> = _handlers.handlers;
-            var forwardCount:int = _handlers.forwardCount;
+            var firstCount:int = _handlers.firstCount;
             while (_next < end)
             {
                 var handler:CollisionHandler = handlers[_next];
-                var isMeant:Boolean = (kinds & 1 << handler.kind) != 0;
-                if (isMeant && pair != NO_PAIR && !_list.hasBoth(_pairs, pair))
+                var isMeant:Boolean = (handler.kind & kinds) != 0;
+                if (isMeant && pair != NO_PAIR && !_gameList.hasBoth(_pairs, pair))
                 {
                     return;
                 }
-                var isBack:Boolean = _next >= forwardCount;
+                var isSecondCollider:Boolean = _next >= firstCount;
                 _next++;
                 if (isMeant && !handler.isRemoved)
                 {
-                    call(handler, pair, first, second, isBack);
+                    call(handler, pair, first, second, isSecondCollider);
                 }
             }
         }
 
-        private function call(handler:CollisionHandler, pair:int, first:Agent, second:Agent, isBack:Boolean):void
+        private function call(handler:CollisionHandler, pair:int, first:Agent, second:Agent, isSecondCollider:Boolean):void
         {
-            var collider:Agent = isBack ? second : first;
-            var collidee:Agent = isBack ? first : second;
-            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, first, second, isBack) : null;
+            var collider:Agent = isSecondCollider ? second : first;
+            var collidee:Agent = isSecondCollider ? first : second;
+            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, first, second, isSecondCollider) : null;
             // a local, so that the handler is not called as a method of its CollisionHandler
             var toCall:Function = handler.callback;
             count++;

@@ -12,26 +12,23 @@ package starlogo.handlers
      */
     public final class CollisionHandler
     {
-        /** Called in the first frame of a touch. */
-        public static const START:int = 0;
+        /** A kind of handlers: called in the first frame of a touch. Each kind is a bit, so that kinds can be added up. */
+        public static const START:int = 1;
 
-        /** Called in every frame of a touch; in its first frame, after the handlers for starts. */
-        public static const COLLISION:int = 1;
+        /** A kind of handlers: called in every frame of a touch; in its first frame, after the handlers for starts. */
+        public static const COLLISION:int = 2;
 
-        /** Called in the first frame after a touch. */
-        public static const END:int = 2;
-
-        /** The names of START, COLLISION and END. */
-        public static const KINDS:Array = ["start", "collision", "end"];
+        /** A kind of handlers: called in the first frame after a touch. */
+        public static const END:int = 4;
 
         /** START, COLLISION or END. */
         public var kind:int;
 
         /** The number of the collider's breed; Breeds.ANY for any breed. */
-        public var breedNumber:int;
+        public var colliderBreed:int;
 
         /** The number of the collidee's breed; Breeds.ANY for any breed. */
-        public var otherNumber:int;
+        public var collideeBreed:int;
 
         /** function(collider:Agent, collidee:Agent):void, or with a third argument, the contact. */
         public var callback:Function;
@@ -50,8 +47,8 @@ package starlogo.handlers
             this.kind = kind;
             this.callback = callback;
             this.serial = serial;
-            breedNumber = BreedInterests.numberOfName(breed);
-            otherNumber = BreedInterests.numberOfName(otherBreed);
+            colliderBreed = BreedInterests.numberOfName(breed);
+            collideeBreed = BreedInterests.numberOfName(otherBreed);
             takesContact = mayTakeContact(callback);
         }
 

@@ -1,4 +1,4 @@
-// This room keeps a game's handlers, and the touches that begin and end. HandlerTable takes what a game adds (AddedHandlers), and finds what a
+// This room keeps a game's handlers, and the touches that begin and end. HandlerTable takes what a game adds (HandlerList), and finds what a
 // frame calls for two breeds (PairHandlers); TouchTracker knows since which frame two agents touch (Touch). Read this file first, then
 // HandlerCalls in the room collision, which calls them.
 package starlogo.handlers
@@ -25,19 +25,23 @@ package starlogo.handlers
         /** The pairs of breeds that have handlers. Each frame after a change of the handlers has another object. */
         public var interests:BreedInterests = new BreedInterests();
 
-        /** The kinds of the handlers: a bit for each kind, 1 << kind. */
+        /** The kinds of the handlers: a sum of CollisionHandler.START and so on. */
         public var kinds:int = 0;
 
         /** The kinds of the handlers that take the contact of a touch. */
         public var contactKinds:int = 0;
 
-        // The added handlers, and by the numbers of the collider's breed and of the collidee's: their index.
-        private var _added:Vector.<AddedHandlers> = new Vector.<AddedHandlers>();
-        private var _addedIndices:HashTable = new HashTable();
+        // The names of the kinds, as games give them: in the order of the bits.
+        private static const KIND_NAMES:Array = ["start", "collision", "end"];
+        private static const ALL_KINDS:int = CollisionHandler.START | CollisionHandler.COLLISION | CollisionHandler.END;
 
-        // What the frame calls for breeds that have met, and its index by their numbers.
-        private var _called:Vector.<PairHandlers> = new Vector.<PairHandlers>();
-        private var _calledIndices:HashTable = new HashTable();
+        // What the game has added: a list for each two breeds. By the numbers of the collider's breed and of the collidee's: its index.
+        private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
+        private var _listIndices:HashTable = new HashTable();
+
+        // What the frame calls for breeds that have met. By the numbers of the first agent's breed and of the second's: its index.
+        private var _pairs:Vector.<PairHandlers> = new Vector.<PairHandlers>();
+        private var _pairIndices:HashTable = new HashTable();
 
         // The serial number of the next handler. The frame calls handlers with lower numbers than the second one. Whether any has come or gone since
         // the frame began.
@@ -52,9 +56,9 @@ package starlogo.handlers
          */
         public function add(kind:int, breed:String, otherBreed:String, callback:Function):void
         {
-            require(breed, otherBreed, callback);
+            requireArguments(breed, otherBreed, callback);
             requireParameters(breed, otherBreed, callback, kind);
-            enter(new CollisionHandler(kind, breed, otherBreed, callback, _nextSerial));
+            addToList(new CollisionHandler(kind, breed, otherBreed, callback, _nextSerial));
             _nextSerial++;
             _hasChanged = true;
         }
@@ -62,14 +66,14 @@ package starlogo.handlers
         /** See Collision.removeHandler. */
         public function remove(breed:String, otherBreed:String, callback:Function, kind:String):Boolean
         {
-            require(breed, otherBreed, callback);
-            var wanted:int = CollisionHandler.KINDS.indexOf(kind);
-            if (kind != null && wanted < 0)
+            requireArguments(breed, otherBreed, callback);
+            var index:int = KIND_NAMES.indexOf(kind);
+            if (kind != null && index < 0)
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            var entry:AddedHandlers = addedFor(knownNumberOf(breed), knownNumberOf(otherBreed));
-            var isRemoved:Boolean = entry != null && entry.remove(callback, wanted);
+            var list:HandlerList = listFor(knownNumberOf(breed), knownNumberOf(otherBreed));
+            var isRemoved:Boolean = list != null && list.remove(callback, kind == null ? ALL_KINDS : 1 << index);
             _hasChanged ||= isRemoved;
             return isRemoved;
         }
@@ -77,9 +81,9 @@ package starlogo.handlers
         /** Removes all handlers. */
         public function clear():void
         {
-            for each (var entry:AddedHandlers in _added)
+            for each (var list:HandlerList in _lists)
             {
-                entry.clear();
+                list.clear();
             }
             _hasChanged = true;
         }
@@ -97,25 +101,25 @@ package starlogo.handlers
             }
             _hasChanged = false;
             var all:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
-            for each (var entry:AddedHandlers in _added)
+            for each (var list:HandlerList in _lists)
             {
-                entry.appendTo(all, _nextSerial);
+                list.appendTo(all, _nextSerial);
             }
-            _added.length = _called.length = 0;
-            _addedIndices.clear();
-            _calledIndices.clear();
+            _lists.length = _pairs.length = 0;
+            _listIndices.clear();
+            _pairIndices.clear();
             interests = new BreedInterests();
             kinds = contactKinds = 0;
             var newNames:Vector.<String> = new Vector.<String>();
             for each (var handler:CollisionHandler in all)
             {
-                enter(handler);
-                interests.addNumbers(handler.breedNumber, handler.otherNumber);
-                kinds |= 1 << handler.kind;
-                contactKinds |= handler.needsContact ? 1 << handler.kind : 0;
+                addToList(handler);
+                interests.addNumbers(handler.colliderBreed, handler.collideeBreed);
+                kinds |= handler.kind;
+                contactKinds |= handler.needsContact ? handler.kind : 0;
                 if (handler.serial >= _endSerial)
                 {
-                    newNames.push(Breeds.NAMES.nameOf(handler.breedNumber), Breeds.NAMES.nameOf(handler.otherNumber));
+                    newNames.push(Breeds.NAMES.nameOf(handler.colliderBreed), Breeds.NAMES.nameOf(handler.collideeBreed));
                 }
             }
             warnOfBreeds(newNames, agents);
@@ -125,18 +129,18 @@ package starlogo.handlers
         /**
          * Returns what the frame calls for two breeds. It is empty if the two have no handlers.
          *
-         * @param breed the number of the first agent's breed
-         * @param otherBreed the number of the second agent's breed
+         * @param firstBreed the number of the first agent's breed
+         * @param secondBreed the number of the second agent's breed
          */
-        public function handlersOf(breed:int, otherBreed:int):PairHandlers
+        public function handlersOf(firstBreed:int, secondBreed:int):PairHandlers
         {
-            var index:int = _calledIndices.find(breed, otherBreed);
+            var index:int = _pairIndices.find(firstBreed, secondBreed);
             if (index < 0)
             {
-                index = _called.push(new PairHandlers(between(breed, otherBreed), between(otherBreed, breed))) - 1;
-                _calledIndices.set (breed, otherBreed, index);
+                index = _pairs.push(new PairHandlers(collect(firstBreed, secondBreed), collect(secondBreed, firstBreed))) - 1;
+                _pairIndices.set (firstBreed, secondBreed, index);
             }
-            return _called[index];
+            return _pairs[index];
         }
 
         /** Returns the handlers of the breeds that the agents of a found pair have now. */
@@ -164,40 +168,46 @@ package starlogo.handlers
             return missing;
         }
 
-        private function enter(handler:CollisionHandler):void
+        private function addToList(handler:CollisionHandler):void
         {
-            var entry:AddedHandlers = addedFor(handler.breedNumber, handler.otherNumber);
-            if (entry == null)
+            var list:HandlerList = listFor(handler.colliderBreed, handler.collideeBreed);
+            if (list == null)
             {
-                entry = new AddedHandlers();
-                _addedIndices.set (handler.breedNumber, handler.otherNumber, _added.push(entry) - 1);
+                list = new HandlerList();
+                _listIndices.set (handler.colliderBreed, handler.collideeBreed, _lists.push(list) - 1);
             }
-            entry.add(handler);
+            list.add(handler);
         }
 
-        // The handlers that the frame calls if an agent of the first breed, as the collider, meets one of the second.
-        private function between(breed:int, otherBreed:int):Vector.<CollisionHandler>
+        // The handlers that the frame calls for a collider and a collidee of two breeds, also those for any breed.
+        private function collect(colliderBreed:int, collideeBreed:int):Vector.<CollisionHandler>
         {
             var found:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
-            for each (var number:int in breed > Breeds.ANY ? [breed, Breeds.ANY] : [breed])
+            for each (var collider:int in withAny(colliderBreed))
             {
-                for each (var other:int in otherBreed > Breeds.ANY ? [otherBreed, Breeds.ANY] : [otherBreed])
+                for each (var collidee:int in withAny(collideeBreed))
                 {
-                    var entry:AddedHandlers = addedFor(number, other);
-                    if (entry != null)
+                    var list:HandlerList = listFor(collider, collidee);
+                    if (list != null)
                     {
-                        entry.appendTo(found, _endSerial);
+                        list.appendTo(found, _endSerial);
                     }
                 }
             }
             return found;
         }
 
-        // The handlers that were added for two breeds, by their numbers; null if there are none.
-        private function addedFor(breed:int, otherBreed:int):AddedHandlers
+        // The numbers of breeds whose handlers count for an agent of a breed. Any breed does not stand for the ground and the edges.
+        private static function withAny(breed:int):Array
         {
-            var index:int = _addedIndices.find(breed, otherBreed);
-            return index < 0 ? null : _added[index];
+            return Breeds.isOfWorld(breed) ? [breed] : [breed, Breeds.ANY];
+        }
+
+        // The list for just two breeds, by their numbers; null if there is none.
+        private function listFor(colliderBreed:int, collideeBreed:int):HandlerList
+        {
+            var index:int = _listIndices.find(colliderBreed, collideeBreed);
+            return index < 0 ? null : _lists[index];
         }
 
         // The number of a breed's name, or of ANY_BREED; -1 if it has none yet.
@@ -206,7 +216,7 @@ package starlogo.handlers
             return breed == BreedInterests.ANY_BREED ? Breeds.ANY : Breeds.NAMES.knownNumberOf(breed);
         }
 
-        private static function require(breed:String, otherBreed:String, callback:Function):void
+        private static function requireArguments(breed:String, otherBreed:String, callback:Function):void
         {
             requireBreed("breed", breed);
             requireBreed("otherBreed", otherBreed);

@@ -12,7 +12,7 @@ package starlogo.handlers
         public var handlers:Vector.<CollisionHandler>;
 
         /** The number of handlers whose collider is the first agent. */
-        public var forwardCount:int;
+        public var firstCount:int;
 
         /** Whether any handler takes the contact of a touch. */
         public var needsContacts:Boolean = false;
@@ -21,13 +21,13 @@ package starlogo.handlers
         public var tracksTouches:Boolean = false;
 
         /**
-         * @param forward the handlers whose collider is the first agent, in any order
-         * @param back the handlers whose collider is the second agent, in any order
+         * @param ofFirst the handlers whose collider is the first agent, in any order
+         * @param ofSecond the handlers whose collider is the second agent, in any order
          */
-        public function PairHandlers(forward:Vector.<CollisionHandler>, back:Vector.<CollisionHandler>)
+        public function PairHandlers(ofFirst:Vector.<CollisionHandler>, ofSecond:Vector.<CollisionHandler>)
         {
-            handlers = forward.sort(compare).concat(back.sort(compare));
-            forwardCount = forward.length;
+            handlers = ofFirst.sort(compare).concat(ofSecond.sort(compare));
+            firstCount = ofFirst.length;
             for each (var handler:CollisionHandler in handlers)
             {
                 needsContacts ||= handler.needsContact;

@@ -22,10 +22,10 @@ package starlogo.handlers
         public var secondBreed:int;
 
         /** The tracker's frame in which the touch began. */
-        public var beganIn:int;
+        public var firstFrame:int;
 
         /** The tracker's last frame in which it began or went on. */
-        public var seenIn:int;
+        public var lastFrame:int;
 
         /** How many touches began before it. */
         public var serial:Number;
@@ -34,6 +34,6 @@ package starlogo.handlers
         public var index:int;
 
         /** Whether handlers have been called for both agents, not only for the first. */
-        public var isBothWays:Boolean;
+        public var isCalledForBoth:Boolean;
     }
 }

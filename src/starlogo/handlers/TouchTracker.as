@@ -44,7 +44,7 @@ package starlogo.handlers
         private var _dropped:IntList = new IntList();
 
         // The number of touches that ever began.
-        private var _begun:Number = 0;
+        private var _startedCount:Number = 0;
 
         // The indices of the touches that ended in this frame, in the order in which they began.
         private var _ended:SortableIntList = new SortableIntList();
@@ -122,17 +122,17 @@ package starlogo.handlers
         }
 
         /** Gives a pair of the frame the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
-        public function touchOrStartAt(pair:int):Touch
+        public function findOrStartAt(pair:int):Touch
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            var touch:Touch = touchOrStart(first, second, first.breedNumber, second.breedNumber);
+            var touch:Touch = findOrStart(first, second, first.breedNumber, second.breedNumber);
             _touches[pair] = touch.index;
             return touch;
         }
 
         /** Finds the touch of two agents. If there is none, one begins, of these breeds. */
-        public function touchOrStart(first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
+        public function findOrStart(first:Agent, second:Agent, firstBreed:int, secondBreed:int, isCalledForBoth:Boolean = false):Touch
         {
             var index:int = indexOf(first, second);
             var touch:Touch = index < 0 ? newTouch() : _all[index];
@@ -142,7 +142,7 @@ package starlogo.handlers
                 touch.second = second;
                 touch.firstBreed = firstBreed;
                 touch.secondBreed = secondBreed;
-                touch.isBothWays = isBothWays;
+                touch.isCalledForBoth = isCalledForBoth;
                 _indices.set (Math.min(first.idNumber, second.idNumber), Math.max(first.idNumber, second.idNumber), touch.index);
             }
             return touch;
@@ -173,11 +173,11 @@ package starlogo.handlers
             makeRoom();
             for (var pair:int = 0; pair < _pairs.count; pair++)
             {
-                renew(pair, table);
+                continueTouch(pair, table);
             }
             for (var index:int = 0; index < _all.length; index++)
             {
-                endUnlessSeen(_all[index]);
+                endUnlessContinued(_all[index]);
             }
         }
 
@@ -188,11 +188,11 @@ package starlogo.handlers
             moveTouches();
             for (var i:int = 0; i < added.count; i++)
             {
-                renew(added.numbers[i], table);
+                continueTouch(added.numbers[i], table);
             }
             for (i = 0; i < _dropped.count; i++)
             {
-                endUnlessSeen(_all[_dropped.numbers[i]]);
+                endUnlessContinued(_all[_dropped.numbers[i]]);
             }
         }
 
@@ -259,15 +259,15 @@ package starlogo.handlers
                 touch = new Touch();
                 touch.index = _all.push(touch) - 1;
             }
-            touch.beganIn = touch.seenIn = frame;
-            touch.serial = _begun;
-            _begun++;
+            touch.firstFrame = touch.lastFrame = frame;
+            touch.serial = _startedCount;
+            _startedCount++;
             return touch;
         }
 
         // Lets the touch of a pair go on, if there is one. It does not go on if the two have no handlers for starts or ends, if a breed has changed, or
         // if handlers were called for the first agent only.
-        private function renew(pair:int, table:HandlerTable):void
+        private function continueTouch(pair:int, table:HandlerTable):void
         {
             _touches[pair] = NONE;
             var index:int = table.handlersOfPair(_pairs, pair).tracksTouches ? indexOf(_pairs.firstOf(pair), _pairs.secondOf(pair)) : NONE;
@@ -276,17 +276,17 @@ package starlogo.handlers
                 return;
             }
             var touch:Touch = _all[index];
-            if (touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
+            if (touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
             {
-                touch.seenIn = frame;
+                touch.lastFrame = frame;
                 _touches[pair] = index;
             }
         }
 
-        // Ends a touch that was not renewed in this frame.
-        private function endUnlessSeen(touch:Touch):void
+        // Ends a touch that does not go on in this frame.
+        private function endUnlessContinued(touch:Touch):void
         {
-            if (touch.first != null && touch.seenIn != frame)
+            if (touch.first != null && touch.lastFrame != frame)
             {
                 _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
                 _ended.add(touch.index, touch.serial);

@@ -12,8 +12,8 @@ package starlogo.handlers
      */
     public function nameBreeds(error:Error, handler:CollisionHandler):Error
     {
-        var addition:String = " (in the handler for \"" + (Breeds.NAMES.nameOf(handler.breedNumber) || BreedInterests.ANY_BREED) + "\" and \""
-            + (Breeds.NAMES.nameOf(handler.otherNumber) || BreedInterests.ANY_BREED) + "\")";
+        var addition:String = " (in the handler for \"" + (Breeds.NAMES.nameOf(handler.colliderBreed) || BreedInterests.ANY_BREED) + "\" and \""
+            + (Breeds.NAMES.nameOf(handler.collideeBreed) || BreedInterests.ANY_BREED) + "\")";
         try
         {
             if (error.message.slice(-addition.length) != addition)

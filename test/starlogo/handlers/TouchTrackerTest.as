@@ -79,11 +79,11 @@ package starlogo.handlers
                     assertEquals(name, pairs.indexOf(name) >= 0, known != null);
                     if (known == null)
                     {
-                        known = _tracker.touchOrStartAt(i);
-                        known.isBothWays = true;
-                        assertStrictlyEquals("either way round it is the same", known, _tracker.touchOrStart(b, a, b.breedNumber, a.breedNumber, true));
+                        known = _tracker.findOrStartAt(i);
+                        known.isCalledForBoth = true;
+                        assertStrictlyEquals("either way round it is the same", known, _tracker.findOrStart(b, a, b.breedNumber, a.breedNumber, true));
                         assertStrictlyEquals(known, _tracker.touchAt(i));
-                        assertEquals(frame, known.beganIn);
+                        assertEquals(frame, known.firstFrame);
                         if (left.indexOf(name) < 0)
                         {
                             left.push(name);
@@ -178,8 +178,8 @@ package starlogo.handlers
                     assertEquals(pairs[i], begun.indexOf(pairs[i]) >= 0, touch != null);
                     if (touch == null)
                     {
-                        touch = _tracker.touchOrStartAt(i);
-                        touch.isBothWays = true;
+                        touch = _tracker.findOrStartAt(i);
+                        touch.isCalledForBoth = true;
                         begun.push(pairs[i]);
                     }
                     assertEquals(pairs[i], nameOf(touch.first, touch.second));
@@ -205,7 +205,7 @@ package starlogo.handlers
             var b:Agent = _agents[1];
             addPair(b, a);
             assertNull(next());
-            _tracker.touchOrStart(a, b, a.breedNumber, b.breedNumber);
+            _tracker.findOrStart(a, b, a.breedNumber, b.breedNumber);
             assertNull("handlers of one way only", next());
             var touch:Touch = startBothWays(a, b);
             assertStrictlyEquals(touch, next());
@@ -218,7 +218,7 @@ package starlogo.handlers
 
         private function startBothWays(a:Agent, b:Agent):Touch
         {
-            return _tracker.touchOrStart(a, b, a.breedNumber, b.breedNumber, true);
+            return _tracker.findOrStart(a, b, a.breedNumber, b.breedNumber, true);
         }
 
         // The touch of the first pair that goes on in the next frame.

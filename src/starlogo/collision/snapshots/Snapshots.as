@@ -191,7 +191,7 @@ package starlogo.collision.snapshots
                 bytes.writeInt(Breeds.isOfWorld(touch.secondBreed) ? table.list.rows.count + enterWorldAgent(touch, ground, edges) : table.list.ranks[table.list.rowOf(touch.second)]);
                 bytes.writeInt(names.ofBreed(touch.firstBreed));
                 bytes.writeInt(names.ofBreed(touch.secondBreed));
-                bytes.writeBoolean(touch.isBothWays);
+                bytes.writeBoolean(touch.isCalledForBoth);
             }
         }
 
@@ -261,7 +261,7 @@ package starlogo.collision.snapshots
                     var missing:String = second == agents.length ? "ground" : "bounds";
                     throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
                 }
-                touches.touchOrStart(agents[first], partners[second], firstBreed, secondBreed, flag == 1);
+                touches.findOrStart(agents[first], partners[second], firstBreed, secondBreed, flag == 1);
             }
             // each pair is there once
             check(touches.count == pairs);

@@ -5,18 +5,12 @@ package starlogo.handlers
      *
      * @private
      */
-    public final class AddedHandlers
+    public final class HandlerList
     {
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
         // How many of the first handlers are removed. The others are not.
         private var _removedCount:int = 0;
-
-        /** How many handlers its list has, with removed ones: at most twice as many as are not removed. */
-        public function get listedCount():int
-        {
-            return _handlers.length;
-        }
 
         /** Adds a handler. */
         public function add(handler:CollisionHandler):void
@@ -28,15 +22,15 @@ package starlogo.handlers
          * Removes the handler with a function that was added first. It compares one function after the other, because a function has no hash in
          * ActionScript.
          *
-         * @param kind of handler; -1 for any kind
+         * @param kinds the kinds that count: a sum
          * @return whether it was there
          */
-        public function remove(callback:Function, kind:int):Boolean
+        public function remove(callback:Function, kinds:int):Boolean
         {
             for (var i:int = _removedCount; i < _handlers.length; i++)
             {
                 var handler:CollisionHandler = _handlers[i];
-                if (handler.callback == callback && (kind < 0 || handler.kind == kind))
+                if (handler.callback == callback && (handler.kind & kinds) != 0)
                 {
                     handler.isRemoved = true;
                     removeAt(i);

@@ -50,8 +50,7 @@ package starlogo.search.pairs
         public function GroundPairTests(limits:TreeLimits)
         {
             _limits = limits;
-            var pair:DisplacedPair = new DisplacedPair(this);
-            _separation = new PenetrationSearch(pair, new GroundExitSearch(pair));
+            _separation = new GroundExitSearch(new DisplacedPair(this));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */

@@ -53,8 +53,7 @@ package starlogo.search.pairs
             _limits = limits;
             _impacts = new TreeImpactQuery(_pair, _overlaps, _counts);
             _distances = new TreeDistanceQuery(_counts);
-            var pair:DisplacedPair = new DisplacedPair(this);
-            _separation = new PenetrationSearch(pair, new TreeExitSearch(pair, new DisplacedPair(new LeafPairTests(this)), limits));
+            _separation = new TreeExitSearch(new DisplacedPair(this), new DisplacedPair(new LeafPairTests(this)), limits);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */

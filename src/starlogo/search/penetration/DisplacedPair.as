@@ -49,7 +49,7 @@ package starlogo.search.penetration
         public var probeDistance:Number = 0;
 
         /** The gap across which the two touch because places are rounded. */
-        public var rounding:Number = 0;
+        public var roundingGap:Number = 0;
 
         private var _tests:PairTests;
 
@@ -72,9 +72,9 @@ package starlogo.search.penetration
             _from.y = a.placement.y + (motion.startY + time * motion.y);
             _from.z = a.placement.z + (motion.startZ + time * motion.z);
             first.readShrunk(a, _from, 0);
-            rounding = _tests.roundingGapOf(a, b);
-            extent = Math.max(_tests.extentOf(a, b), Math.max(rounding, LEAST_EXTENT));
-            tolerance = Math.max(Tolerances.SEPARATION * extent, GAPS_OF_ROUNDING * rounding);
+            roundingGap = _tests.roundingGapOf(a, b);
+            extent = Math.max(_tests.extentOf(a, b), Math.max(roundingGap, LEAST_EXTENT));
+            tolerance = Math.max(Tolerances.SEPARATION * extent, GAPS_OF_ROUNDING * roundingGap);
             probeDistance = tolerance / 4;
         }
 

@@ -20,7 +20,7 @@ package starlogo.search.penetration
      *
      * @private
      */
-    public final class GroundExitSearch extends ExitSearch
+    public final class GroundExitSearch extends PenetrationSearch
     {
         // The most pushes that are tried.
         private static const MOST_PUSHES:int = 80;
@@ -50,6 +50,7 @@ package starlogo.search.penetration
         /** @param pair a body and the ground; it has begun when a method is called */
         public function GroundExitSearch(pair:DisplacedPair)
         {
+            super(pair);
             _pair = pair;
             _directions = new DirectionSearch(pair);
             _pushOut = new PushOut(pair, _directions);
@@ -61,7 +62,7 @@ package starlogo.search.penetration
          *
          * @inheritDoc
          */
-        override public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override protected function findExit(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var first:ContactPoint = _first;
             first.copyFrom(out);

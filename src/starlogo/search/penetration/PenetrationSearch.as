@@ -1,31 +1,27 @@
 package starlogo.search.penetration
 {
+    import flash.errors.IllegalOperationError;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.search.Body;
 
     /**
      * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, the two
-     * just touch, and a little farther they do not. An ExitSearch finds the way out: TreeExitSearch or GroundExitSearch.
+     * just touch, and a little farther they do not. A subclass finds the way out: TreeExitSearch or GroundExitSearch.
      *
      * @private
      */
-    public final class PenetrationSearch
+    public class PenetrationSearch
     {
         private var _pair:DisplacedPair;
-        private var _exits:ExitSearch;
 
         // The displacement that is tried.
         private var _tried:Displacement = new Displacement();
 
-        /**
-         * @param pair knows whether its bodies touch, and when
-         * @param exits finds the ways out of this pair
-         */
-        public function PenetrationSearch(pair:DisplacedPair, exits:ExitSearch)
+        /** @param pair knows whether its bodies touch, and when */
+        public function PenetrationSearch(pair:DisplacedPair)
         {
             _pair = pair;
-            _exits = exits;
         }
 
         /**
@@ -34,13 +30,13 @@ package starlogo.search.penetration
          * @param motion the motion of the first body relative to the second, with the time at which they touch. It ends where the first body is
          * @param out the contact of two parts that touch at that time
          */
-        public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        public final function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             _pair.begin(a, b, motion);
             // only a body that moves may have been stopped just before the touch
-            if (!ExitSearch.isComing(motion) || _pair.areTouching())
+            if (!isComing(motion) || _pair.areTouching())
             {
-                _exits.find(a, b, motion, out);
+                findExit(a, b, motion, out);
             }
             else
             {
@@ -50,6 +46,23 @@ package starlogo.search.penetration
             OverlapMiddle.movePoint(_pair.first, b, out);
             OverlapMiddle.keepWithin(_pair.first, out);
             OverlapMiddle.keepWithin(b, out);
+        }
+
+        /**
+         * Finds a short way out of the second body for the first, which touches it. The pair has begun with the same bodies and the same motion.
+         *
+         * @param motion as in find
+         * @param out the contact of two parts that touch; receives the normal and the depth of the way
+         */
+        protected function findExit(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findExit");
+        }
+
+        /** Whether the first body moves, and touches the second only after the motion's beginning. */
+        internal static function isComing(motion:RelativeMotion):Boolean
+        {
+            return motion.time > 0 && !motion.isStill;
         }
 
         // Handles two bodies that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the

@@ -104,7 +104,7 @@ package starlogo.search.penetration
         /** Adds the push that also leads out of a contact, which was found after the current push. */
         public function add(found:ContactPoint):void
         {
-            _pushes.add(found, SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding);
+            _pushes.add(found, SLACK * Tolerances.SEPARATION * _pair.extent + _pair.roundingGap);
         }
 
         /** The push that was tried last; 0 at the beginning. Do not change it. */

@@ -11,7 +11,7 @@ package starlogo.search.penetration
      *
      * @private
      */
-    public final class TreeExitSearch extends ExitSearch
+    public final class TreeExitSearch extends PenetrationSearch
     {
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
@@ -34,6 +34,7 @@ package starlogo.search.penetration
          */
         public function TreeExitSearch(pair:DisplacedPair, leaves:DisplacedPair, limits:TreeLimits)
         {
+            super(pair);
             _limits = limits;
             _pair = pair;
             _leaves = leaves;
@@ -47,12 +48,12 @@ package starlogo.search.penetration
          *
          * @inheritDoc
          */
-        override public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override protected function findExit(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             _first.copyFrom(out);
             out.depth = Infinity;
             _pushOut.find(_first, Infinity, out);
-            if (ExitSearch.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
+            if (PenetrationSearch.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
                 _first.pointAgainst(motion);
                 _first.depth = 0;

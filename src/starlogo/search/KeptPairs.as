@@ -21,10 +21,10 @@ package starlogo.search
      */
     internal final class KeptPairs
     {
-        // Pairs are kept if at most one row in this many has changed. The second number is for searches that are faster, because all shapes are
-        // spheres, or only some breeds have handlers.
-        private static const ONE_IN:int = 8;
-        private static const ONE_IN_IF_FAST:int = 20;
+        // Pairs are kept if there are at least this many rows for each row that has changed. The second number is for searches that are faster,
+        // because all shapes are spheres, or only some breeds have handlers.
+        private static const ROWS_PER_CHANGE:int = 8;
+        private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
 
         private var _table:AgentTable;
         private var _finder:PairFinder;
@@ -162,8 +162,8 @@ package starlogo.search
         // Whether so few rows have changed that a search of all rows would take longer.
         private function areFew(changes:int):Boolean
         {
-            var oneIn:int = _table.areSpheres || !_interests.includesAllOfAgents ? ONE_IN_IF_FAST : ONE_IN;
-            return oneIn * changes <= _table.list.rows.count;
+            var rowsPerChange:int = _table.areSpheres || !_interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
+            return rowsPerChange * changes <= _table.list.rows.count;
         }
 
         // Finds the rows that have changed, and marks them.
@@ -176,7 +176,7 @@ package starlogo.search
             {
                 _marks.length = length;
             }
-            _cells.makeRows(length);
+            _cells.makeRoom(length);
             addAll(_table.places.changed);
             addAll(_table.list.leftOrReordered);
             if (_motions.areNeeded)

@@ -70,7 +70,7 @@ package starlogo.search
         public function countEarly():int
         {
             var early:int = 0;
-            while (_motions.areNeeded && early < _out.count && _sorter.times[early] < 1)
+            while (_motions.areNeeded && early < _out.count && _out.times[early] < 1)
             {
                 early++;
             }
@@ -170,7 +170,7 @@ package starlogo.search
         {
             var ranks:Vector.<int> = _table.list.ranks;
             var rank:int = ranks[row];
-            var times:Vector.<Number> = _sorter.times;
+            var times:Vector.<Number> = _out.times;
             var before:int = _out.count;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)

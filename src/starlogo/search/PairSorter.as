@@ -17,9 +17,6 @@ package starlogo.search
         // The factor of the first rank in a key of both ranks. All ranks are less.
         private static const RANK_FACTOR:Number = 1 << 26;
 
-        /** The times of the pairs that are sorted, if an agent sweeps. They get the order of the pairs. */
-        internal var times:Vector.<Number> = new Vector.<Number>();
-
         // The indices of the pairs in their new order, and their keys.
         private var _indices:SortableIntList = new SortableIntList();
 
@@ -32,7 +29,7 @@ package starlogo.search
         private var _spareTimes:Vector.<Number> = new Vector.<Number>();
 
         /**
-         * Puts pairs into order.
+         * Puts pairs, and their times if they have any, into order.
          *
          * @param haveTimes whether an agent sweeps
          */
@@ -108,7 +105,7 @@ package starlogo.search
             _indices.count = 0;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                _indices.add(i, times[i]);
+                _indices.add(i, pairs.times[i]);
             }
             _indices.sortFirst(pairs.count);
             arrange(pairs, true);
@@ -122,6 +119,7 @@ package starlogo.search
             var ranks:Vector.<int> = pairs.list.ranks;
             var from:Vector.<int> = pairs.rows;
             var to:Vector.<int> = _spare;
+            var times:Vector.<Number> = pairs.times;
             var end:int = 2 * pairs.count;
             for (var i:int = 0; i < end; i += 2)
             {
@@ -179,6 +177,7 @@ package starlogo.search
         {
             makeRoom(pairs);
             var from:Vector.<int> = pairs.rows;
+            var times:Vector.<Number> = pairs.times;
             for (var i:int = 0; i < pairs.count; i++)
             {
                 var pair:int = _indices.numbers[i];
@@ -198,9 +197,9 @@ package starlogo.search
             {
                 _spare.length = pairs.rows.length;
             }
-            if (_spareTimes.length < times.length)
+            if (_spareTimes.length < pairs.times.length)
             {
-                _spareTimes.length = times.length;
+                _spareTimes.length = pairs.times.length;
             }
         }
 
@@ -209,9 +208,9 @@ package starlogo.search
             var rows:Vector.<int> = pairs.rows;
             pairs.rows = _spare;
             _spare = rows;
-            var spare:Vector.<Number> = _spareTimes;
+            var times:Vector.<Number> = pairs.times;
+            pairs.times = _spareTimes;
             _spareTimes = times;
-            times = spare;
         }
     }
 }

@@ -51,7 +51,7 @@ package starlogo.search
                 {
                     have[first + " " + second] = true;
                     expected.push([time, first, second]);
-                    _sorter.times[pairs.count] = time;
+                    pairs.times[pairs.count] = time;
                     // after the agents comes the ground
                     pairs.add(list.rows.numbers[first], second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.numbers[second]);
                 }
@@ -61,7 +61,7 @@ package starlogo.search
             assertEquals(pairCount, pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {
-                var found:Array = [haveTimes ? _sorter.times[i] : 0, list.ranks[pairs.rows[2 * i]], list.ranks[pairs.rows[2 * i + 1]]];
+                var found:Array = [haveTimes ? pairs.times[i] : 0, list.ranks[pairs.rows[2 * i]], list.ranks[pairs.rows[2 * i + 1]]];
                 assertEquals(i + " of " + pairCount + " pairs of " + list.rows.count, expected[i].join(), found.join());
             }
         }

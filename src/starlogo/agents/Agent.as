@@ -241,36 +241,36 @@ package starlogo.agents
         /** The turn about the z axis in degrees, counter-clockwise seen from above. Any finite number. */
         public function get heading():Number
         {
-            return turn.findAngles().heading;
+            return turn.updateAngles().heading;
         }
 
         public function set heading(value:Number):void
         {
-            var before:Turn = turn.findAngles();
+            var before:Turn = turn.updateAngles();
             turnTo(value, before.pitch, before.roll);
         }
 
         /** The turn about the world's y axis in degrees, before the heading. Any finite number. */
         public function get pitch():Number
         {
-            return turn.findAngles().pitch;
+            return turn.updateAngles().pitch;
         }
 
         public function set pitch(value:Number):void
         {
-            var before:Turn = turn.findAngles();
+            var before:Turn = turn.updateAngles();
             turnTo(before.heading, value, before.roll);
         }
 
         /** The turn about the world's x axis in degrees, before the pitch. Any finite number. */
         public function get roll():Number
         {
-            return turn.findAngles().roll;
+            return turn.updateAngles().roll;
         }
 
         public function set roll(value:Number):void
         {
-            var before:Turn = turn.findAngles();
+            var before:Turn = turn.updateAngles();
             turnTo(before.heading, before.pitch, value);
         }
 
@@ -550,7 +550,7 @@ package starlogo.agents
         {
             if (_turn != null)
             {
-                _turn.findRotation();
+                _turn.updateRotation();
             }
             return placement;
         }

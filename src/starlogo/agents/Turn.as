@@ -27,7 +27,7 @@ package starlogo.agents
         private static var sTurned:Placement = new Placement();
         private static var sAngles:Vector3D = new Vector3D();
 
-        /** The turn about the z axis, in degrees. This and the other angles are right after <code>findAngles()</code>. */
+        /** The turn about the z axis, in degrees. This and the other angles are right after <code>updateAngles()</code>. */
         public var heading:Number = 0;
 
         /** The turn about the y axis, before the heading. */
@@ -79,7 +79,7 @@ package starlogo.agents
             {
                 return setQuaternion(overX / length, overY / length, overZ / length, overW / length);
             }
-            findRotation();
+            updateRotation();
             sTurned.setQuaternion(overX / length, overY / length, overZ / length, overW / length);
             var isOther:Boolean = !_placement.hasRotationOf(sTurned);
             if (isOther)
@@ -105,7 +105,7 @@ package starlogo.agents
         {
             if (_turnedBy == BY_ANGLES)
             {
-                findRotation();
+                updateRotation();
                 _placement.readQuaternion(out);
                 return;
             }
@@ -116,7 +116,7 @@ package starlogo.agents
         }
 
         /** Makes the rotation of the placement right. */
-        public function findRotation():void
+        public function updateRotation():void
         {
             if (_isStale && _turnedBy == BY_ANGLES)
             {
@@ -128,7 +128,7 @@ package starlogo.agents
         /**
          * Makes the angles right, and returns this turn. It takes three arctangents, and most games that turn by quaternions never read the angles.
          */
-        public function findAngles():Turn
+        public function updateAngles():Turn
         {
             if (_isStale && _turnedBy == BY_QUATERNION)
             {

@@ -70,7 +70,7 @@ package starlogo.broadphase
          * @param first the number of buckets of other levels
          * @return the number of buckets including this level's, and the copies of its first ones
          */
-        public function layOut(first:int):int
+        public function takeBuckets(first:int):int
         {
             mask = maskFor(count);
             var bits:int = 0;
@@ -120,7 +120,7 @@ package starlogo.broadphase
         }
 
         /** The column of cells at an x, or the line of cells at a y. */
-        public function cellsAlong(coordinate:Number):int
+        public function cellIndexAt(coordinate:Number):int
         {
             return coordinate * cellsPerPatch + BIAS;
         }
@@ -134,7 +134,7 @@ package starlogo.broadphase
         /** The bucket of the cell at a place. */
         public function bucketAt(x:Number, y:Number):int
         {
-            return bucketOf(cellsAlong(x), cellsAlong(y));
+            return bucketOf(cellIndexAt(x), cellIndexAt(y));
         }
 
         /** Whether cells can be at or near a place. Farther out than <code>BIAS / 2</code> widths along x or y there are none. */

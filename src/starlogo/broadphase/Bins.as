@@ -97,8 +97,8 @@ package starlogo.broadphase
                 var nextLineEnd:int = starts[below + 3];
                 for (; slot < end; slot++)
                 {
-                    var found:int = collect(slot, slot + 1, runEnd, level.slack, 0);
-                    found = collect(slot, nextLine, nextLineEnd, level.slack, found);
+                    var found:int = collectRun(slot, slot + 1, runEnd, level.slack, 0);
+                    found = collectRun(slot, nextLine, nextLineEnd, level.slack, found);
                     if (found > 0)
                     {
                         sink.onCandidates(rows[slot], _candidates, found, level);
@@ -117,14 +117,14 @@ package starlogo.broadphase
             var last:int = starts[level.endBucket];
             for (var slot:int = starts[level.firstBucket]; slot < last; slot++)
             {
-                var column:int = coarser.cellsAlong(xs[slot] - distance);
-                var columns:int = coarser.cellsAlong(xs[slot] + distance) - column + 1;
-                var lastLine:int = coarser.cellsAlong(ys[slot] + distance);
+                var column:int = coarser.cellIndexAt(xs[slot] - distance);
+                var columns:int = coarser.cellIndexAt(xs[slot] + distance) - column + 1;
+                var lastLine:int = coarser.cellIndexAt(ys[slot] + distance);
                 var found:int = 0;
-                for (var line:int = coarser.cellsAlong(ys[slot] - distance); line <= lastLine; line++)
+                for (var line:int = coarser.cellIndexAt(ys[slot] - distance); line <= lastLine; line++)
                 {
                     var bucket:int = coarser.bucketOf(column, line);
-                    found = collect(slot, starts[bucket], starts[bucket + columns], coarser.slack, found);
+                    found = collectRun(slot, starts[bucket], starts[bucket + columns], coarser.slack, found);
                 }
                 if (found > 0)
                 {
@@ -135,7 +135,7 @@ package starlogo.broadphase
 
         // Adds the members in a run of slots whose circles overlap a member's circle to its candidates. Returns how many candidates there are. This
         // is the inner loop of every frame, so all that it reads is in locals.
-        private function collect(slot:int, from:int, end:int, slack:Number, found:int):int
+        private function collectRun(slot:int, from:int, end:int, slack:Number, found:int):int
         {
             var members:SortedMembers = _members;
             var rows:Vector.<int> = members.rows;
@@ -148,10 +148,10 @@ package starlogo.broadphase
             var radius:Number = radii[slot] + slack;
             for (var other:int = from; other < end; other++)
             {
-                var toX:Number = xs[other] - x;
-                var toY:Number = ys[other] - y;
-                var touching:Number = radius + radii[other];
-                if (toX * toX + toY * toY <= touching * touching)
+                var distanceX:Number = xs[other] - x;
+                var distanceY:Number = ys[other] - y;
+                var touchingDistance:Number = radius + radii[other];
+                if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance)
                 {
                     candidates[found] = rows[other];
                     found++;

@@ -63,7 +63,7 @@ package starlogo.broadphase
                 _heads[i] = NONE;
             }
             _buckets.length = 0;
-            makeRows(length);
+            makeRoom(length);
             for (i = 0; i < count; i++)
             {
                 var row:int = rows[i];
@@ -73,7 +73,7 @@ package starlogo.broadphase
         }
 
         /** Makes sure that there are this many rows. */
-        public function makeRows(length:int):void
+        public function makeRoom(length:int):void
         {
             var row:int = _buckets.length;
             if (length > row)
@@ -179,13 +179,13 @@ package starlogo.broadphase
         private function findOfLevel(row:int, level:BinLevel, distance:Number):int
         {
             var found:int = 0;
-            var across:Number = 2 * distance * level.cellsPerPatch + 2;
-            if (across * across > level.mask)
+            var cellsAcross:Number = 2 * distance * level.cellsPerPatch + 2;
+            if (cellsAcross * cellsAcross > level.mask)
             {
                 // so many cells may share buckets, but of all buckets each comes once
                 for (var bucket:int = level.firstBucket; bucket < level.endBucket; bucket++)
                 {
-                    found = collect(bucket, found);
+                    found = collectBucket(bucket, found);
                 }
                 return found;
             }
@@ -195,13 +195,13 @@ package starlogo.broadphase
             {
                 return 0;
             }
-            var lastColumn:int = level.cellsAlong(x + distance);
-            var lastLine:int = level.cellsAlong(y + distance);
-            for (var line:int = level.cellsAlong(y - distance); line <= lastLine; line++)
+            var lastColumn:int = level.cellIndexAt(x + distance);
+            var lastLine:int = level.cellIndexAt(y + distance);
+            for (var line:int = level.cellIndexAt(y - distance); line <= lastLine; line++)
             {
-                for (var column:int = level.cellsAlong(x - distance); column <= lastColumn; column++)
+                for (var column:int = level.cellIndexAt(x - distance); column <= lastColumn; column++)
                 {
-                    found = keepOfCell(level, column, line, found, collect(level.bucketOf(column, line), found));
+                    found = keepOfCell(level, column, line, found, collectBucket(level.bucketOf(column, line), found));
                 }
             }
             return found;
@@ -216,7 +216,7 @@ package starlogo.broadphase
         }
 
         // Adds the rows of a bucket to _near. Returns their number with the ones before.
-        private function collect(bucket:int, found:int):int
+        private function collectBucket(bucket:int, found:int):int
         {
             for (var row:int = _heads[bucket]; row != NONE; row = _next[row])
             {
@@ -233,7 +233,7 @@ package starlogo.broadphase
             for (var i:int = first; i < end; i++)
             {
                 var row:int = _near[i];
-                if (level.cellsAlong(_extents.x[row]) == column && level.cellsAlong(_extents.y[row]) == line)
+                if (level.cellIndexAt(_extents.x[row]) == column && level.cellIndexAt(_extents.y[row]) == line)
                 {
                     _near[kept] = row;
                     kept++;

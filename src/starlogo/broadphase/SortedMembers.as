@@ -81,7 +81,7 @@ package starlogo.broadphase
             {
                 if (byWidth[i].count > 0)
                 {
-                    bucketCount = byWidth[i].layOut(bucketCount);
+                    bucketCount = byWidth[i].takeBuckets(bucketCount);
                 }
             }
             if (bucketCount > _counts.length)

@@ -34,14 +34,12 @@ package starlogo.handlers
         // The indices of the objects for later touches.
         private var _free:IntList = new IntList();
 
-        // The pairs of the frame, and by pair: the index of its touch, or NONE. The number of the search that has found them if each pair has got its
-        // touch, or else NONE.
+        // The pairs of the frame. By pair: the index of its touch, or NONE; and the same of the frame before, if its pairs are kept. The number of
+        // the search that has found the pairs, or NONE if not each pair has got its touch.
         private var _pairs:FoundPairs = null;
         private var _touches:Vector.<int> = new Vector.<int>();
+        private var _touchesBefore:Vector.<int> = new Vector.<int>();
         private var _search:int = NONE;
-
-        // The indices of the touches of pairs that the frame has dropped.
-        private var _dropped:IntList = new IntList();
 
         // The number of touches that ever began.
         private var _startedCount:Number = 0;
@@ -80,7 +78,7 @@ package starlogo.handlers
             }
             else
             {
-                compareSome(compared, table);
+                compareSome(table);
             }
             _ended.sortFirst(_ended.count);
         }
@@ -181,18 +179,22 @@ package starlogo.handlers
             }
         }
 
-        private function compareSome(added:IntList, table:HandlerTable):void
+        private function compareSome(table:HandlerTable):void
         {
-            dropTouches();
-            makeRoom();
+            var added:IntList = _pairs.added;
             moveTouches();
             for (var i:int = 0; i < added.count; i++)
             {
                 continueTouch(added.numbers[i], table);
             }
-            for (i = 0; i < _dropped.count; i++)
+            var dropped:IntList = _pairs.dropped;
+            for (i = 0; i < dropped.count; i++)
             {
-                endUnlessContinued(_all[_dropped.numbers[i]]);
+                var index:int = _touchesBefore[dropped.numbers[i]];
+                if (index != NONE)
+                {
+                    endUnlessContinued(_all[index]);
+                }
             }
         }
 
@@ -205,44 +207,31 @@ package starlogo.handlers
             }
         }
 
-        // Takes the touches of dropped pairs out of the column, and lists them.
-        private function dropTouches():void
-        {
-            var dropped:IntList = _pairs.dropped;
-            var countBefore:int = _pairs.count - _pairs.added.count + dropped.count;
-            var touches:Vector.<int> = _touches;
-            var next:int = 0;
-            var kept:int = 0;
-            _dropped.count = 0;
-            for (var pair:int = 0; pair < countBefore; pair++)
-            {
-                if (next == dropped.count || dropped.numbers[next] != pair)
-                {
-                    touches[kept] = touches[pair];
-                    kept++;
-                    continue;
-                }
-                next++;
-                if (touches[pair] != NONE)
-                {
-                    _dropped.add(touches[pair]);
-                }
-            }
-        }
-
-        // Moves the touches of kept pairs to where their pairs are now. The places of added pairs are between them.
+        // Copies the touches of kept pairs to where their pairs are now.
         private function moveTouches():void
         {
             var added:IntList = _pairs.added;
-            var touches:Vector.<int> = _touches;
-            var pair:int = _pairs.count - 1;
-            for (var i:int = added.count - 1; i >= 0; i--)
+            var dropped:IntList = _pairs.dropped;
+            var from:Vector.<int> = _touches;
+            _touches = _touchesBefore;
+            _touchesBefore = from;
+            makeRoom();
+            var nextAdded:int = 0;
+            var nextDropped:int = 0;
+            var before:int = 0;
+            for (var pair:int = 0; pair < _pairs.count; pair++)
             {
-                for (; pair > added.numbers[i]; pair--)
+                if (nextAdded < added.count && added.numbers[nextAdded] == pair)
                 {
-                    touches[pair] = touches[int(pair - i - 1)];
+                    nextAdded++;
+                    continue;
                 }
-                pair--;
+                for (; nextDropped < dropped.count && dropped.numbers[nextDropped] == before; nextDropped++)
+                {
+                    before++;
+                }
+                _touches[pair] = from[before];
+                before++;
             }
         }
 

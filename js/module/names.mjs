@@ -19,7 +19,7 @@ export const EXTERNALS = {
 	"starlogo.data.textOf": "$named",
 	"starlogo.data.warn": "$warn",
 	"starlogo.agents.warnOfBreeds": "$warnOfBreeds",
-	"starlogo.agents.warnOfInside": "$warnOfInside",
+	"starlogo.queries.motion.warnOfInside": "$warnOfInside",
 	"starlogo.data.warnOfUnknownProperties": "$warnOfUnknownProperties",
 	"starlogo.handlers.mayTakeContact": "mayTakeContact",
 	"starlogo.handlers.requireParameters": "$warnOfHandler",

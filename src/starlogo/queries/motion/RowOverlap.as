@@ -1,7 +1,6 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
-    import starlogo.agents.warnOfInside;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;

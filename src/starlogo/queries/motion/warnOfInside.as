@@ -1,5 +1,6 @@
-package starlogo.agents
+package starlogo.queries.motion
 {
+    import starlogo.agents.Agent;
     import starlogo.geometry.Placement;
 
     /**

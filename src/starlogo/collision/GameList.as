@@ -29,17 +29,18 @@ package starlogo.collision
         /** Whether both agents of a pair are in the list. The ground and the edges of the world always are. */
         public function hasBoth(pairs:FoundPairs, pair:int):Boolean
         {
-            return findRow(pairs.list, pairs.rows[2 * pair]) && findRow(pairs.list, pairs.rows[2 * pair + 1]);
+            return has(pairs.list, pairs.rows[2 * pair]) && has(pairs.list, pairs.rows[2 * pair + 1]);
         }
 
-        // Finds the agent of a row, and notes where it is. Once it was missing, it stays away for the rest of the frame. When agents are removed,
-        // others move towards the start of the list, so an agent is looked for there first.
-        private function findRow(list:ListedAgents, row:int):Boolean
+        private function has(list:ListedAgents, row:int):Boolean
         {
-            if (row < ListedAgents.FIRST_LISTED)
-            {
-                return true;
-            }
+            return row < ListedAgents.FIRST_LISTED || findIndex(list, row) >= 0;
+        }
+
+        // Finds the index of a row's agent, and notes it. Once the agent was missing, it stays away for the rest of the frame. When agents are removed,
+        // others move towards the start of the list, so an agent is looked for there first.
+        private function findIndex(list:ListedAgents, row:int):int
+        {
             var agent:Agent = list.agents[row];
             var index:int = _isUnchanged ? list.ranks[row] : _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
@@ -52,7 +53,7 @@ package starlogo.collision
                 }
                 _indices[row] = index;
             }
-            return index >= 0;
+            return index;
         }
 
         private function copyRanks(ranks:Vector.<int>):void

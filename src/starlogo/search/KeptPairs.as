@@ -63,12 +63,12 @@ package starlogo.search
          */
         public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, limits:TreeLimits, levels:BinLevels, pairs:FoundPairs)
         {
-            _limits = limits;
-            _pairs = pairs;
             _table = table;
             _finder = finder;
             _motions = motions;
+            _limits = limits;
             _cells = new CellLists(levels);
+            _pairs = pairs;
         }
 
         /** The number of members of the search whose pairs are kept. */

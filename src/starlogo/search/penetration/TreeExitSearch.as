@@ -35,9 +35,9 @@ package starlogo.search.penetration
         public function TreeExitSearch(pair:DisplacedPair, leaves:DisplacedPair, limits:TreeLimits)
         {
             super(pair);
-            _limits = limits;
             _pair = pair;
             _leaves = leaves;
+            _limits = limits;
             _directions = new DirectionSearch(pair);
             _directionsOfLeaves = new DirectionSearch(leaves);
             _pushOut = new PushOut(pair, _directions);

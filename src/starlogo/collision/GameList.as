@@ -26,15 +26,11 @@ package starlogo.collision
             _agents = null;
         }
 
-        /** Whether both agents of a pair are in the list. The ground and the edges of the world always are. */
+        /** Whether both agents of a pair are in the list. The ground and the edges of the world always are; they come second in a pair. */
         public function hasBoth(pairs:FoundPairs, pair:int):Boolean
         {
-            return has(pairs.list, pairs.rows[2 * pair]) && has(pairs.list, pairs.rows[2 * pair + 1]);
-        }
-
-        private function has(list:ListedAgents, row:int):Boolean
-        {
-            return row < ListedAgents.FIRST_LISTED || findIndex(list, row) >= 0;
+            var second:int = pairs.rows[2 * pair + 1];
+            return findIndex(pairs.list, pairs.rows[2 * pair]) >= 0 && (second < ListedAgents.FIRST_LISTED || findIndex(pairs.list, second) >= 0);
         }
 
         // Finds the index of a row's agent, and notes it. Once the agent was missing, it stays away for the rest of the frame. When agents are removed,

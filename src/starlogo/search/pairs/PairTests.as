@@ -1,3 +1,6 @@
+// This folder tests two bodies, by a class for each kind of pairs, all with the same methods: SpherePairTests, StructurePairTests and TreePairTests
+// for agents, GroundPairTests and EdgePairTests for an agent and the ground or the edges of the world. SupportSearch finds how far a body reaches.
+// Read this file first, then StructurePairTests, the shortest one.
 package starlogo.search.pairs
 {
     import flash.errors.IllegalOperationError;

@@ -16,9 +16,9 @@ package starlogo.solid
      * and their inside are prepared when they are first needed, or when the model is loaded. For the engine.
      *
      * <p>The package solid says how two models meet if trees, or for exact tests triangles, decide: whether they overlap, when they first touch,
-     * how far they are apart. A <i>Query</i> answers one of these questions: it chooses a Search or a Traversal of the package hierarchy, and the
+     * how far they are apart. A TreePair answers: TwoTrees by the Traversals of the package hierarchy, TreeAndStructure by its Searches, with the
      * <i>Visitor</i> that decides. A Triangle visitor decides by the triangles of a node, the TrianglePairVisitor by those of two nodes. A
-     * <i>Finder</i> computes a property of a surface in steps. Read this class first, then TreePair and TreeOverlapQuery, then
+     * <i>Finder</i> computes a property of a surface in steps. Read this class first, then TreePair and TwoTrees, then
      * TrianglePairVisitor, then Interior with its WindingCounter, which knows what is inside of a surface.</p>
      *
      * @private

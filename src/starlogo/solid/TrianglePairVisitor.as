@@ -72,16 +72,16 @@ package starlogo.solid
          * @param motion of the second model in the first model's space; RelativeMotion.NONE if it stands
          * @return this
          */
-        public function begin(pair:TreePair, motion:RelativeMotion):NodePairVisitor
+        public function begin(pair:TwoTrees, motion:RelativeMotion):NodePairVisitor
         {
-            _placement = pair.trees.pose.placement;
+            _placement = pair.pose.placement;
             _firstMesh = pair.a.prepareMesh();
             _secondMesh = pair.b.prepareMesh();
             _firstMesh.prepareExtents();
             _motion.copyVector(motion);
             _motion.latest = _latest = motion.latest;
             _movedFrom = -1;
-            _tolerance = pair.trees.pose.tolerance + Touching.marginOfSurface(pair.trees.a.radius + pair.trees.b.radius * _placement.size);
+            _tolerance = pair.pose.tolerance + Touching.marginOfSurface(pair.trees.a.radius + pair.trees.b.radius * _placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             return this;
         }

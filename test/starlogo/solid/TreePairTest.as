@@ -31,14 +31,14 @@ package starlogo.solid
     use namespace engine;
 
     /** Depths of all combinations find no more the deeper they are; nothing overflows, whatever the sizes. */
-    public class TreeOverlapQueryTest
+    public class TreePairTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
         private static var sHierarchies:Object = {};
 
-        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(new TreeCounts());
-        private var _pair:TreePair = new TreePair();
+        private var _trees:TwoTrees = new TwoTrees(new TreeCounts());
+        private var _treeAndStructure:TreeAndStructure = new TreeAndStructure(new TreeCounts());
 
         [Test]
         public function specksBesideGiants():void
@@ -74,41 +74,39 @@ package starlogo.solid
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
                     tested++;
-                    _pair.setTrees(cube, stands, int.MAX_VALUE, cube, beside, int.MAX_VALUE, true);
-                    assertTrue("standing " + between, _overlaps.areOverlapping(_pair));
+                    assertTrue("standing " + between, _trees.setTo(cube, stands, int.MAX_VALUE, cube, beside, int.MAX_VALUE, true).areOverlapping());
                 }
             }
             assertTrue("tested " + tested, tested > 3);
         }
 
-        /** The query remembers the last triangle that it found, which a smaller model does not have. */
+        /** The pair remembers the last triangle that it found, which a smaller model does not have. */
         [Test]
         public function theCommonPointIsNotOfATriangleOfThePairBefore():void
         {
             var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
             var stands:Placement = new Placement();
-            var pair:TreePair = new TreePair();
+            var pair:TreeAndStructure = _treeAndStructure;
             var out:ClosestPoints = new ClosestPoints();
-            var containment:TreeContainmentQuery = new TreeContainmentQuery();
             for (var at:int = bear.prepareCorners().length - 9; at > cube.prepareCorners().length; at -= 900)
             {
                 var sphere:Sphere = new Sphere(new Vector3D(bear.prepareCorners()[at], bear.prepareCorners()[at + 1], bear.prepareCorners()[at + 2]), 1e-6);
-                pair.setTreeAndStructure(bear, stands, int.MAX_VALUE, sphere, stands, true);
-                assertTrue(_overlaps.areOverlapping(pair));
-                containment.findInside(pair, out);
+                pair.setTo(bear, stands, int.MAX_VALUE, sphere, stands, true);
+                assertTrue(pair.areOverlapping());
+                pair.findInside(out);
                 out.aX = 7;
-                pair.setTreeAndStructure(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, true);
+                pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, true);
                 pair.relate();
-                containment.findInside(pair, out);
+                pair.findInside(out);
                 assertEquals(7, out.aX);
             }
             // nor is it where the pair before stood
             var moved:Placement = new Placement();
             moved.x = 5;
-            pair.setTreeAndStructure(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, true);
+            pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, true);
             pair.relate();
-            assertTrue(containment.findInside(pair, out));
+            assertTrue(pair.findInside(out));
             assertEquals(0, out.aX);
         }
 
@@ -255,14 +253,12 @@ package starlogo.solid
         private function treesOverlap(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int,
                 exact:Boolean):Boolean
         {
-            _pair.setTrees(a, placementA, depthA, b, placementB, depthB, exact);
-            return _overlaps.areOverlapping(_pair);
+            return _trees.setTo(a, placementA, depthA, b, placementB, depthB, exact).areOverlapping();
         }
 
         private function structureOverlaps(a:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
         {
-            _pair.setTreeAndStructure(a, placementA, depth, structure, placementB, false);
-            return _overlaps.areOverlapping(_pair);
+            return _treeAndStructure.setTo(a, placementA, depth, structure, placementB, false).areOverlapping();
         }
 
         // About the middle of a model of size 1.

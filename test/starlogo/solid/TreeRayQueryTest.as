@@ -8,7 +8,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.BoxSearch;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.rayStructure;
@@ -56,7 +55,7 @@ package starlogo.solid
             var hierarchy:ModelTree = hierarchyOf(model);
             var mesh:TriangleMesh = hierarchy.prepareMesh();
             var triangles:TriangleRayVisitor = new TriangleRayVisitor();
-            var boxes:BoxSearch = new BoxSearch();
+            var hit:RayEntry = new RayEntry();
             var ray:Ray = new Ray();
             var origin:Vector3D = new Vector3D();
             var inside:Vector3D = pointInside(hierarchy);
@@ -90,12 +89,11 @@ package starlogo.solid
                 isFromInside &&= i % 5 != 1 && i % 5 != 3;
                 var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
                 ray.aim(origin, direction);
-                triangles.begin(ray, mesh.corners, 1);
-                boxes.setRay(ray);
-                boxes.find(mesh.tree, int.MAX_VALUE, triangles);
-                if (!(triangles.slot >= 0 && triangles.distance <= direction.length + 1e-12))
+                hit.distance = NaN;
+                triangles.findHit(hierarchy, ray, hit);
+                if (!(hit.distance <= direction.length + 1e-12))
                 {
-                    assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + triangles.distance, false);
+                    assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + hit.distance, false);
                 }
             }
         }

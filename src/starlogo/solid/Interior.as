@@ -1,9 +1,11 @@
 package starlogo.solid
 {
+    import flash.geom.Vector3D;
+
     /** What is inside of the surface that a model's triangles make: the surface's parts, and what counts its windings. An InteriorBuilder makes it. */
     internal final class Interior
     {
-        /** Says whether a point is inside. */
+        /** Counts how often the surface winds around a point. */
         public var windingCounter:WindingCounter;
 
         /** Whether at least one shell of the surface is closed, so that it has an inside. */
@@ -28,6 +30,12 @@ package starlogo.solid
             hasClosedShell = windingCounter.surface.hasClosedShell;
             partPoints = parts.points;
             leastPartExtent = parts.leastExtent;
+        }
+
+        /** Whether a point is inside. The point must not be on the surface. */
+        public function isInside(point:Vector3D):Boolean
+        {
+            return hasClosedShell && windingCounter.isInside(point);
         }
     }
 }

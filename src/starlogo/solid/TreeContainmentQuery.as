@@ -47,8 +47,8 @@ package starlogo.solid
             {
                 return null;
             }
-            var insideA:Interior = pair.a.prepareInterior();
-            var insideB:Interior = pair.b.prepareInterior();
+            var insideA:Interior = pair.a.interior;
+            var insideB:Interior = pair.b.interior;
             var treeA:BoxTree = pair.a.boxTree;
             var treeB:BoxTree = pair.b.boxTree;
             var pose:Placement = pair.pose.placement;
@@ -77,7 +77,7 @@ package starlogo.solid
                 {
                     at += 3;
                 }
-                if (at == end && outer.windingCounter.isInside(_point))
+                if (at == end && outer.isInside(_point))
                 {
                     return true;
                 }

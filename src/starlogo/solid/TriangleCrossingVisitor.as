@@ -27,7 +27,7 @@ package starlogo.solid
          */
         public function addCrossings(model:ModelTree, ray:Ray, out:RayCrossings):void
         {
-            _mesh = model.prepareMesh();
+            _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _all = out;
             limit = ray.to;

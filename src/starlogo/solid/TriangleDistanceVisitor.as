@@ -47,7 +47,7 @@ package starlogo.solid
          */
         public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
-            _mesh = model.prepareMesh();
+            _mesh = model.mesh;
             _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
             _nearest = out;
             _slot = -1;

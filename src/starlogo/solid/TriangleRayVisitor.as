@@ -29,7 +29,7 @@ package starlogo.solid
          */
         public function findHit(model:ModelTree, ray:Ray, out:RayEntry):Boolean
         {
-            _mesh = model.prepareMesh();
+            _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _first.slot = -1;
             limit = ray.to;

@@ -78,7 +78,7 @@ package starlogo.solid
 
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            _mesh = model.prepareMesh();
+            _mesh = model.mesh;
             _motion = motion;
             _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
             _kernel.shape.margin += pose.tolerance + Touching.marginOfSurface(model.boxTree.radius);

@@ -58,11 +58,11 @@ package starlogo.solid
         public function trianglesTouchAcrossTheWholeGap():void
         {
             var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
-            var half:Number = Math.abs(cube.prepareCorners()[0]);
+            var half:Number = Math.abs(cube.mesh.corners[0]);
             var stands:Placement = new Placement();
             var beside:Placement = new Placement();
             var triangle:ConvexShape = new ConvexShape();
-            triangle.setTriangle(cube.prepareCorners(), 0);
+            triangle.setTriangle(cube.mesh.corners, 0);
             var tested:int = 0;
             for (var step:int = 0; step < 800; step++)
             {
@@ -89,9 +89,9 @@ package starlogo.solid
             var stands:Placement = new Placement();
             var pair:TreeAndStructure = _treeAndStructure;
             var out:ClosestPoints = new ClosestPoints();
-            for (var at:int = bear.prepareCorners().length - 9; at > cube.prepareCorners().length; at -= 900)
+            for (var at:int = bear.mesh.corners.length - 9; at > cube.mesh.corners.length; at -= 900)
             {
-                var sphere:Sphere = new Sphere(new Vector3D(bear.prepareCorners()[at], bear.prepareCorners()[at + 1], bear.prepareCorners()[at + 2]), 1e-6);
+                var sphere:Sphere = new Sphere(new Vector3D(bear.mesh.corners[at], bear.mesh.corners[at + 1], bear.mesh.corners[at + 2]), 1e-6);
                 pair.setTo(bear, stands, int.MAX_VALUE, sphere, stands, true);
                 assertTrue(pair.areOverlapping());
                 pair.findInside(out);
@@ -147,7 +147,7 @@ package starlogo.solid
             var stands:Placement = new Placement();
             assertTrue("one node each", a.root.isLeaf && b.root.isLeaf);
             assertFalse("apart", treesOverlap(a, stands, 1, b, placed(0.5, 2, 0, 0), 1, true));
-            assertFalse("no inside", a.hasInterior || b.hasInterior);
+            assertFalse("no inside", a.isExactPrepared || b.isExactPrepared);
             assertTrue("one in the other", treesOverlap(a, stands, 1, b, placed(0.1, 0, 0, 0.1), 1, true));
             assertTrue("the other way round", treesOverlap(b, placed(0.1, 0, 0, 0.1), 1, a, stands, 1, true));
             assertFalse("in a corner of the box", treesOverlap(a, stands, 1, b, placed(0.1, 0.3, 0.3, 0.8), 1, true));

@@ -39,7 +39,7 @@ package starlogo.solid
         {
             var closed:Array = models().filter(function(model:Model, ...rest):Boolean
                 {
-                    return hierarchyOf(model).prepareInterior().hasClosedShell;
+                    return hierarchyOf(model).interior.hasClosedShell;
                 });
             assertTrue("closed ones: " + closed.length, closed.length > 5);
             var count:int = Effort.choose(20000, 1000000) / closed.length + 1;
@@ -53,7 +53,7 @@ package starlogo.solid
         private function castThroughEdges(model:Model, count:int):void
         {
             var hierarchy:ModelTree = hierarchyOf(model);
-            var mesh:TriangleMesh = hierarchy.prepareMesh();
+            var mesh:TriangleMesh = hierarchy.mesh;
             var triangles:TriangleRayVisitor = new TriangleRayVisitor();
             var hit:RayEntry = new RayEntry();
             var ray:Ray = new Ray();
@@ -281,7 +281,7 @@ package starlogo.solid
             {
                 point.setTo(box[0] + box[3] * _random.between(-1, 1), box[1] + box[4] * _random.between(-1, 1), box[2] + box[5] * _random.between(-1, 1));
             }
-            while (!hierarchy.prepareInterior().windingCounter.isInside(point));
+            while (!hierarchy.interior.isInside(point));
             return point;
         }
 

@@ -5,6 +5,11 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.solid.interior.Interior;
+    import starlogo.solid.interior.InteriorBuilder;
+    import starlogo.solid.interior.OpenSideVisitor;
+    import starlogo.solid.interior.SurfaceTopology;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -17,9 +22,8 @@ package starlogo.solid
      *
      * <p>The package solid says how two models meet if trees, or for exact tests triangles, decide: whether they overlap, when they first touch,
      * how far they are apart. A TreePair answers: TwoTrees by the Traversals of the package hierarchy, TreeAndStructure by its Searches, with the
-     * <i>Visitor</i> that decides. A Triangle visitor decides by the triangles of a node, the TrianglePairVisitor by those of two nodes. A
-     * <i>Finder</i> computes a property of a surface in steps. Read this class first, then TreePair and TwoTrees, then
-     * TrianglePairVisitor, then Interior with its WindingCounter, which knows what is inside of a surface.</p>
+     * <i>Visitor</i> that decides. A Triangle visitor decides by the triangles of a node, the TrianglePairVisitor by those of two nodes.
+     * The package solid.interior knows what is inside of a surface. Read this class first, then TreePair and TwoTrees, then TrianglePairVisitor.</p>
      *
      * @private
      */

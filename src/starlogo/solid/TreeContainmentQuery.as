@@ -5,6 +5,8 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.solid.interior.Interior;
+    import starlogo.solid.interior.OutermostPoints;
 
     use namespace engine;
 

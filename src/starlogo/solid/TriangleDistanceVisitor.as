@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
 
     use namespace engine;

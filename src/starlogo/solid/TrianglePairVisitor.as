@@ -13,6 +13,7 @@ package starlogo.solid
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairVisitor;
     import starlogo.hierarchy.TreeCounts;
+    import starlogo.hierarchy.TriangleMesh;
 
     use namespace engine;
 

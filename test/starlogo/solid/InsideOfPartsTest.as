@@ -9,6 +9,7 @@ package starlogo.solid
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.solid.interior.Interior;
     import support.SolidModels;
 
     use namespace engine;

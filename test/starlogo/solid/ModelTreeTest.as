@@ -10,6 +10,7 @@ package starlogo.solid
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import starlogo.solid.interior.OutermostPoints;
     import support.Fixtures;
     import support.SolidAngles;
     import support.SolidModels;

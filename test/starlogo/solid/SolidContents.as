@@ -3,6 +3,10 @@ package starlogo.solid
     import starlogo.GreatLand;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.solid.interior.Interior;
+    import starlogo.solid.interior.SurfaceTopology;
+    import starlogo.solid.interior.WindingCounter;
 
     use namespace engine;
 

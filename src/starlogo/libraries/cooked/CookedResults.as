@@ -16,7 +16,7 @@ package starlogo.libraries.cooked
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.Model;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.SurfaceTopology;
+    import starlogo.solid.interior.SurfaceTopology;
 
     use namespace engine;
 

@@ -1,7 +1,5 @@
-package starlogo.solid
+package starlogo.hierarchy
 {
-    import starlogo.hierarchy.BoxTree;
-
     /** A model's triangles, for exact tests: their corners and extents by slot, which is the order of the tree. @private */
     public final class TriangleMesh
     {

@@ -1,9 +1,19 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     import flash.geom.Vector3D;
 
-    /** What is inside of the surface that a model's triangles make: the surface's parts, and what counts its windings. An InteriorBuilder makes it. */
-    internal final class Interior
+    /**
+     * What is inside of the surface that a model's triangles make: the surface's parts, and what counts its windings. An InteriorBuilder makes it.
+     *
+     * <p>The package solid.interior says which points are inside of a model whose triangles come from a file: with seams, holes, shells that overlap
+     * and cavities. Engines whose meshes are hollow need none of it. A <i>shell</i> is connected over edges, a <i>part</i> over vertices or because its
+     * shells overlap. The SurfaceBuilder finds the SurfaceTopology in steps: Welding finds equal vertices, the EdgeMatcher pairs triangles at edges,
+     * the ShellFinder follows them, the CavityFinder decides which shells bound cavities. Read this class first, then WindingCounter, then
+     * SurfaceTopology and SurfaceBuilder.</p>
+     *
+     * @private
+     */
+    public final class Interior
     {
         /** Counts how often the surface winds around a point. */
         public var windingCounter:WindingCounter;

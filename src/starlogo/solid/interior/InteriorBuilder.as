@@ -1,14 +1,17 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
      * Prepares a model for exact tests, in steps: the corners of its triangles by slot; which vertices are at the same place; the surface that the
      * triangles make; the outermost points of its parts. What is known already is not found again. A SurfaceBuilder takes most of the time.
+     *
+     * @private
      */
-    internal final class InteriorBuilder extends StepSequence
+    public final class InteriorBuilder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 

@@ -91,8 +91,9 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function containInPose():Boolean
+        override public function isOneInside():Boolean
         {
+            relate();
             return findInside(null);
         }
 

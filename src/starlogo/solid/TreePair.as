@@ -44,10 +44,9 @@ package starlogo.solid
         }
 
         /** Whether one of the two, whose surfaces do not touch where they stand, is inside of the other. */
-        public final function isOneInside():Boolean
+        public function isOneInside():Boolean
         {
-            relate();
-            return containInPose();
+            throw new IllegalOperationError(this + " does not implement isOneInside");
         }
 
         /**
@@ -91,12 +90,6 @@ package starlogo.solid
         internal function overlapInPose():Boolean
         {
             throw new IllegalOperationError(this + " does not implement overlapInPose");
-        }
-
-        /** Whether one of the two, whose surfaces do not touch in their pose, is inside of the other. */
-        internal function containInPose():Boolean
-        {
-            throw new IllegalOperationError(this + " does not implement containInPose");
         }
 
         /**

@@ -88,10 +88,10 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function containInPose():Boolean
+        override public function isOneInside():Boolean
         {
             // only the traversal knows whether the roots overlap
-            return overlapInPose();
+            return areOverlapping();
         }
 
         /** @inheritDoc */

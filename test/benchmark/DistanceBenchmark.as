@@ -12,9 +12,8 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.TreeDistanceQuery;
-    import starlogo.solid.TreeOverlapQuery;
-    import starlogo.solid.TreePair;
+    import starlogo.solid.TreeAndStructure;
+    import starlogo.solid.TwoTrees;
     import support.Fixtures;
 
     use namespace engine;
@@ -33,10 +32,9 @@ package benchmark
         private static const DEPTH:int = 5;
 
         private var _random:SeededRandom = new SeededRandom(2210);
-        private var _pair:TreePair = new TreePair();
         private var _counts:TreeCounts = new TreeCounts();
-        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(_counts);
-        private var _distances:TreeDistanceQuery = new TreeDistanceQuery(_counts);
+        private var _trees:TwoTrees = new TwoTrees(_counts);
+        private var _treeAndBox:TreeAndStructure = new TreeAndStructure(_counts);
         private var _closest:ClosestPoints = new ClosestPoints();
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _visits:Array = [];
@@ -67,8 +65,7 @@ package benchmark
             {
                 var a:Placement = place(spread);
                 var b:Placement = place(spread);
-                _pair.setTrees(tree, a, DEPTH, tree, b, DEPTH, false);
-                if (!_overlaps.areOverlapping(_pair))
+                if (!_trees.setTo(tree, a, DEPTH, tree, b, DEPTH, false).areOverlapping())
                 {
                     firsts.push(a);
                     seconds.push(b);
@@ -76,23 +73,19 @@ package benchmark
             }
             add(name + " at depth 5", function(i:int):void
                 {
-                    _pair.setTrees(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, false);
-                    _distances.findClosest(_pair, false, _closest);
+                    _trees.setTo(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, false).findClosest(false, _closest);
                 });
             add("  by triangles", function(i:int):void
                 {
-                    _pair.setTrees(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true);
-                    _distances.findClosest(_pair, false, _closest);
+                    _trees.setTo(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true).findClosest(false, _closest);
                 });
             add("  the other one a box", function(i:int):void
                 {
-                    _pair.setTreeAndStructure(tree, firsts[i], DEPTH, tree.root.bounds, seconds[i], false);
-                    _distances.findClosest(_pair, false, _closest);
+                    _treeAndBox.setTo(tree, firsts[i], DEPTH, tree.root.bounds, seconds[i], false).findClosest(false, _closest);
                 });
             add("  whether they touch, by triangles", function(i:int):void
                 {
-                    _pair.setTrees(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true);
-                    _overlaps.areOverlapping(_pair);
+                    _trees.setTo(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true).areOverlapping();
                 });
         }
 

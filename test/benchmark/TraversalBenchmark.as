@@ -18,9 +18,9 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.ModelTree;
+    import starlogo.solid.TreeAndStructure;
     import starlogo.solid.TreeImpactQuery;
-    import starlogo.solid.TreeOverlapQuery;
-    import starlogo.solid.TreePair;
+    import starlogo.solid.TwoTrees;
     import support.Fixtures;
 
     use namespace engine;
@@ -39,10 +39,10 @@ package benchmark
         private static const PAIRS:int = 400;
         private static const DEPTH:int = 5;
 
-        private var _pair:TreePair = new TreePair();
         private var _counts:TreeCounts = new TreeCounts();
-        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(_counts);
-        private var _impacts:TreeImpactQuery = new TreeImpactQuery(_pair, _overlaps, _counts);
+        private var _twoTrees:TwoTrees = new TwoTrees(_counts);
+        private var _treeAndStructure:TreeAndStructure = new TreeAndStructure(_counts);
+        private var _impacts:TreeImpactQuery = new TreeImpactQuery();
         private var _trees:PosedTrees = new PosedTrees();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _ball:ModelTree;
@@ -87,8 +87,7 @@ package benchmark
             var second:Vector.<Placement> = places(spread, size, isUpright);
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTrees(a, first[i], DEPTH, b, second[i], DEPTH, exact);
-                    var answer:Boolean = _overlaps.areOverlapping(_pair);
+                    var answer:Boolean = _twoTrees.setTo(a, first[i], DEPTH, b, second[i], DEPTH, exact).areOverlapping();
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -122,8 +121,7 @@ package benchmark
             var structures:Vector.<BoundingStructure> = randomStructures();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTreeAndStructure(a, first[i], DEPTH, structures[i], second[i], exact);
-                    var answer:Boolean = _overlaps.areOverlapping(_pair);
+                    var answer:Boolean = _treeAndStructure.setTo(a, first[i], DEPTH, structures[i], second[i], exact).areOverlapping();
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -139,7 +137,7 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTrees(a, first[i], DEPTH, b, second[i], DEPTH, exact);
+                    _impacts.setTo(_twoTrees.setTo(a, first[i], DEPTH, b, second[i], DEPTH, exact));
                     _impacts.findFirst(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
@@ -163,7 +161,7 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTreeAndStructure(a, first[i], DEPTH, structures[i], second[i], exact);
+                    _impacts.setTo(_treeAndStructure.setTo(a, first[i], DEPTH, structures[i], second[i], exact));
                     _impacts.findFirst(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)

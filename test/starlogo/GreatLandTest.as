@@ -157,7 +157,7 @@ package starlogo
 
         private function isPrepared(name:String):Boolean
         {
-            return _greatLand.hierarchies.treeOf(name).hasInterior;
+            return _greatLand.hierarchies.treeOf(name).isExactPrepared;
         }
     }
 }

@@ -6,7 +6,8 @@ package starlogo.ground
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
-    import starlogo.solid.TriangleRayVisitor;
+    import starlogo.intersection.ray.ShearedRay;
+    import starlogo.intersection.ray.TriangleCrossing;
 
     use namespace engine;
 
@@ -22,7 +23,8 @@ package starlogo.ground
 
         private var _search:GroundSearch = new GroundSearch();
         private var _triangles:GroundTriangles = new GroundTriangles();
-        private var _test:TriangleRayVisitor = new TriangleRayVisitor();
+        private var _sheared:ShearedRay = new ShearedRay();
+        private var _first:TriangleCrossing = new TriangleCrossing();
 
         // Bounds of all heights, and a size that no triangle between them has.
         private var _whole:HeightRange = new HeightRange();
@@ -47,16 +49,17 @@ package starlogo.ground
             {
                 return true;
             }
-            begin(grid, ray, null);
-            while (_triangles.next())
+            begin(grid, ray);
+            _first.slot = -1;
+            while (nextTriangle())
             {
-                if (testTriangle())
+                if (_sheared.findFirst(_triangles.triangle.corners, 0, 1, _first))
                 {
-                    _search.latest = _test.distance;
-                    _test.writeHit(out);
+                    _search.latest = _first.distance;
+                    _sheared.writeEntry(_triangles.triangle.corners, _first, -1, out);
                 }
             }
-            return _test.slot >= 0;
+            return _first.slot >= 0;
         }
 
         /**
@@ -71,19 +74,23 @@ package starlogo.ground
             {
                 out.addInside(ray);
             }
-            begin(grid, ray, out);
-            while (_triangles.next())
+            begin(grid, ray);
+            while (nextTriangle())
             {
-                testTriangle();
+                _sheared.addAll(_triangles.triangle.corners, 0, 1, null, out);
             }
         }
 
-        // Whether the ray meets the current triangle. If only the first one is wanted, whether it meets no other one before. The rounding error is
-        // relative to the triangle's size. Walls that are far longer than the ground is high are only long because the ray is.
-        private function testTriangle():Boolean
+        // Goes on to the next triangle. Returns false if there is none. The rounding error is relative to the triangle's size. Walls that are far longer
+        // than the ground is high are only long because the ray is.
+        private function nextTriangle():Boolean
         {
-            _test.setRadius(Math.min(_triangles.triangle.size, _largest));
-            return _test.testTriangles(0, 1);
+            if (!_triangles.next())
+            {
+                return false;
+            }
+            _sheared.setRadius(Math.min(_triangles.triangle.size, _largest));
+            return true;
         }
 
         private static function beginsInside(grid:HeightGrid, ray:Ray):Boolean
@@ -92,7 +99,7 @@ package starlogo.ground
         }
 
         // Begins to visit the triangles near a ray.
-        private function begin(grid:HeightGrid, ray:Ray, all:RayCrossings):void
+        private function begin(grid:HeightGrid, ray:Ray):void
         {
             _search.box.x = ray.x;
             _search.box.y = ray.y;
@@ -107,7 +114,7 @@ package starlogo.ground
             _search.latest = Math.min(ray.to, FARTHEST);
             grid.pyramid.findWhole(_whole);
             _largest = 3 * grid.cellWidth + _whole.greatest - _whole.least;
-            _test.begin(ray, _triangles.triangle.corners, _largest, all);
+            _sheared.setTo(ray, _largest);
         }
     }
 }

@@ -173,7 +173,7 @@ package starlogo.ground
                     return true;
                 }
             }
-            kernel.setShapeToTriangle(_tree.prepareCorners(), 9 * _first, _relative);
+            kernel.setShapeToTriangle(_tree.mesh.corners, 9 * _first, _relative);
             _first++;
             takeShape();
             return true;

@@ -142,7 +142,7 @@ package starlogo.libraries
             }
             if (stored.surface != null)
             {
-                modelTree.takeSurface(stored.surface);
+                modelTree.surface = stored.surface;
             }
         }
     }

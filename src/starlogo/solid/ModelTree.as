@@ -5,6 +5,11 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.solid.interior.Interior;
+    import starlogo.solid.interior.InteriorBuilder;
+    import starlogo.solid.interior.OpenSideVisitor;
+    import starlogo.solid.interior.SurfaceTopology;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -16,10 +21,9 @@ package starlogo.solid
      * and their inside are prepared when they are first needed, or when the model is loaded. For the engine.
      *
      * <p>The package solid says how two models meet if trees, or for exact tests triangles, decide: whether they overlap, when they first touch,
-     * how far they are apart. A <i>Query</i> answers one of these questions: it chooses a Search or a Traversal of the package hierarchy, and the
-     * <i>Visitor</i> that decides. A Triangle visitor decides by the triangles of a node, the TrianglePairVisitor by those of two nodes. A
-     * <i>Finder</i> computes a property of a surface in steps. Read this class first, then TreePair and TreeOverlapQuery, then
-     * TrianglePairVisitor, then Interior with its WindingCounter, which knows what is inside of a surface.</p>
+     * how far they are apart. A TreePair answers: TwoTrees by the Traversals of the package hierarchy, TreeAndStructure by its Searches, with the
+     * <i>Visitor</i> that decides. A Triangle visitor decides by the triangles of a node, the TrianglePairVisitor by those of two nodes.
+     * The package solid.interior knows what is inside of a surface. Read this class first, then TreePair and TwoTrees, then TrianglePairVisitor.</p>
      *
      * @private
      */
@@ -33,11 +37,9 @@ package starlogo.solid
         /** @private The root, as clients see it. */
         engine var root:HierarchyNode;
 
-        /** What is inside of the triangles; null before it is prepared. Then the mesh is prepared too. */
-        internal var interior:Interior = null;
-
-        /** The triangles; null before they are prepared. */
-        internal var mesh:TriangleMesh = null;
+        // Null before they are prepared: the triangles; what is inside of them, for which they are prepared too.
+        private var _mesh:TriangleMesh = null;
+        private var _interior:Interior = null;
 
         private var _surface:SurfaceTopology = null;
 
@@ -91,27 +93,16 @@ package starlogo.solid
             }
         }
 
+        // The work that prepares what is inside of the triangles.
         private function newInterior():Steps
         {
-            var builder:InteriorBuilder = new InteriorBuilder(boxTree, mesh, _surface);
+            var builder:InteriorBuilder = new InteriorBuilder(boxTree, _mesh, _surface);
             return new StepSequence().add(builder).call(function():void
                 {
-                    interior = builder.interior;
-                    mesh = interior.windingCounter.mesh;
-                    _surface = interior.windingCounter.surface;
+                    _interior = builder.interior;
+                    _mesh = builder.mesh;
+                    _surface = builder.surface;
                 });
-        }
-
-        /** @private The surface that the triangles make; null before it is known. */
-        engine function get surface():SurfaceTopology
-        {
-            return _surface;
-        }
-
-        /** @private Takes a surface of these triangles that was stored, or null, so that it need not be found. */
-        engine function takeSurface(stored:SurfaceTopology):void
-        {
-            _surface = stored;
         }
 
         /** @private Whether the tree is one of triangles; otherwise it is one of vertices. */
@@ -120,26 +111,52 @@ package starlogo.solid
             return boxTree.hasTriangles;
         }
 
-        /** Returns what is inside of the triangles. If it is not prepared, prepares it, which is slow. Only for models with triangles. */
-        internal function prepareInterior():Interior
+        /** @private Prepares all that exact tests need, if it is not prepared yet: the triangles and what is inside of them, which is slow. */
+        engine function prepareExact():void
         {
-            prepareExact();
-            return interior;
+            if (_interior == null && hasTriangles)
+            {
+                finish(newInterior());
+            }
         }
 
-        /** Returns the triangles. If they are not prepared, prepares them, which is faster than preparing what is inside of them. */
-        internal function prepareMesh():TriangleMesh
+        /** @private Whether all that exact tests need is prepared. */
+        engine function get isExactPrepared():Boolean
         {
-            if (mesh == null)
+            return _interior != null;
+        }
+
+        /** @private The triangles, for models that have some. If they are not prepared, prepares them alone. */
+        engine function get mesh():TriangleMesh
+        {
+            if (_mesh == null)
             {
-                mesh = new TriangleMesh(boxTree);
-                mesh.fillCorners(0, boxTree.items.length);
+                _mesh = new TriangleMesh(boxTree);
+                _mesh.fillCorners(0, boxTree.items.length);
             }
-            return mesh;
+            return _mesh;
+        }
+
+        /** What is inside of the triangles, for models that have some. If it is not prepared, prepares it. */
+        internal function get interior():Interior
+        {
+            prepareExact();
+            return _interior;
+        }
+
+        /** @private The surface that the triangles make; null before it is known. One that was stored may be set, so that it need not be found. */
+        engine function get surface():SurfaceTopology
+        {
+            return _surface;
+        }
+
+        engine function set surface(stored:SurfaceTopology):void
+        {
+            _surface = stored;
         }
 
         /**
-         * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if no piece of the surface is
+         * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if no shell of the surface is
          * closed. The inside is only prepared if the ball is in the box around the model and has no open side.
          */
         internal function isInside(middle:Vector3D, radius:Number):Boolean
@@ -147,29 +164,11 @@ package starlogo.solid
             var box:Vector.<Number> = boxTree.boxes;
             var isOutside:Boolean = !hasTriangles || Math.abs(middle.x - box[0]) > box[3] - radius || Math.abs(middle.y - box[1]) > box[4] - radius
                 || Math.abs(middle.z - box[2]) > box[5] - radius;
-            if (!isOutside && interior == null)
+            if (!isOutside && _interior == null)
             {
                 isOutside = OPEN_SIDES.hasOpenSide(middle, boxTree);
             }
-            return !isOutside && prepareInterior().hasClosedShell && interior.windingCounter.isInside(middle);
-        }
-
-        /**
-         * @private Returns the corners of the triangles by slot: nine numbers each. If they are not prepared, prepares them.
-         *     Only for models with triangles.
-         */
-        engine function prepareCorners():Vector.<Number>
-        {
-            return prepareMesh().corners;
-        }
-
-        /** @private Prepares all that exact tests need, if it is not prepared yet: the triangles and what is inside of them. */
-        engine function prepareExact():void
-        {
-            if (interior == null && hasTriangles)
-            {
-                finish(newInterior());
-            }
+            return !isOutside && interior.isInside(middle);
         }
 
         /**
@@ -179,22 +178,16 @@ package starlogo.solid
         engine function refit():void
         {
             _surface = null;
-            interior = null;
+            _interior = null;
             root = HierarchyNode.of(boxTree, 0);
             if (boxTree.isMade)
             {
                 boxTree.refit();
             }
-            if (mesh != null)
+            if (_mesh != null)
             {
-                mesh.refit();
+                _mesh.refit();
             }
-        }
-
-        /** @private Whether it is known what is inside of the triangles. */
-        engine function get hasInterior():Boolean
-        {
-            return interior != null;
         }
     }
 }

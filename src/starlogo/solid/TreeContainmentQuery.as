@@ -1,13 +1,12 @@
 package starlogo.solid
 {
     import flash.geom.Vector3D;
-    import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
-    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.solid.interior.Interior;
+    import starlogo.solid.interior.OutermostPoints;
 
     use namespace engine;
 
@@ -23,19 +22,18 @@ package starlogo.solid
         // A point of one model, in the space of the model that may be around it.
         private var _point:Vector3D = new Vector3D();
 
-        private var _shape:ConvexShape = new ConvexShape();
         private var _inverse:Placement = new Placement();
 
         /**
          * Finds a point of a part of one model that is inside of the other. There is none if a tree has no triangles. The surfaces must not touch, and
-         * the boxes of two roots must overlap: otherwise the insides would be prepared in vain.
+         * the boxes of the two roots must overlap.
          *
          * @param out receives the point twice, in the world, if there is one; null if only the answer is needed
          * @return whether there is one
          */
-        public function findInside(pair:TreePair, out:ClosestPoints):Boolean
+        public function findInside(pair:TwoTrees, out:ClosestPoints):Boolean
         {
-            var outer:Placement = pair.b == null ? (isStructureInside(pair) ? pair.placementA : null) : findOuter(pair);
+            var outer:Placement = findOuter(pair);
             if (outer != null && out != null)
             {
                 out.setPoint(_point);
@@ -44,29 +42,18 @@ package starlogo.solid
             return outer != null;
         }
 
-        // Whether the structure that stands for the second model is inside of the first one. It does not touch the surface, so one point of it decides.
-        private function isStructureInside(pair:TreePair):Boolean
-        {
-            var structure:BoundingStructure = pair.trees.pose.place(pair.structureB);
-            // The origin of its points is inside of it, and so is a ball around it.
-            structure.shapeInto(_shape);
-            _point.setTo(_shape.x, _shape.y, _shape.z);
-            var box:Box = structure as Box;
-            return pair.a.isInside(_point, box == null ? _shape.radius : Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
-        }
-
         // Returns the placement of the tree that has a part of the other one inside; null if none has.
-        private function findOuter(pair:TreePair):Placement
+        private function findOuter(pair:TwoTrees):Placement
         {
             if (!pair.a.hasTriangles || !pair.b.hasTriangles)
             {
                 return null;
             }
-            var insideA:Interior = pair.a.prepareInterior();
-            var insideB:Interior = pair.b.prepareInterior();
+            var insideA:Interior = pair.a.interior;
+            var insideB:Interior = pair.b.interior;
             var treeA:BoxTree = pair.a.boxTree;
             var treeB:BoxTree = pair.b.boxTree;
-            var pose:Placement = pair.trees.pose.placement;
+            var pose:Placement = pair.pose.placement;
             var size:Number = pose.size;
             if (insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose))
             {
@@ -92,7 +79,7 @@ package starlogo.solid
                 {
                     at += 3;
                 }
-                if (at == end && outer.windingCounter.isInside(_point))
+                if (at == end && outer.isInside(_point))
                 {
                     return true;
                 }

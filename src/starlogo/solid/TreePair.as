@@ -1,94 +1,130 @@
 package starlogo.solid
 {
-    import starlogo.bounding.BoundingStructure;
+    import flash.errors.IllegalOperationError;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.PosedTrees;
+    import starlogo.hierarchy.RelativePose;
 
     use namespace engine;
 
     /**
-     * Two placed models: two trees, or a tree and a structure. The queries of trees read it, and set the pose that they need.
+     * Two placed models, of which the first is a tree: whether they overlap, how far they are apart, and when their surfaces first touch. Abstract: the
+     * second one is a tree too (TwoTrees), or a structure stands for it (TreeAndStructure). Nothing is allocated once the stacks have grown and the
+     * models' triangles are prepared.
+     *
+     * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models transforms
+     * the second model into the first model's space, where all is decided.</p>
+     *
+     * <p>The answers are nested. Nodes and triangles cover only the surface. So if the surfaces do not touch, <code>findInside()</code> decides.</p>
      *
      * @private
      */
-    public final class TreePair
+    public class TreePair
     {
-        /** The first model: its tree, and its placement in the world. */
-        public var a:ModelTree = null;
+        /** The first model's placement in the world. */
         public var placementA:Placement = null;
 
-        /** The second model: its tree, or a structure in its space that stands for it. The other one is null. */
-        public var b:ModelTree = null;
-        public var structureB:BoundingStructure = null;
+        /** The second model's placement in the world. */
         public var placementB:Placement = null;
 
-        /** Whether triangles decide in place of depths. */
-        public var isExact:Boolean = false;
-
-        /** The trees for a traversal, and the second model's pose in the space of the first one. */
-        public var trees:PosedTrees = new PosedTrees();
+        /** The second model's pose in the space of the first one. */
+        public var pose:RelativePose = new RelativePose();
 
         // Where a motion has brought the first model.
         private var _movedA:Placement = new Placement();
 
-        /**
-         * Sets two trees.
-         *
-         * @param exact whether triangles decide in place of depths, if both trees have triangles
-         */
-        public function setTrees(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, exact:Boolean):void
+        /** Whether the two overlap where they stand. */
+        public final function areOverlapping():Boolean
         {
-            isExact = exact && a.hasTriangles && b.hasTriangles;
-            setFirst(a, placementA, depthA);
-            this.b = b;
-            this.placementB = placementB;
-            structureB = null;
-            trees.b = b.boxTree;
-            trees.depthB = isExact ? BoxTree.EXACT : depthB;
+            relate();
+            return overlapInPose();
+        }
+
+        /** Whether one of the two, whose surfaces do not touch where they stand, is inside of the other. */
+        public function isOneInside():Boolean
+        {
+            throw new IllegalOperationError(this + " does not implement isOneInside");
         }
 
         /**
-         * Sets a tree and a structure.
+         * Finds the distance and the closest points of the two where they stand.
          *
-         * @param exact whether triangles decide in place of the depth, if the tree has triangles. Then the two collide if a triangle touches the solid
-         *     structure, or if the structure is inside of the tree's closed surface
+         * @param areTouching whether the two overlap. If so, a point of both is found
+         * @param out receives the distance and the points, in the world
          */
-        public function setTreeAndStructure(a:ModelTree, placementA:Placement, depthA:int, structure:BoundingStructure, placementB:Placement,
-                exact:Boolean):void
+        public final function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            isExact = exact && a.hasTriangles;
-            setFirst(a, placementA, depthA);
-            b = null;
-            this.placementB = placementB;
-            structureB = structure;
-        }
-
-        private function setFirst(a:ModelTree, placementA:Placement, depthA:int):void
-        {
-            this.a = a;
-            this.placementA = placementA;
-            trees.a = a.boxTree;
-            trees.depthA = isExact ? BoxTree.EXACT : depthA;
+            relate();
+            measure(out);
+            out.distance *= placementA.size;
+            // a point of both is known already if the measured distance is 0
+            var isPointNeeded:Boolean = areTouching && out.distance > 0;
+            if (!isPointNeeded || !findInside(out))
+            {
+                out.correct(areTouching);
+                out.place(placementA);
+            }
         }
 
         /** Sets the pose to that where both models stand. */
-        internal function relate():void
+        internal final function relate():void
         {
-            trees.pose.relate(placementA, placementB);
+            pose.relate(placementA, placementB);
         }
 
         /** Sets the pose to that where a motion has brought the first model at a time. */
-        internal function relateAt(motion:RelativeMotion, time:Number):void
+        internal final function relateAt(motion:RelativeMotion, time:Number):void
         {
             var moved:Placement = _movedA;
             moved.copyFrom(placementA);
             moved.x += motion.startX + time * motion.x;
             moved.y += motion.startY + time * motion.y;
             moved.z += motion.startZ + time * motion.z;
-            trees.pose.relate(moved, placementB);
+            pose.relate(moved, placementB);
+        }
+
+        /** Whether the two overlap in their pose. */
+        internal function overlapInPose():Boolean
+        {
+            throw new IllegalOperationError(this + " does not implement overlapInPose");
+        }
+
+        /**
+         * Finds when the surfaces of the two first touch.
+         *
+         * @param motion of the second model in the first model's space, from the pose on; receives the time
+         * @param out receives the contact then, in the first model's space, with a normal from the first model to the second, and the number of the
+         *     first model's triangle if the second one is a structure; null if only the time is needed
+         */
+        internal function findTouch(motion:RelativeMotion, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findTouch");
+        }
+
+        /** Finds the contact of the first model's root with the second one's root, or with the structure. The parameters are those of <code>findTouch()</code>. */
+        internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findContactOfRoots");
+        }
+
+        /** Finds the distance and the closest points of the surfaces in their pose. The argument receives them, in the first model's space. */
+        internal function measure(out:ClosestPoints):void
+        {
+            throw new IllegalOperationError(this + " does not implement measure");
+        }
+
+        /**
+         * Finds a point of one of the two, whose surfaces do not touch in their pose, that is inside of the other.
+         *
+         * @param out receives the point twice, in the world, if there is one; null if only the answer is needed
+         * @return whether there is one
+         */
+        internal function findInside(out:ClosestPoints):Boolean
+        {
+            throw new IllegalOperationError(this + " does not implement findInside");
         }
     }
 }

@@ -2,9 +2,8 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
-    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.NodeCrossingVisitor;
     import starlogo.hierarchy.NodeRayVisitor;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
@@ -25,8 +24,9 @@ package starlogo.solid
     public final class TreeRayQuery
     {
         private var _nodes:NodeRayVisitor = new NodeRayVisitor();
-        private var _search:BoxSearch = new BoxSearch();
         private var _triangles:TriangleRayVisitor = new TriangleRayVisitor();
+        private var _nodeCrossings:NodeCrossingVisitor = new NodeCrossingVisitor();
+        private var _triangleCrossings:TriangleCrossingVisitor = new TriangleCrossingVisitor();
         private var _start:Vector3D = new Vector3D();
 
         /**
@@ -48,13 +48,7 @@ package starlogo.solid
             }
             if (exact && model.hasTriangles)
             {
-                searchTriangles(model, ray, null);
-                if (_triangles.slot < 0)
-                {
-                    return false;
-                }
-                _triangles.writeHit(out);
-                return true;
+                return _triangles.findHit(model, ray, out);
             }
             return _nodes.findHit(model.boxTree, exact ? BoxTree.EXACT : depth, ray, out);
         }
@@ -71,28 +65,19 @@ package starlogo.solid
             {
                 out.addInside(ray);
             }
-            if (!exact || !model.hasTriangles)
+            if (exact && model.hasTriangles)
             {
-                _nodes.findAll(model.boxTree, exact ? BoxTree.EXACT : depth, ray, Tolerances.ROUNDING * model.boxTree.radiusAboutOrigin, out);
-                return false;
+                _triangleCrossings.addCrossings(model, ray, out);
+                return true;
             }
-            searchTriangles(model, ray, out);
-            return true;
+            _nodeCrossings.addCrossings(model.boxTree, exact ? BoxTree.EXACT : depth, ray, out);
+            return false;
         }
 
         private function beginsInside(model:ModelTree, ray:Ray):Boolean
         {
             _start.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
             return model.isInside(_start, 0);
-        }
-
-        // Tests the triangles near a ray: finds the first that it meets, or adds all crossings.
-        private function searchTriangles(model:ModelTree, ray:Ray, all:RayCrossings):void
-        {
-            var mesh:TriangleMesh = model.prepareMesh();
-            _triangles.begin(ray, mesh.corners, model.boxTree.radiusAboutOrigin, all, model.boxTree.items);
-            _search.setRay(ray);
-            _search.find(mesh.tree, BoxTree.EXACT, _triangles);
         }
     }
 }

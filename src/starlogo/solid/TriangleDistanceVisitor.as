@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
@@ -47,7 +48,7 @@ package starlogo.solid
          */
         public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
-            _mesh = model.prepareMesh();
+            _mesh = model.mesh;
             _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
             _nearest = out;
             _slot = -1;

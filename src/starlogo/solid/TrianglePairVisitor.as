@@ -13,6 +13,7 @@ package starlogo.solid
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairVisitor;
     import starlogo.hierarchy.TreeCounts;
+    import starlogo.hierarchy.TriangleMesh;
 
     use namespace engine;
 
@@ -24,6 +25,7 @@ package starlogo.solid
     internal final class TrianglePairVisitor extends NodePairVisitor
     {
         private var _firstMesh:TriangleMesh = null;
+        private var _extentsOfFirst:Vector.<Number> = null;
         private var _secondMesh:TriangleMesh = null;
 
         // The second model's placement in the first model's space, and its motion, whose latest time is at most _latest.
@@ -34,13 +36,13 @@ package starlogo.solid
         // The slot of the first triangle of the second node, or -1 if no triangles are moved.
         private var _movedFrom:int = -1;
 
-        // The corners of the moved triangles, by their index in the node: nine numbers each. Their extents: minX, maxX, minY, maxY, minZ, maxZ of each.
+        // The corners of the moved triangles, by their index in the node: nine numbers each.
         private var _moved:Vector.<Number> = new Vector.<Number>();
-        private var _extents:Vector.<Number> = new Vector.<Number>();
 
-        // The current triangle of the second node: its index in the node, and the extents of it and its motion, with the tolerance of quick tests.
+        // The current triangle of the second node: its index in the node, and the extents of it and its motion, with the tolerance of quick tests:
+        // minX, maxX, minY, ...
         private var _index:int = 0;
-        private var _extentsOfSecond:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // A triangle of the first model, a triangle of the second, and what decides about them.
         private var _first:ConvexShape = new ConvexShape();
@@ -72,16 +74,16 @@ package starlogo.solid
          * @param motion of the second model in the first model's space; RelativeMotion.NONE if it stands
          * @return this
          */
-        public function begin(pair:TreePair, motion:RelativeMotion):NodePairVisitor
+        public function begin(pair:TwoTrees, motion:RelativeMotion):NodePairVisitor
         {
-            _placement = pair.trees.pose.placement;
-            _firstMesh = pair.a.prepareMesh();
-            _secondMesh = pair.b.prepareMesh();
-            _firstMesh.prepareExtents();
+            _placement = pair.pose.placement;
+            _firstMesh = pair.a.mesh;
+            _secondMesh = pair.b.mesh;
+            _extentsOfFirst = _firstMesh.extents;
             _motion.copyVector(motion);
             _motion.latest = _latest = motion.latest;
             _movedFrom = -1;
-            _tolerance = pair.trees.pose.tolerance + Touching.marginOfSurface(pair.trees.a.radius + pair.trees.b.radius * _placement.size);
+            _tolerance = pair.pose.tolerance + Touching.marginOfSurface(pair.trees.a.radius + pair.trees.b.radius * _placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             return this;
         }
@@ -171,39 +173,12 @@ package starlogo.solid
         {
             var first:int = _secondMesh.tree.first[node];
             var count:int = _secondMesh.tree.end[node] - first;
-            if (first == _movedFrom)
+            if (first != _movedFrom)
             {
-                return count;
-            }
-            _movedFrom = first;
-            _placement.placePoints(_secondMesh.corners, 9 * first, 9 * (first + count), _moved);
-            if (_extents.length < 6 * count)
-            {
-                _extents.length = 6 * count;
-            }
-            for (var i:int = 0; i < count; i++)
-            {
-                writeExtents(i);
+                _movedFrom = first;
+                _placement.placePoints(_secondMesh.corners, 9 * first, 9 * (first + count), _moved);
             }
             return count;
-        }
-
-        // Writes the extents of a moved triangle.
-        private function writeExtents(index:int):void
-        {
-            var at:int = 9 * index;
-            var to:int = 6 * index;
-            for (var end:int = at + 3; at < end; at++)
-            {
-                var p:Number = _moved[at];
-                var q:Number = _moved[int(at + 3)];
-                var r:Number = _moved[int(at + 6)];
-                var low:Number = q < p ? q : p;
-                var high:Number = q < p ? p : q;
-                _extents[to] = r < low ? r : low;
-                _extents[int(to + 1)] = r > high ? r : high;
-                to += 2;
-            }
         }
 
         // Sets the current triangle of the second node. Its shape has the margin of both triangles. The motion may end earlier afterwards.
@@ -212,19 +187,24 @@ package starlogo.solid
             _index = index;
             _second.setTriangle(_moved, 9 * index);
             _second.margin += _tolerance;
-            writeExtentsOfSecond(0, _motion.latest * _motion.x);
-            writeExtentsOfSecond(2, _motion.latest * _motion.y);
-            writeExtentsOfSecond(4, _motion.latest * _motion.z);
+            writeExtents(0, _motion.latest * _motion.x);
+            writeExtents(1, _motion.latest * _motion.y);
+            writeExtents(2, _motion.latest * _motion.z);
         }
 
         // Writes the extents of the current triangle and of its motion along an axis.
-        private function writeExtentsOfSecond(axis:int, travel:Number):void
+        private function writeExtents(axis:int, travel:Number):void
         {
-            var at:int = 6 * _index + axis;
-            var low:Number = _extents[at] - _outerTolerance;
-            var high:Number = _extents[int(at + 1)] + _outerTolerance;
-            _extentsOfSecond[axis] = travel < 0 ? low + travel : low;
-            _extentsOfSecond[int(axis + 1)] = travel > 0 ? high + travel : high;
+            var at:int = 9 * _index + axis;
+            var p:Number = _moved[at];
+            var q:Number = _moved[int(at + 3)];
+            var r:Number = _moved[int(at + 6)];
+            var low:Number = q < p ? q : p;
+            var high:Number = q < p ? p : q;
+            low = (r < low ? r : low) - _outerTolerance;
+            high = (r > high ? r : high) + _outerTolerance;
+            _extents[int(2 * axis)] = travel < 0 ? low + travel : low;
+            _extents[int(2 * axis + 1)] = travel > 0 ? high + travel : high;
         }
 
         // Whether a triangle of the first model, by its slot, touches the current one.
@@ -275,8 +255,8 @@ package starlogo.solid
         // Whether the extents of a triangle of the first model meet those of the second model's triangle and of its motion.
         private function areExtentsNear(slot:int):Boolean
         {
-            var ofFirst:Vector.<Number> = _firstMesh.extents;
-            var ofSecond:Vector.<Number> = _extentsOfSecond;
+            var ofFirst:Vector.<Number> = _extentsOfFirst;
+            var ofSecond:Vector.<Number> = _extents;
             var at:int = 6 * slot;
             return !(ofFirst[at] > ofSecond[1] || ofFirst[int(at + 1)] < ofSecond[0] || ofFirst[int(at + 2)] > ofSecond[3] || ofFirst[int(at + 3)] < ofSecond[2]
                     || ofFirst[int(at + 4)] > ofSecond[5] || ofFirst[int(at + 5)] < ofSecond[4]);
@@ -289,26 +269,22 @@ package starlogo.solid
             return _plane.findEntry(_second, _outerTolerance, _motion) > _motion.latest;
         }
 
-        // The squared distance of the extents of a triangle of the first model and of the second model's triangle.
+        // The squared distance of the extents of a triangle of the first model from those of the current triangle.
         private function squaredDistanceOfExtents(slot:int):Number
         {
-            var ofFirst:Vector.<Number> = _firstMesh.extents;
+            var ofFirst:Vector.<Number> = _extentsOfFirst;
             var ofSecond:Vector.<Number> = _extents;
-            var a:int = 6 * slot;
-            var b:int = 6 * _index;
+            var at:int = 6 * slot;
             var squared:Number = 0;
-            for (var end:int = a + 6; a < end; a += 2)
+            for (var i:int = 0; i < 6; i += 2)
             {
-                var distance:Number = ofFirst[a] - ofSecond[int(b + 1)];
-                if (distance < 0)
-                {
-                    distance = ofSecond[b] - ofFirst[int(a + 1)];
-                }
+                var above:Number = ofFirst[int(at + i)] - ofSecond[int(i + 1)];
+                var below:Number = ofSecond[i] - ofFirst[int(at + i + 1)];
+                var distance:Number = above > below ? above : below;
                 if (distance > 0)
                 {
                     squared += distance * distance;
                 }
-                b += 2;
             }
             return squared;
         }

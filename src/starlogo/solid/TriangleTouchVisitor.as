@@ -13,6 +13,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
@@ -78,7 +79,7 @@ package starlogo.solid
 
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            _mesh = model.prepareMesh();
+            _mesh = model.mesh;
             _motion = motion;
             _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
             _kernel.shape.margin += pose.tolerance + Touching.marginOfSurface(model.boxTree.radius);

@@ -79,11 +79,11 @@ package starlogo.libraries
             _library.prepareExact = false;
             assertEquals("points have no surface", plain, stepsOf(new ModelTree(new BoxTree(model.vertices, null))));
             plain = stepsOf(new ModelTree(new BoxTree(model.vertices, model.triangles)));
-            assertFalse(_library.treeOf("at first need").hasInterior);
+            assertFalse(_library.treeOf("at first need").isExactPrepared);
             _library.prepareExact = true;
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
             assertTrue("many steps more", stepsOf(tree) > plain + 8);
-            assertTrue(tree.hasInterior);
+            assertTrue(tree.isExactPrepared);
         }
 
         private function stepsOf(tree:ModelTree):int

@@ -9,6 +9,7 @@ package starlogo.solid
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.solid.interior.Interior;
     import support.SolidModels;
 
     use namespace engine;
@@ -118,7 +119,7 @@ package starlogo.solid
             for each (var x:Number in [0.2, -0.2])
             {
                 var point:Vector.<Number> = turned(new <Number>[x, 0.05, 0.5], turn);
-                assertEquals(message, x < 0, hierarchy.prepareInterior().windingCounter.isInside(new Vector3D(point[0], point[1], point[2])));
+                assertEquals(message, x < 0, hierarchy.interior.isInside(new Vector3D(point[0], point[1], point[2])));
             }
         }
 
@@ -172,12 +173,12 @@ package starlogo.solid
 
         private static function isInside(vertices:Vector.<Number>, triangles:Vector.<uint>, at:Array):Boolean
         {
-            return solidOf(vertices, triangles).windingCounter.isInside(new Vector3D(at[0], at[1], at[2]));
+            return solidOf(vertices, triangles).isInside(new Vector3D(at[0], at[1], at[2]));
         }
 
         private static function solidOf(vertices:Vector.<Number>, triangles:Vector.<uint>):Interior
         {
-            return hierarchyOf(vertices, triangles).prepareInterior();
+            return hierarchyOf(vertices, triangles).interior;
         }
 
         private static function hierarchyOf(vertices:Vector.<Number>, triangles:Vector.<uint>):ModelTree

@@ -10,6 +10,7 @@ package starlogo.solid
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import starlogo.solid.interior.OutermostPoints;
     import support.Fixtures;
     import support.SolidAngles;
     import support.SolidModels;
@@ -55,7 +56,7 @@ package starlogo.solid
                     var isInside:Boolean = known.isInside(point, 0);
                     assertEquals(model.name + " at " + point, isInside, asked.isInside(point, 0));
                     insides += isInside ? 1 : 0;
-                    spared += asked.hasInterior ? 0 : 1;
+                    spared += asked.isExactPrepared ? 0 : 1;
                 }
             }
             assertTrue(insides + " inside, " + spared + " spared", insides > 20 && spared > 10);
@@ -79,7 +80,7 @@ package starlogo.solid
                 var z:Number = random.between(-0.2, 1.2);
                 var expected:Boolean = SolidAngles.windingAround(model, x, y, z) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals(expected, hierarchy.prepareInterior().windingCounter.isInside(new Vector3D(x, y, z)));
+                assertEquals(expected, hierarchy.interior.isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 50 && inside < 250);
         }
@@ -91,15 +92,15 @@ package starlogo.solid
             for each (var expected:Array in [[SolidModels.crossed(), 1], [SolidModels.doll(), 2], [SolidModels.apart(), 3], [BuiltInModel.sphere(), 1]])
             {
                 var hierarchy:ModelTree = hierarchyOf(expected[0].vertices, expected[0].triangles);
-                assertEquals(expected[0].name, expected[1] * points, hierarchy.prepareInterior().partPoints.length);
+                assertEquals(expected[0].name, expected[1] * points, hierarchy.interior.partPoints.length);
             }
             var apart:Model = SolidModels.apart();
-            var least:Number = hierarchyOf(apart.vertices, apart.triangles).prepareInterior().leastPartExtent;
+            var least:Number = hierarchyOf(apart.vertices, apart.triangles).interior.leastPartExtent;
             assertTrue("the least one: " + least, Math.abs(least - 0.2 / 1.15) < 1e-9);
             // a bear's limbs run into its body
             var bear:Model = read("/assets/bear.obj");
             hierarchy = hierarchyOf(bear.vertices, bear.triangles);
-            assertTrue("parts: " + hierarchy.prepareInterior().partPoints.length / points, hierarchy.prepareInterior().partPoints.length <= 6 * points);
+            assertTrue("parts: " + hierarchy.interior.partPoints.length / points, hierarchy.interior.partPoints.length <= 6 * points);
         }
 
         [Test]
@@ -141,7 +142,7 @@ package starlogo.solid
         private static function checkAlongRays(hierarchy:ModelTree, model:Model, random:SeededRandom):void
         {
             var inside:int = 0;
-            assertTrue("closed", hierarchy.prepareInterior().hasClosedShell);
+            assertTrue("closed", hierarchy.interior.hasClosedShell);
             for (var i:int = 0; i < 400; i++)
             {
                 var corner:int = random.integer(0, model.triangles.length - 1);
@@ -159,7 +160,7 @@ package starlogo.solid
                 }
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals(model.name + ", point " + i, expected, hierarchy.prepareInterior().windingCounter.isInside(new Vector3D(x, y, z)));
+                assertEquals(model.name + ", point " + i, expected, hierarchy.interior.isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 10 && inside < 390);
         }
@@ -193,7 +194,7 @@ package starlogo.solid
         {
             var model:Model = read(address);
             var hierarchy:ModelTree = hierarchyOf(model.vertices, model.triangles);
-            assertTrue("closed", hierarchy.prepareInterior().hasClosedShell);
+            assertTrue("closed", hierarchy.interior.hasClosedShell);
             var random:SeededRandom = new SeededRandom(seed);
             var inside:int = 0;
             for (var i:int = 0; i < 150; i++)
@@ -205,7 +206,7 @@ package starlogo.solid
                 var z:Number = model.vertices[near + 2] + spread * random.normal();
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals("point " + i, expected, hierarchy.prepareInterior().windingCounter.isInside(new Vector3D(x, y, z)));
+                assertEquals("point " + i, expected, hierarchy.interior.isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 20 && inside < 130);
         }

@@ -51,7 +51,7 @@ package starlogo.solid
                     assertTrue(!isListed[triangle]);
                     isListed[triangle] = true;
                 }
-                check(hierarchy.boxTree, 0, hierarchy.prepareMesh().prepareExtents());
+                check(hierarchy.boxTree, 0, hierarchy.mesh.extents);
             }
         }
 
@@ -70,7 +70,7 @@ package starlogo.solid
             assertTrue(hierarchy.root.isLeaf);
             assertNull(hierarchy.root.left);
             assertEquals(37, hierarchy.root.triangleCount);
-            assertEquals(8, check(hierarchy.boxTree, 0, hierarchy.prepareMesh().prepareExtents()));
+            assertEquals(8, check(hierarchy.boxTree, 0, hierarchy.mesh.extents));
         }
 
         // Halfway along x, each division takes the needle that begins first away from all others.
@@ -88,7 +88,7 @@ package starlogo.solid
             var hierarchy:ModelTree = hierarchyOf(new Model("needles", vertices, triangles), 10);
             assertEquals("one at a time", 1, hierarchy.root.left.triangleCount);
             hierarchy.prepareExact();
-            check(hierarchy.boxTree, 0, hierarchy.prepareMesh().prepareExtents());
+            check(hierarchy.boxTree, 0, hierarchy.mesh.extents);
             var deepest:int = deepestOf(hierarchy.boxTree);
             assertTrue(deepest + " levels", deepest > 20 && deepest <= Tolerances.NESTED_LEVELS + 12);
         }

@@ -3,6 +3,10 @@ package starlogo.solid
     import starlogo.GreatLand;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.solid.interior.Interior;
+    import starlogo.solid.interior.SurfaceTopology;
+    import starlogo.solid.interior.WindingCounter;
 
     use namespace engine;
 
@@ -17,12 +21,12 @@ package starlogo.solid
             {
                 return "none";
             }
-            var interior:Interior = hierarchy.prepareInterior();
+            var interior:Interior = hierarchy.interior;
             var windings:WindingCounter = interior.windingCounter;
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
             return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.welded, interior.leastPartExtent, interior.partPoints, mesh.corners,
-                    mesh.prepareExtents(), axesOf(hierarchy.boxTree)].join("\n");
+                    mesh.extents, axesOf(hierarchy.boxTree)].join("\n");
         }
 
         private static function axesOf(tree:BoxTree):String

@@ -9,6 +9,7 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.solid.interior.SurfaceTopology;
 
     use namespace engine;
 

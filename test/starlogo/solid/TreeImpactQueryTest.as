@@ -22,8 +22,9 @@ package starlogo.solid
         private static const TRAVEL:Number = 0.4;
 
         private var _counts:TreeCounts = new TreeCounts();
-        private var _pair:TreePair = new TreePair();
-        private var _query:TreeImpactQuery = new TreeImpactQuery(_pair, new TreeOverlapQuery(_counts), _counts);
+        private var _trees:TwoTrees = new TwoTrees(_counts);
+        private var _treeAndStructure:TreeAndStructure = new TreeAndStructure(_counts);
+        private var _query:TreeImpactQuery = new TreeImpactQuery();
 
         [Test]
         public function trianglesOfTwoTrees():void
@@ -108,10 +109,10 @@ package starlogo.solid
         {
             if (b != null)
             {
-                _pair.setTrees(a, at, BoxTree.EXACT, b, new Placement(), BoxTree.EXACT, exact);
+                _query.setTo(_trees.setTo(a, at, BoxTree.EXACT, b, new Placement(), BoxTree.EXACT, exact));
                 return;
             }
-            _pair.setTreeAndStructure(a, at, BoxTree.EXACT, structure, new Placement(), exact);
+            _query.setTo(_treeAndStructure.setTo(a, at, BoxTree.EXACT, structure, new Placement(), exact));
         }
 
         // Adds the corners of a block to a list.

@@ -8,7 +8,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.rayStructure;
@@ -40,7 +40,7 @@ package starlogo.solid
         {
             var closed:Array = models().filter(function(model:Model, ...rest):Boolean
                 {
-                    return hierarchyOf(model).prepareInterior().hasClosedShell;
+                    return hierarchyOf(model).interior.hasClosedShell;
                 });
             assertTrue("closed ones: " + closed.length, closed.length > 5);
             var count:int = Effort.choose(20000, 1000000) / closed.length + 1;
@@ -54,9 +54,9 @@ package starlogo.solid
         private function castThroughEdges(model:Model, count:int):void
         {
             var hierarchy:ModelTree = hierarchyOf(model);
-            var mesh:TriangleMesh = hierarchy.prepareMesh();
+            var mesh:TriangleMesh = hierarchy.mesh;
             var triangles:TriangleRayVisitor = new TriangleRayVisitor();
-            var boxes:BoxSearch = new BoxSearch();
+            var hit:RayEntry = new RayEntry();
             var ray:Ray = new Ray();
             var origin:Vector3D = new Vector3D();
             var inside:Vector3D = pointInside(hierarchy);
@@ -90,12 +90,11 @@ package starlogo.solid
                 isFromInside &&= i % 5 != 1 && i % 5 != 3;
                 var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
                 ray.aim(origin, direction);
-                triangles.begin(ray, mesh.corners, 1);
-                boxes.setRay(ray);
-                boxes.find(mesh.tree, int.MAX_VALUE, triangles);
-                if (!(triangles.slot >= 0 && triangles.distance <= direction.length + 1e-12))
+                hit.distance = NaN;
+                triangles.findHit(hierarchy, ray, hit);
+                if (!(hit.distance <= direction.length + 1e-12))
                 {
-                    assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + triangles.distance, false);
+                    assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + hit.distance, false);
                 }
             }
         }
@@ -283,7 +282,7 @@ package starlogo.solid
             {
                 point.setTo(box[0] + box[3] * _random.between(-1, 1), box[1] + box[4] * _random.between(-1, 1), box[2] + box[5] * _random.between(-1, 1));
             }
-            while (!hierarchy.prepareInterior().windingCounter.isInside(point));
+            while (!hierarchy.interior.isInside(point));
             return point;
         }
 

@@ -16,7 +16,7 @@ package starlogo.libraries.cooked
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.Model;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.SurfaceTopology;
+    import starlogo.solid.interior.SurfaceTopology;
 
     use namespace engine;
 
@@ -159,7 +159,7 @@ package starlogo.libraries.cooked
             if (tree != null)
             {
                 contents[CookedFile.HIERARCHY] = CookedTree.write(tree.boxTree);
-                if (tree.hasInterior)
+                if (tree.isExactPrepared)
                 {
                     contents[CookedFile.SURFACE] = CookedFile.newBytes();
                     tree.surface.writeTo(contents[CookedFile.SURFACE]);

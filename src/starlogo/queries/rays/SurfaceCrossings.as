@@ -104,7 +104,7 @@ package starlogo.queries.rays
             }
         }
 
-        // Joins a crossing to a kept one of the same surface. Returns whether there is one. As in TriangleRayVisitor, a triangle that the ray runs along
+        // Joins a crossing to a kept one of the same surface. Returns whether there is one. As in ShearedRay, a triangle that the ray runs along
         // gives way to one that it crosses at the same place.
         private function joinKept(crossings:RayCrossings, index:int, side:int, mostSlack:Number):Boolean
         {

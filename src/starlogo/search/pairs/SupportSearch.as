@@ -95,7 +95,7 @@ package starlogo.search.pairs
         private static function cornersOf(body:Body, limits:TreeLimits):Vector.<Number>
         {
             var tree:ModelTree = body.shape.hierarchy;
-            return limits.exact && tree.hasTriangles ? tree.prepareCorners() : null;
+            return limits.exact && tree.hasTriangles ? tree.mesh.corners : null;
         }
 
         // The depth to which a body's tree is visited.

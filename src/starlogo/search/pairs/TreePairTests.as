@@ -17,10 +17,10 @@ package starlogo.search.pairs
     import starlogo.search.SearchCounts;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.TreeDistanceQuery;
+    import starlogo.solid.TreeAndStructure;
     import starlogo.solid.TreeImpactQuery;
-    import starlogo.solid.TreeOverlapQuery;
     import starlogo.solid.TreePair;
+    import starlogo.solid.TwoTrees;
 
     use namespace engine;
 
@@ -35,11 +35,10 @@ package starlogo.search.pairs
 
         private var _limits:TreeLimits;
         private var _testCount:int = 0;
-        private var _pair:TreePair = new TreePair();
         private var _counts:TreeCounts = new TreeCounts();
-        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(_counts);
-        private var _impacts:TreeImpactQuery;
-        private var _distances:TreeDistanceQuery;
+        private var _trees:TwoTrees = new TwoTrees(_counts);
+        private var _treeAndStructure:TreeAndStructure = new TreeAndStructure(_counts);
+        private var _impacts:TreeImpactQuery = new TreeImpactQuery();
 
         private var _reversed:RelativeMotion = new RelativeMotion();
         private var _separation:PenetrationSearch;
@@ -51,8 +50,6 @@ package starlogo.search.pairs
         public function TreePairTests(limits:TreeLimits)
         {
             _limits = limits;
-            _impacts = new TreeImpactQuery(_pair, _overlaps, _counts);
-            _distances = new TreeDistanceQuery(_counts);
             _separation = new TreeExitSearch(new DisplacedPair(this), new DisplacedPair(new LeafPairTests(this)), limits);
         }
 
@@ -75,8 +72,7 @@ package starlogo.search.pairs
             {
                 return isOneInside(b, a);
             }
-            setPair(a, b, _limits.exact);
-            return _overlaps.isOneInside(_pair);
+            return pairOf(a, b, _limits.exact).isOneInside();
         }
 
         /** @inheritDoc */
@@ -118,8 +114,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            setPair(a, b, _limits.exact);
-            _distances.findClosest(_pair, areTouching, out);
+            pairOf(a, b, _limits.exact).findClosest(areTouching, out);
         }
 
         /**
@@ -133,8 +128,8 @@ package starlogo.search.pairs
             _at.x = point.x;
             _at.y = point.y;
             _at.z = point.z;
-            _pair.setTreeAndStructure(body.shape.hierarchy, body.placement, _limits.depthOf(body), POINT, _at, _limits.exact);
-            return _pair.isExact ? _distances.nearestTriangle(_pair) : -1;
+            _treeAndStructure.setTo(body.shape.hierarchy, body.placement, _limits.depthOf(body), POINT, _at, _limits.exact);
+            return _treeAndStructure.nearestTriangle();
         }
 
         /** Writes the numbers of tests, and sets them to 0. */
@@ -154,8 +149,7 @@ package starlogo.search.pairs
                 return areOverlapping(b, a, exact);
             }
             _testCount++;
-            setPair(a, b, exact);
-            return _overlaps.areOverlapping(_pair);
+            return pairOf(a, b, exact).areOverlapping();
         }
 
         /** Finds the first touch as <code>findImpact()</code> does. @param exact as in areOverlapping */
@@ -167,16 +161,16 @@ package starlogo.search.pairs
             finish(own, motion, out);
         }
 
-        // Sets the two bodies in this order or the opposite order. Returns the motion of the body that is then first: the given motion, or its
-        // opposite.
+        // Sets the query of impacts to the two bodies in this order or the opposite order. Returns the motion of the body that is then first: the given
+        // motion, or its opposite.
         private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean, exact:Boolean):RelativeMotion
         {
             if (!isSwapped)
             {
-                setPair(a, b, exact);
+                _impacts.setTo(pairOf(a, b, exact));
                 return motion;
             }
-            setPair(b, a, exact);
+            _impacts.setTo(pairOf(b, a, exact));
             _reversed.setReversed(motion);
             return _reversed;
         }
@@ -195,16 +189,15 @@ package starlogo.search.pairs
             }
         }
 
-        // Sets two bodies. The first one is a tree. The last argument tells whether triangles decide.
-        private function setPair(a:Body, b:Body, exact:Boolean):void
+        // Returns two bodies as a pair that the next call overwrites. The first one is a tree. The last argument tells whether triangles decide.
+        private function pairOf(a:Body, b:Body, exact:Boolean):TreePair
         {
             var tree:ModelTree = a.shape.hierarchy;
             if (b.shape.hierarchy != null)
             {
-                _pair.setTrees(tree, a.placement, _limits.depthOf(a), b.shape.hierarchy, b.placement, _limits.depthOf(b), exact);
-                return;
+                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.hierarchy, b.placement, _limits.depthOf(b), exact);
             }
-            _pair.setTreeAndStructure(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, exact);
+            return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, exact);
         }
     }
 }

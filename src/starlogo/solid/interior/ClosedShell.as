@@ -1,4 +1,4 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     /** A closed shell with two sides, as a record of CavityFinder. */
     internal final class ClosedShell

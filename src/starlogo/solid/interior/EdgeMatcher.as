@@ -1,4 +1,4 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     import starlogo.data.HashTable;
     import starlogo.steps.StepSequence;

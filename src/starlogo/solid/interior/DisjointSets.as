@@ -1,4 +1,4 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     /**
      * Disjoint sets of numbered elements: union-find with path halving (Tarjan and van Leeuwen, "Worst-case analysis of set union

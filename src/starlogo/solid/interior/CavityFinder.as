@@ -1,11 +1,11 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     import starlogo.convex.TrianglePlane;
     import starlogo.steps.StepSequence;
 
     /**
-     * Finds which shells of a surface bound cavities, in steps. A shell bounds a cavity if it lies inside of a solid shell, has the opposite
-     * orientation, and no other cavity of that solid shell contains it. Only surfaces with shells of both orientations are searched.
+     * Finds which shells of a surface bound cavities, in steps. A shell bounds a cavity if it lies inside of a closed shell, has the opposite
+     * orientation, and no other cavity of that closed shell contains it. Only surfaces with shells of both orientations are searched.
      */
     internal final class CavityFinder extends StepSequence
     {
@@ -57,9 +57,9 @@ package starlogo.solid
             }
         }
 
-        private function isSolid(shell:int):Boolean
+        private function isTwoSided(shell:int):Boolean
         {
-            return shell >= 0 && _surface.shellStates[shell] == SurfaceTopology.SOLID;
+            return shell >= 0 && _surface.shellStates[shell] == SurfaceTopology.TWO_SIDED;
         }
 
         private function addVolumes(first:int, end:int):void
@@ -67,7 +67,7 @@ package starlogo.solid
             for (var slot:int = first; slot < end; slot++)
             {
                 var number:int = _surface.shellOf(_items[slot]);
-                if (!isSolid(number))
+                if (!isTwoSided(number))
                 {
                     continue;
                 }
@@ -109,7 +109,7 @@ package starlogo.solid
             {
                 var number:int = _surface.shellOf(_items[slot]);
                 _plane.setTriangle(_corners, 9 * slot);
-                if (_plane.isFlat || !isSolid(number))
+                if (_plane.isFlat || !isTwoSided(number))
                 {
                     continue;
                 }
@@ -179,7 +179,7 @@ package starlogo.solid
         // Whether a shell may have another one inside.
         private function isLarger(outer:int, inner:int):Boolean
         {
-            return isSolid(outer) && Math.abs(_shells[outer].volume) > (1 + LARGER) * Math.abs(_shells[inner].volume)
+            return isTwoSided(outer) && Math.abs(_shells[outer].volume) > (1 + LARGER) * Math.abs(_shells[inner].volume)
                 && _extremes.contains(outer, inner, LARGER);
         }
 
@@ -206,7 +206,7 @@ package starlogo.solid
                         innermost = outer;
                     }
                 }
-                if (isSolid(innermost) && _shells[innermost].orientation == -shell.orientation)
+                if (isTwoSided(innermost) && _shells[innermost].orientation == -shell.orientation)
                 {
                     _surface.shellStates[number] = innermost;
                 }

@@ -1,4 +1,4 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     import starlogo.steps.StepSequence;
 
@@ -49,7 +49,7 @@ package starlogo.solid
                 {
                     if (signedShells[_first] == 0 && _edges.hasEdges(_first))
                     {
-                        _surface.shellStates.push(SurfaceTopology.SOLID);
+                        _surface.shellStates.push(SurfaceTopology.TWO_SIDED);
                         balances.push(0);
                         addTriangle(_first, balances.length);
                     }
@@ -88,7 +88,7 @@ package starlogo.solid
                 {
                     addTriangle(neighbour, signedShell);
                 }
-                else if (_surface.signedShells[neighbour] != signedShell && shellStates[shell] == SurfaceTopology.SOLID)
+                else if (_surface.signedShells[neighbour] != signedShell && shellStates[shell] == SurfaceTopology.TWO_SIDED)
                 {
                     shellStates[shell] = SurfaceTopology.ONE_SIDED;
                 }

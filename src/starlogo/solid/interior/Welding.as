@@ -1,4 +1,4 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.vertices.VertexBounds;

@@ -1,4 +1,4 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     import flash.utils.ByteArray;
 
@@ -10,8 +10,8 @@ package starlogo.solid
      */
     public final class SurfaceTopology
     {
-        /** In shellStates: the shell is closed, and a point is inside if the shell winds around it. */
-        public static const SOLID:int = -1;
+        /** In shellStates: the shell is closed and has two sides. A point is inside if the shell winds around it. */
+        public static const TWO_SIDED:int = -1;
 
         /** In shellStates: the shell is closed and has one side only. A point is inside if the shell winds around it an odd number of times. */
         public static const ONE_SIDED:int = -2;
@@ -37,8 +37,8 @@ package starlogo.solid
         public var signedShells:Vector.<int>;
 
         /**
-         * For each shell, SOLID, ONE_SIDED or OPEN. For a shell that bounds a cavity in another one, it is the number of that one. A
-         * point is inside of the surface if it is inside of a solid shell and not in a cavity of that shell. So shells may overlap, whatever
+         * For each shell, TWO_SIDED, ONE_SIDED or OPEN. For a shell that bounds a cavity in another one, it is the number of that one. A
+         * point is inside of the surface if it is inside of a closed shell and not in a cavity of that shell. So shells may overlap, whatever
          * their orientation.
          */
         public var shellStates:Vector.<int> = new Vector.<int>();

@@ -1,16 +1,19 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
+    import starlogo.hierarchy.TriangleMesh;
 
     /**
      * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a visitor, it counts the triangles that a
      * ray along an axis crosses.
+     *
+     * @private
      */
-    internal final class WindingCounter extends NodeVisitor
+    public final class WindingCounter extends NodeVisitor
     {
         /** The triangles. */
         public var mesh:TriangleMesh;
@@ -60,7 +63,7 @@ package starlogo.solid
         }
 
         /**
-         * Whether a point is inside of the surface. The point must not be on it. A point is inside if a solid shell winds around it, and no
+         * Whether a point is inside of the surface. The point must not be on it. A point is inside if a closed shell winds around it, and no
          * shell that bounds a cavity in that one. The surface must have a closed shell.
          */
         public function isInside(point:Vector3D):Boolean
@@ -102,7 +105,7 @@ package starlogo.solid
         private function isAround(shell:int):Boolean
         {
             var state:int = surface.shellStates[shell];
-            return state == SurfaceTopology.SOLID && _windings[shell] != 0 || state == SurfaceTopology.ONE_SIDED && (_windings[shell] & 1) != 0;
+            return state == SurfaceTopology.TWO_SIDED && _windings[shell] != 0 || state == SurfaceTopology.ONE_SIDED && (_windings[shell] & 1) != 0;
         }
 
         // Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, towards the nearer side

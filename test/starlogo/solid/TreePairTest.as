@@ -31,14 +31,14 @@ package starlogo.solid
     use namespace engine;
 
     /** Depths of all combinations find no more the deeper they are; nothing overflows, whatever the sizes. */
-    public class TreeOverlapQueryTest
+    public class TreePairTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
         private static var sHierarchies:Object = {};
 
-        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(new TreeCounts());
-        private var _pair:TreePair = new TreePair();
+        private var _trees:TwoTrees = new TwoTrees(new TreeCounts());
+        private var _treeAndStructure:TreeAndStructure = new TreeAndStructure(new TreeCounts());
 
         [Test]
         public function specksBesideGiants():void
@@ -58,11 +58,11 @@ package starlogo.solid
         public function trianglesTouchAcrossTheWholeGap():void
         {
             var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
-            var half:Number = Math.abs(cube.prepareCorners()[0]);
+            var half:Number = Math.abs(cube.mesh.corners[0]);
             var stands:Placement = new Placement();
             var beside:Placement = new Placement();
             var triangle:ConvexShape = new ConvexShape();
-            triangle.setTriangle(cube.prepareCorners(), 0);
+            triangle.setTriangle(cube.mesh.corners, 0);
             var tested:int = 0;
             for (var step:int = 0; step < 800; step++)
             {
@@ -74,41 +74,39 @@ package starlogo.solid
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
                     tested++;
-                    _pair.setTrees(cube, stands, int.MAX_VALUE, cube, beside, int.MAX_VALUE, true);
-                    assertTrue("standing " + between, _overlaps.areOverlapping(_pair));
+                    assertTrue("standing " + between, _trees.setTo(cube, stands, int.MAX_VALUE, cube, beside, int.MAX_VALUE, true).areOverlapping());
                 }
             }
             assertTrue("tested " + tested, tested > 3);
         }
 
-        /** The query remembers the last triangle that it found, which a smaller model does not have. */
+        /** The pair remembers the last triangle that it found, which a smaller model does not have. */
         [Test]
         public function theCommonPointIsNotOfATriangleOfThePairBefore():void
         {
             var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
             var stands:Placement = new Placement();
-            var pair:TreePair = new TreePair();
+            var pair:TreeAndStructure = _treeAndStructure;
             var out:ClosestPoints = new ClosestPoints();
-            var containment:TreeContainmentQuery = new TreeContainmentQuery();
-            for (var at:int = bear.prepareCorners().length - 9; at > cube.prepareCorners().length; at -= 900)
+            for (var at:int = bear.mesh.corners.length - 9; at > cube.mesh.corners.length; at -= 900)
             {
-                var sphere:Sphere = new Sphere(new Vector3D(bear.prepareCorners()[at], bear.prepareCorners()[at + 1], bear.prepareCorners()[at + 2]), 1e-6);
-                pair.setTreeAndStructure(bear, stands, int.MAX_VALUE, sphere, stands, true);
-                assertTrue(_overlaps.areOverlapping(pair));
-                containment.findInside(pair, out);
+                var sphere:Sphere = new Sphere(new Vector3D(bear.mesh.corners[at], bear.mesh.corners[at + 1], bear.mesh.corners[at + 2]), 1e-6);
+                pair.setTo(bear, stands, int.MAX_VALUE, sphere, stands, true);
+                assertTrue(pair.areOverlapping());
+                pair.findInside(out);
                 out.aX = 7;
-                pair.setTreeAndStructure(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, true);
+                pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, true);
                 pair.relate();
-                containment.findInside(pair, out);
+                pair.findInside(out);
                 assertEquals(7, out.aX);
             }
             // nor is it where the pair before stood
             var moved:Placement = new Placement();
             moved.x = 5;
-            pair.setTreeAndStructure(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, true);
+            pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, true);
             pair.relate();
-            assertTrue(containment.findInside(pair, out));
+            assertTrue(pair.findInside(out));
             assertEquals(0, out.aX);
         }
 
@@ -149,7 +147,7 @@ package starlogo.solid
             var stands:Placement = new Placement();
             assertTrue("one node each", a.root.isLeaf && b.root.isLeaf);
             assertFalse("apart", treesOverlap(a, stands, 1, b, placed(0.5, 2, 0, 0), 1, true));
-            assertFalse("no inside", a.hasInterior || b.hasInterior);
+            assertFalse("no inside", a.isExactPrepared || b.isExactPrepared);
             assertTrue("one in the other", treesOverlap(a, stands, 1, b, placed(0.1, 0, 0, 0.1), 1, true));
             assertTrue("the other way round", treesOverlap(b, placed(0.1, 0, 0, 0.1), 1, a, stands, 1, true));
             assertFalse("in a corner of the box", treesOverlap(a, stands, 1, b, placed(0.1, 0.3, 0.3, 0.8), 1, true));
@@ -255,14 +253,12 @@ package starlogo.solid
         private function treesOverlap(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int,
                 exact:Boolean):Boolean
         {
-            _pair.setTrees(a, placementA, depthA, b, placementB, depthB, exact);
-            return _overlaps.areOverlapping(_pair);
+            return _trees.setTo(a, placementA, depthA, b, placementB, depthB, exact).areOverlapping();
         }
 
         private function structureOverlaps(a:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
         {
-            _pair.setTreeAndStructure(a, placementA, depth, structure, placementB, false);
-            return _overlaps.areOverlapping(_pair);
+            return _treeAndStructure.setTo(a, placementA, depth, structure, placementB, false).areOverlapping();
         }
 
         // About the middle of a model of size 1.

@@ -1,9 +1,7 @@
-package starlogo.solid
+package starlogo.hierarchy
 {
-    import starlogo.hierarchy.BoxTree;
-
-    /** A model's triangles, for exact tests: their corners and extents by slot, which is the order of the tree. */
-    internal final class TriangleMesh
+    /** A model's triangles, for exact tests: their corners and extents by slot, which is the order of the tree. @private */
+    public final class TriangleMesh
     {
         /** The boxes around the triangles. */
         public var tree:BoxTree;
@@ -11,11 +9,8 @@ package starlogo.solid
         /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
 
-        /**
-         * The triangles' extents: minX, maxX, minY, maxY, minZ, maxZ of each. Null before <code>prepareExtents()</code>: only pairs of trees need
-         * them.
-         */
-        public var extents:Vector.<Number> = null;
+        // Null before they are asked for: only pairs of trees need them.
+        private var _extents:Vector.<Number> = null;
 
         /** @param tree the boxes around the triangles */
         public function TriangleMesh(tree:BoxTree)
@@ -49,21 +44,21 @@ package starlogo.solid
         public function refit():void
         {
             fillCorners(0, corners.length / 9);
-            if (extents != null)
+            if (_extents != null)
             {
                 fillExtents();
             }
         }
 
-        /** Returns the extents. If they are not known yet, computes them. */
-        public function prepareExtents():Vector.<Number>
+        /** The triangles' extents: minX, maxX, minY, maxY, minZ, maxZ of each. */
+        public function get extents():Vector.<Number>
         {
-            if (extents == null)
+            if (_extents == null)
             {
-                extents = new Vector.<Number>(6 * corners.length / 9, true);
+                _extents = new Vector.<Number>(6 * corners.length / 9, true);
                 fillExtents();
             }
-            return extents;
+            return _extents;
         }
 
         private function fillExtents():void
@@ -71,7 +66,7 @@ package starlogo.solid
             var count:int = corners.length / 9;
             for (var i:int = 0; i < count; i++)
             {
-                tree.writeExtents(i, i + 1, extents, 6 * i);
+                tree.writeExtents(i, i + 1, _extents, 6 * i);
             }
         }
     }

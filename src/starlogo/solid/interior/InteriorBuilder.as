@@ -1,22 +1,28 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
      * Prepares a model for exact tests, in steps: the corners of its triangles by slot; which vertices are at the same place; the surface that the
      * triangles make; the outermost points of its parts. What is known already is not found again. A SurfaceBuilder takes most of the time.
+     *
+     * @private
      */
-    internal final class InteriorBuilder extends StepSequence
+    public final class InteriorBuilder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 
-        /** What is inside of the triangles, when no step is left. Its WindingCounter has the triangles and their surface. */
-        public var interior:Interior = null;
+        /** The triangles, when no step is left. */
+        public var mesh:TriangleMesh;
 
-        private var _mesh:TriangleMesh;
-        private var _surface:SurfaceTopology;
+        /** The surface that they make. */
+        public var surface:SurfaceTopology;
+
+        /** What is inside of it. */
+        public var interior:Interior = null;
 
         // Which vertices are at the same place; null if the surface is known, and no vertices of its seams are apart.
         private var _welding:Welding = null;
@@ -31,11 +37,11 @@ package starlogo.solid
          */
         public function InteriorBuilder(tree:BoxTree, knownMesh:TriangleMesh, knownSurface:SurfaceTopology)
         {
-            _mesh = knownMesh || new TriangleMesh(tree);
-            _surface = knownSurface;
+            mesh = knownMesh || new TriangleMesh(tree);
+            surface = knownSurface;
             if (knownMesh == null)
             {
-                slices(tree.itemCount, TRIANGLES_PER_STEP, _mesh.fillCorners);
+                slices(tree.itemCount, TRIANGLES_PER_STEP, mesh.fillCorners);
             }
             if (knownSurface == null || knownSurface.widestSeam > 0)
             {
@@ -47,22 +53,22 @@ package starlogo.solid
 
         private function findSurface():Steps
         {
-            var isKnown:Boolean = _surface != null;
-            _surface ||= new SurfaceTopology(_mesh.tree.itemCount);
-            _windingCounter = new WindingCounter(_mesh, _surface, _welding == null || _welding.widestSeam == 0 ? null : _welding.welded);
+            var isKnown:Boolean = surface != null;
+            surface ||= new SurfaceTopology(mesh.tree.itemCount);
+            _windingCounter = new WindingCounter(mesh, surface, _welding == null || _welding.widestSeam == 0 ? null : _welding.welded);
             return isKnown ? null : new SurfaceBuilder(_windingCounter, _welding);
         }
 
         private function beginParts():void
         {
-            _parts = new OutermostPoints(_mesh.corners, _surface.partNumberEnd);
+            _parts = new OutermostPoints(mesh.corners, surface.partNumberEnd);
         }
 
         private function addToParts(first:int, end:int):void
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                _parts.add(_surface.parts[_mesh.tree.items[slot]], slot);
+                _parts.add(surface.parts[mesh.tree.items[slot]], slot);
             }
         }
 

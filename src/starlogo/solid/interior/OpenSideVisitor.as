@@ -1,4 +1,4 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
     import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
@@ -9,8 +9,10 @@ package starlogo.solid
     /**
      * Whether a point has an open side: from there, a ray along an axis meets no node without children. Then no surface is around the point. This
      * needs nothing but the tree. It is asked before the inside of a model is known, because a level is mostly open to the sky.
+     *
+     * @private
      */
-    internal final class OpenSideVisitor extends NodeVisitor
+    public final class OpenSideVisitor extends NodeVisitor
     {
         private var _search:BoxSearch = new BoxSearch();
 

@@ -1,7 +1,7 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
-    /** Finds the outermost points of groups of triangles: of a surface's parts, or of its shells. */
-    internal final class OutermostPoints
+    /** Finds the outermost points of groups of triangles: of a surface's parts, or of its shells. @private */
+    public final class OutermostPoints
     {
         /** The numbers that points has for each group: the coordinates of six points. */
         public static const STRIDE:int = 18;

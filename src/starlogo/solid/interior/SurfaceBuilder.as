@@ -1,5 +1,6 @@
-package starlogo.solid
+package starlogo.solid.interior
 {
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

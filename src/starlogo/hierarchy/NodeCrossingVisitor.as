@@ -1,0 +1,45 @@
+package starlogo.hierarchy
+{
+    import starlogo.bounding.Box;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
+
+    /** Finds all places where a ray meets the boxes of a tree. @private */
+    public final class NodeCrossingVisitor extends NodeVisitor
+    {
+        private var _ray:Ray = new Ray();
+        private var _all:RayCrossings = null;
+        private var _search:BoxSearch = new BoxSearch();
+        private var _box:Box = BoxTree.newBox();
+
+        public function NodeCrossingVisitor()
+        {
+            // as in NodeRayVisitor
+            _ray.touchingFactor = 1;
+        }
+
+        /**
+         * Adds where a ray enters and leaves each node that decides.
+         *
+         * @param tree the tree
+         * @param depth how many of its levels are visited
+         * @param ray in the tree's space
+         * @param out the crossings are added to it
+         */
+        public function addCrossings(tree:BoxTree, depth:int, ray:Ray, out:RayCrossings):void
+        {
+            _ray.copyFrom(ray);
+            _all = out;
+            limit = ray.to;
+            _search.setRay(ray);
+            _search.find(tree, depth, this);
+        }
+
+        /** @inheritDoc */
+        override public function visit(tree:BoxTree, node:int):void
+        {
+            _all.addStructure(_ray, tree.writeBox(node, _box), null, Tolerances.ROUNDING * tree.radiusAboutOrigin);
+        }
+    }
+}

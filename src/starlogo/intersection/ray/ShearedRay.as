@@ -1,0 +1,300 @@
+package starlogo.intersection.ray
+{
+    import starlogo.convex.TrianglePlane;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * A ray, prepared for many triangles. It finds the first triangle that it meets, or all of them, from either side (Woop, Benthin and Wald,
+     * "Watertight Ray/Triangle Intersection", Journal of Computer Graphics Techniques 2(1), 2013, in double precision).
+     *
+     * <p>The corners are sheared so that the ray runs along an axis. Then the sign of one expression says on which side the ray passes an
+     * edge. For the two triangles of an edge the two values are opposite, or both 0, to the last bit. So no ray slips through between the
+     * triangles.</p>
+     *
+     * <p>A ray also meets a triangle if it passes the triangle within the gap across which surfaces still touch (Tolerances.SURFACES). So a ray
+     * towards a silhouette finds it. In this case the point must lie within the triangle's extents, enlarged by the gap, because the
+     * hierarchy's boxes contain only such points.</p>
+     *
+     * @private
+     */
+    public final class ShearedRay
+    {
+        // A triangle is seen edge on if its height across the ray is less than six times so many gaps. The place where the ray crosses its plane
+        // is then a rounding error, so the places where the ray passes its edges count. Of two triangles at one place, one that is not seen edge on
+        // counts, because its normal is against the ray.
+        private static const EDGE_ON:Number = 16;
+
+        private var _ray:Ray = null;
+
+        // The axes, u, v and w: the ray goes fastest along w.
+        private var _u:int;
+        private var _v:int;
+        private var _w:int;
+
+        // A point of the line, along these axes. How far the line goes along u and v while it goes 1 along w. 1 over its speed along w.
+        private var _originU:Number = 0;
+        private var _originV:Number = 0;
+        private var _originW:Number = 0;
+        private var _shearU:Number = 0;
+        private var _shearV:Number = 0;
+        private var _stretch:Number = 0;
+
+        // How far from a triangle the ray may pass. Twice the area of a triangle of that height and of the greatest possible width.
+        private var _margin:Number = 0;
+        private var _sliver:Number = 0;
+
+        // The last crossing that was found, and the same with the triangle's normal.
+        private var _crossing:TriangleCrossing = new TriangleCrossing();
+        private var _entry:RayEntry = new RayEntry();
+        private var _plane:TrianglePlane = new TrianglePlane();
+
+        /**
+         * Sets the ray.
+         *
+         * @param ray in the space of the triangles; the object is kept
+         * @param radius of a sphere around all triangles
+         */
+        public function setTo(ray:Ray, radius:Number):void
+        {
+            _ray = ray;
+            var absX:Number = Math.abs(ray.directionX);
+            var absY:Number = Math.abs(ray.directionY);
+            var absZ:Number = Math.abs(ray.directionZ);
+            _w = absY > absZ ? 1 : 2;
+            _w = absX > absY && absX > absZ ? 0 : _w;
+            _u = (_w + 1) % 3;
+            _v = (_w + 2) % 3;
+            _originU = along(_u, ray.x, ray.y, ray.z);
+            _originV = along(_v, ray.x, ray.y, ray.z);
+            _originW = along(_w, ray.x, ray.y, ray.z);
+            var speed:Number = along(_w, ray.directionX, ray.directionY, ray.directionZ);
+            _stretch = 1 / speed;
+            _shearU = along(_u, ray.directionX, ray.directionY, ray.directionZ) / speed;
+            _shearV = along(_v, ray.directionX, ray.directionY, ray.directionZ) / speed;
+            setRadius(radius);
+        }
+
+        private static function along(axis:int, x:Number, y:Number, z:Number):Number
+        {
+            return axis == 0 ? x : (axis == 1 ? y : z);
+        }
+
+        /** Changes the radius of a sphere around all triangles that come next. Their rounding errors are relative to it. */
+        public function setRadius(radius:Number):void
+        {
+            _margin = Tolerances.SURFACES * radius;
+            // Shearing may make a side longer than the diameter, by a factor of at most the root of eight.
+            _sliver = 6 * _margin * radius;
+        }
+
+        /**
+         * Finds the first of some triangles that the ray meets.
+         *
+         * @param corners nine numbers for each triangle
+         * @param from the first triangle's slot
+         * @param end the slot after the last one
+         * @param first the first crossing before; receives the one that is found if it is earlier. Its slot is -1 if there was none
+         * @return whether it is earlier
+         */
+        public function findFirst(corners:Vector.<Number>, from:int, end:int, first:TriangleCrossing):Boolean
+        {
+            var isFound:Boolean = false;
+            for (var slot:int = next(corners, from, end); slot >= 0; slot = next(corners, slot + 1, end))
+            {
+                if (isBefore(_crossing, first))
+                {
+                    first.copyFrom(_crossing);
+                    isFound = true;
+                }
+            }
+            return isFound;
+        }
+
+        /**
+         * Adds the crossings with some triangles.
+         *
+         * @param corners as in findFirst
+         * @param from as in findFirst
+         * @param end as in findFirst
+         * @param items the triangles' numbers in the model, by slot; null if they have none
+         * @param out they are added to it
+         */
+        public function addAll(corners:Vector.<Number>, from:int, end:int, items:Vector.<int>, out:RayCrossings):void
+        {
+            for (var slot:int = next(corners, from, end); slot >= 0; slot = next(corners, slot + 1, end))
+            {
+                if (_crossing.distance <= _ray.to)
+                {
+                    writeEntry(corners, _crossing, items == null ? -1 : items[slot], _entry);
+                    out.add(_entry, _crossing.slack, _crossing.end, _crossing.side);
+                }
+            }
+        }
+
+        /**
+         * Writes where the ray meets a triangle. The normal of a flat triangle is the opposite of the ray's direction.
+         *
+         * @param corners has the triangle
+         * @param crossing the place
+         * @param triangle the triangle's number in the model; -1 if it has none
+         */
+        public function writeEntry(corners:Vector.<Number>, crossing:TriangleCrossing, triangle:int, out:RayEntry):void
+        {
+            out.begin(_ray);
+            out.distance = crossing.distance;
+            out.triangle = triangle;
+            _plane.setTriangle(corners, 9 * crossing.slot);
+            if (!_plane.isFlat)
+            {
+                out.setNormal(_ray, _plane.normal.x, _plane.normal.y, _plane.normal.z);
+            }
+        }
+
+        // Whether a crossing comes before the first one so far, and not after the ray's end. A triangle that is seen edge on has to be a rounding
+        // error nearer, and another one may be a rounding error behind it.
+        private function isBefore(crossing:TriangleCrossing, first:TriangleCrossing):Boolean
+        {
+            if (first.slot < 0)
+            {
+                return crossing.distance <= _ray.to;
+            }
+            var latest:Number = Math.min(_ray.to, first.side == RayCrossings.EDGE_ON ? first.distance + first.slack : first.distance);
+            return (crossing.side == RayCrossings.EDGE_ON ? crossing.distance + crossing.slack : crossing.distance) < latest;
+        }
+
+        // Finds the next triangle that the line meets where the ray begins or later. It shears the corners as seen from the line, finds the sides on which
+        // the ray passes the edges, and finds where the ray crosses the plane. Sets _crossing, and returns the slot, or -1 if there is none.
+        private function next(corners:Vector.<Number>, from:int, end:int):int
+        {
+            var u:int = _u;
+            var v:int = _v;
+            var w:int = _w;
+            var originU:Number = _originU;
+            var originV:Number = _originV;
+            var originW:Number = _originW;
+            var shearU:Number = _shearU;
+            var shearV:Number = _shearV;
+            var sliver:Number = _sliver;
+            for (var slot:int = from; slot < end; slot++)
+            {
+                var corner:int = 9 * slot;
+                var aW:Number = corners[int(corner + w)] - originW;
+                var aU:Number = corners[int(corner + u)] - originU - shearU * aW;
+                var aV:Number = corners[int(corner + v)] - originV - shearV * aW;
+                corner += 3;
+                var bW:Number = corners[int(corner + w)] - originW;
+                var bU:Number = corners[int(corner + u)] - originU - shearU * bW;
+                var bV:Number = corners[int(corner + v)] - originV - shearV * bW;
+                corner += 3;
+                var cW:Number = corners[int(corner + w)] - originW;
+                var cU:Number = corners[int(corner + u)] - originU - shearU * cW;
+                var cV:Number = corners[int(corner + v)] - originV - shearV * cW;
+                var sideA:Number = cU * bV - cV * bU;
+                var sideB:Number = aU * cV - aV * cU;
+                var sideC:Number = bU * aV - bV * aU;
+                if (sideA < -sliver || sideB < -sliver || sideC < -sliver)
+                {
+                    if (sideA > sliver || sideB > sliver || sideC > sliver)
+                    {
+                        continue;
+                    }
+                }
+                var sum:Number = sideA + sideB + sideC;
+                var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
+                if (Math.abs(sum) <= EDGE_ON * _margin * width)
+                {
+                    passEdges(corners, 9 * slot);
+                }
+                else
+                {
+                    var depth:Number = Math.abs(_stretch) * (Math.abs(aW - bW) + Math.abs(bW - cW));
+                    crossPlane(_stretch * (sideA * aW + sideB * bW + sideC * cW) / sum, width * depth, sum);
+                }
+                // NaN is skipped too
+                if (!(_crossing.distance >= _ray.from))
+                {
+                    continue;
+                }
+                var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
+                if (isInside || isOver(aU, aV, bU, bV, sideC, sum) && isOver(bU, bV, cU, cV, sideA, sum) && isOver(cU, cV, aU, aV, sideB, sum)
+                        && isInExtents(corners, 9 * slot))
+                {
+                    _crossing.slot = slot;
+                    return slot;
+                }
+            }
+            return -1;
+        }
+
+        // Sets the crossing to the place where the line crosses a triangle's plane. The ray may pass a gap beside the place that is tested. On a steep
+        // triangle, which is deep for its area, the place is then farther off along the ray.
+        private function crossPlane(distance:Number, spread:Number, sum:Number):void
+        {
+            _crossing.distance = _crossing.end = distance;
+            _crossing.slack = Tolerances.ROUNDING * Math.abs(distance) + 4 * _margin * (1 + spread / Math.abs(sum));
+            _crossing.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
+        }
+
+        // Sets the crossing to the places where the ray first and last passes the edges of a triangle that it sees edge on. The distance is NaN if no
+        // edge is near, or none after the ray's beginning.
+        private function passEdges(corners:Vector.<Number>, at:int):void
+        {
+            var crossing:TriangleCrossing = _crossing;
+            crossing.distance = Infinity;
+            crossing.end = -Infinity;
+            passEdge(corners, at, at + 3);
+            passEdge(corners, at + 3, at + 6);
+            passEdge(corners, at + 6, at);
+            crossing.distance = crossing.end >= _ray.from ? Math.max(crossing.distance, _ray.from) : NaN;
+            crossing.slack = Tolerances.ROUNDING * Math.abs(crossing.distance) + 4 * EDGE_ON * _margin;
+            crossing.end = Math.max(crossing.end, crossing.distance) + crossing.slack;
+            crossing.side = RayCrossings.EDGE_ON;
+        }
+
+        private function passEdge(corners:Vector.<Number>, from:int, to:int):void
+        {
+            var fromW:Number = corners[from + _w] - _originW;
+            var fromU:Number = corners[from + _u] - _originU - _shearU * fromW;
+            var fromV:Number = corners[from + _v] - _originV - _shearV * fromW;
+            var toW:Number = corners[to + _w] - _originW;
+            var toU:Number = corners[to + _u] - _originU - _shearU * toW - fromU;
+            var toV:Number = corners[to + _v] - _originV - _shearV * toW - fromV;
+            var square:Number = toU * toU + toV * toV;
+            var share:Number = square > 0 ? Math.max(0, Math.min(1, -(fromU * toU + fromV * toV) / square)) : 0;
+            fromU += share * toU;
+            fromV += share * toV;
+            if (fromU * fromU + fromV * fromV <= 9 * EDGE_ON * EDGE_ON * _margin * _margin)
+            {
+                var place:Number = _stretch * (fromW + share * (toW - fromW));
+                _crossing.distance = Math.min(_crossing.distance, place);
+                _crossing.end = Math.max(_crossing.end, place);
+            }
+        }
+
+        // Whether the ray passes an edge on the triangle's side, or within the gap.
+        private function isOver(fromU:Number, fromV:Number, toU:Number, toV:Number, side:Number, sum:Number):Boolean
+        {
+            toU -= fromU;
+            toV -= fromV;
+            return side == 0 || side > 0 == sum > 0 || side * side <= _margin * _margin * (toU * toU + toV * toV);
+        }
+
+        // Whether the place of the crossing is within a triangle's extents, enlarged by the gap.
+        private function isInExtents(corners:Vector.<Number>, at:int):Boolean
+        {
+            var distance:Number = _crossing.distance;
+            return isBetween(_ray.x + distance * _ray.directionX, corners, at)
+                && isBetween(_ray.y + distance * _ray.directionY, corners, at + 1)
+                && isBetween(_ray.z + distance * _ray.directionZ, corners, at + 2);
+        }
+
+        private function isBetween(place:Number, corners:Vector.<Number>, at:int):Boolean
+        {
+            var a:Number = corners[at];
+            var b:Number = corners[int(at + 3)];
+            var c:Number = corners[int(at + 6)];
+            return (a - place <= _margin || b - place <= _margin || c - place <= _margin)
+                && (place - a <= _margin || place - b <= _margin || place - c <= _margin);
+        }
+    }
+}

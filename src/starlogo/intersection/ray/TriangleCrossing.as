@@ -1,0 +1,34 @@
+package starlogo.intersection.ray
+{
+    /**
+     * Where a ray meets a triangle, as a record of ShearedRay.
+     *
+     * @private
+     */
+    public final class TriangleCrossing
+    {
+        /** The triangle's index in the list of corners; -1 if there is none. */
+        public var slot:int = -1;
+
+        /** The distance of the place, as the ray counts distances. */
+        public var distance:Number = 0;
+
+        /** How far the distance may be wrong because of rounding. */
+        public var slack:Number = 0;
+
+        /** Where the ray leaves a triangle that it sees edge on, or where it meets any other one. */
+        public var end:Number = 0;
+
+        /** RayCrossings.ENTERS, LEAVES or EDGE_ON. */
+        public var side:int = 0;
+
+        public function copyFrom(other:TriangleCrossing):void
+        {
+            slot = other.slot;
+            distance = other.distance;
+            slack = other.slack;
+            end = other.end;
+            side = other.side;
+        }
+    }
+}

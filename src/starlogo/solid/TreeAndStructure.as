@@ -1,0 +1,171 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.NodeDistanceVisitor;
+    import starlogo.hierarchy.NodeTouchVisitor;
+    import starlogo.hierarchy.TreeCounts;
+    import starlogo.intersection.PairTable;
+
+    use namespace engine;
+
+    /**
+     * A placed tree, and a placed structure that stands for the second model (thesis §5.2). A search visits the nodes near the structure. Their boxes
+     * decide, or for exact tests their triangles: then the two overlap if a triangle touches the solid structure, or if the structure is inside of the
+     * tree's closed surface.
+     *
+     * @private
+     */
+    public final class TreeAndStructure extends TreePair
+    {
+        private var _tree:ModelTree = null;
+        private var _depth:int = 0;
+        private var _structure:BoundingStructure = null;
+
+        // Whether triangles decide.
+        private var _isExact:Boolean = false;
+
+        private var _nodes:NodeTouchVisitor;
+        private var _triangles:TriangleTouchVisitor;
+        private var _nodeDistances:NodeDistanceVisitor;
+        private var _triangleDistances:TriangleDistanceVisitor;
+
+        // The motion of a structure that stands; it receives times.
+        private var _still:RelativeMotion = new RelativeMotion();
+
+        // A point that is inside of the structure, and the structure as a shape.
+        private var _point:Vector3D = new Vector3D();
+        private var _shape:ConvexShape = new ConvexShape();
+
+        private var _measured:ClosestPoints = new ClosestPoints();
+        private var _box:Box = BoxTree.newBox();
+
+        /** @param counts counts what the questions take */
+        public function TreeAndStructure(counts:TreeCounts)
+        {
+            _nodes = new NodeTouchVisitor(counts);
+            _triangles = new TriangleTouchVisitor(counts);
+            _nodeDistances = new NodeDistanceVisitor(counts);
+            _triangleDistances = new TriangleDistanceVisitor(counts);
+        }
+
+        /**
+         * Sets the two.
+         *
+         * @param depth how many levels of the tree are visited
+         * @param structure in the space of the second model
+         * @param exact whether triangles decide in place of the depth, if the tree has triangles
+         * @return this
+         */
+        public function setTo(tree:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement, exact:Boolean):TreePair
+        {
+            _tree = tree;
+            _isExact = exact && tree.hasTriangles;
+            _depth = depth;
+            _structure = structure;
+            this.placementA = placementA;
+            this.placementB = placementB;
+            return this;
+        }
+
+        /** The number of the triangle that is nearest to the structure, as the model counts them; -1 if triangles do not decide. */
+        public function nearestTriangle():int
+        {
+            relate();
+            var slot:int = _isExact ? _triangleDistances.find(_tree, _structure, pose, _measured) : -1;
+            return slot < 0 ? -1 : _tree.boxTree.items[slot];
+        }
+
+        /** @inheritDoc */
+        override internal function overlapInPose():Boolean
+        {
+            return findFirst(_still) >= 0 || findInside(null);
+        }
+
+        /** @inheritDoc */
+        override public function isOneInside():Boolean
+        {
+            relate();
+            return findInside(null);
+        }
+
+        /** @inheritDoc */
+        override internal function findTouch(motion:RelativeMotion, out:ContactPoint):void
+        {
+            var found:int = findFirst(motion);
+            if (out == null || found < 0)
+            {
+                return;
+            }
+            if (_isExact)
+            {
+                _triangles.findContact(found, motion, out);
+                out.triangle = _tree.boxTree.items[found];
+            }
+            else
+            {
+                findContactOfNode(found, motion, out);
+            }
+        }
+
+        /** @inheritDoc */
+        override internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
+        {
+            findContactOfNode(0, motion, out);
+        }
+
+        // Finds which triangle, by its slot, or else which node is touched first. Returns -1 if none is.
+        private function findFirst(motion:RelativeMotion):int
+        {
+            return _isExact ? _triangles.findTouch(_tree, _structure, pose, motion) : _nodes.findTouch(_tree.boxTree, _depth, _structure, pose, motion);
+        }
+
+        private function findContactOfNode(node:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            out.triangle = -1;
+            PairTable.findContact(pose.place(_structure), _tree.boxTree.writeBox(node, _box), motion, out);
+        }
+
+        /** @inheritDoc */
+        override internal function measure(out:ClosestPoints):void
+        {
+            if (_isExact)
+            {
+                _triangleDistances.find(_tree, _structure, pose, out);
+            }
+            else
+            {
+                _nodeDistances.find(_tree.boxTree, _depth, _structure, pose, out);
+            }
+        }
+
+        /** A structure that does not touch the surface is inside if one point of it is. @inheritDoc */
+        override internal function findInside(out:ClosestPoints):Boolean
+        {
+            var structure:BoundingStructure = pose.place(_structure);
+            // The origin of its points is inside of it, and so is a ball around it.
+            structure.shapeInto(_shape);
+            _point.setTo(_shape.x, _shape.y, _shape.z);
+            var box:Box = structure as Box;
+            var radius:Number = box == null ? _shape.radius : Math.min(box.halfX, Math.min(box.halfY, box.halfZ));
+            if (!_tree.isInside(_point, radius))
+            {
+                return false;
+            }
+            if (out != null)
+            {
+                out.setPoint(_point);
+                out.place(placementA);
+            }
+            return true;
+        }
+    }
+}

@@ -1,0 +1,147 @@
+package starlogo.solid
+{
+    import starlogo.bounding.Box;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BestPair;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.DistanceTraversal;
+    import starlogo.hierarchy.ImpactTraversal;
+    import starlogo.hierarchy.NodePairVisitor;
+    import starlogo.hierarchy.OverlapTraversal;
+    import starlogo.hierarchy.PosedTrees;
+    import starlogo.hierarchy.TreeCounts;
+    import starlogo.intersection.PairTable;
+
+    use namespace engine;
+
+    /**
+     * Two placed trees. A traversal for each question visits pairs of nodes (thesis §4.6). The boxes of nodes decide, or for exact tests their
+     * triangles.
+     *
+     * @private
+     */
+    public final class TwoTrees extends TreePair
+    {
+        /** The first model's tree. */
+        internal var a:ModelTree = null;
+
+        /** The second model's tree. */
+        internal var b:ModelTree = null;
+
+        /** The nodes of both, for a traversal. */
+        internal var trees:PosedTrees = new PosedTrees();
+
+        // Whether triangles decide, and how.
+        private var _isExact:Boolean = false;
+        private var _triangles:TrianglePairVisitor;
+
+        private var _overlaps:OverlapTraversal;
+        private var _impacts:ImpactTraversal;
+        private var _distances:DistanceTraversal;
+        private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
+
+        // For contacts: a node of each.
+        private var _boxA:Box = BoxTree.newBox();
+        private var _boxB:Box = BoxTree.newBox();
+
+        /** @param counts counts what the questions take */
+        public function TwoTrees(counts:TreeCounts)
+        {
+            trees.pose = pose;
+            _triangles = new TrianglePairVisitor(counts);
+            _overlaps = new OverlapTraversal(counts);
+            _impacts = new ImpactTraversal(counts);
+            _distances = new DistanceTraversal(counts);
+        }
+
+        /**
+         * Sets the two.
+         *
+         * @param depthA how many levels of the first tree are visited
+         * @param exact whether triangles decide in place of depths, if both trees have triangles
+         * @return this
+         */
+        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, exact:Boolean):TreePair
+        {
+            _isExact = exact && a.hasTriangles && b.hasTriangles;
+            this.a = a;
+            this.b = b;
+            this.placementA = placementA;
+            this.placementB = placementB;
+            trees.a = a.boxTree;
+            trees.b = b.boxTree;
+            trees.depthA = _isExact ? BoxTree.EXACT : depthA;
+            trees.depthB = _isExact ? BoxTree.EXACT : depthB;
+            return this;
+        }
+
+        /** @inheritDoc */
+        override internal function overlapInPose():Boolean
+        {
+            var result:int = _overlaps.find(trees, visitorFor(RelativeMotion.NONE));
+            // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
+            return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && findInside(null);
+        }
+
+        /** @inheritDoc */
+        override public function isOneInside():Boolean
+        {
+            // only the traversal knows whether the roots overlap
+            return areOverlapping();
+        }
+
+        /** @inheritDoc */
+        override internal function findTouch(motion:RelativeMotion, out:ContactPoint):void
+        {
+            var best:BestPair = _impacts.findTouch(trees, motion, visitorFor(motion));
+            motion.time = best.least;
+            if (out == null || motion.time == RelativeMotion.NEVER)
+            {
+                return;
+            }
+            out.triangle = -1;
+            if (_isExact)
+            {
+                _triangles.findContact(best, motion, out);
+            }
+            else
+            {
+                findContactOfNodes(best.a, best.b, motion, out);
+            }
+        }
+
+        /** @inheritDoc */
+        override internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
+        {
+            out.triangle = -1;
+            findContactOfNodes(0, 0, motion, out);
+        }
+
+        private function findContactOfNodes(nodeA:int, nodeB:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            PairTable.findContact(pose.place(trees.b.writeBox(nodeB, _boxB)), trees.a.writeBox(nodeA, _boxA), motion, out);
+        }
+
+        /** @inheritDoc */
+        override internal function measure(out:ClosestPoints):void
+        {
+            _distances.findClosest(trees, visitorFor(RelativeMotion.NONE), out);
+        }
+
+        /** The boxes of two roots must overlap: otherwise the insides would be prepared in vain. @inheritDoc */
+        override internal function findInside(out:ClosestPoints):Boolean
+        {
+            return _containment.findInside(this, out);
+        }
+
+        // What decides about two nodes: their triangles, or null for their boxes. The motion is the second model's.
+        private function visitorFor(motion:RelativeMotion):NodePairVisitor
+        {
+            return _isExact ? _triangles.begin(this, motion) : null;
+        }
+    }
+}

@@ -1,0 +1,51 @@
+package starlogo.solid.interior
+{
+    import flash.geom.Vector3D;
+
+    /**
+     * What is inside of the surface that a model's triangles make: the surface's parts, and what counts its windings. An InteriorBuilder makes it.
+     *
+     * <p>The package solid.interior says which points are inside of a model whose triangles come from a file: with seams, holes, shells that overlap
+     * and cavities. Engines whose meshes are hollow need none of it. A <i>shell</i> is connected over edges, a <i>part</i> over vertices or because its
+     * shells overlap. The SurfaceBuilder finds the SurfaceTopology in steps: Welding finds equal vertices, the EdgeMatcher pairs triangles at edges,
+     * the ShellFinder follows them, the CavityFinder decides which shells bound cavities. Read this class first, then WindingCounter, then
+     * SurfaceTopology and SurfaceBuilder.</p>
+     *
+     * @private
+     */
+    public final class Interior
+    {
+        /** Counts how often the surface winds around a point. */
+        public var windingCounter:WindingCounter;
+
+        /** Whether at least one shell of the surface is closed, so that it has an inside. */
+        public var hasClosedShell:Boolean;
+
+        /**
+         * For each part of the surface, the vertices with the smallest and largest x, y and z. A part is connected, or overlaps itself. So a
+         * part that does not touch another surface is inside or outside of it as a whole, or that surface is inside of the part.
+         */
+        public var partPoints:Vector.<Number>;
+
+        /** The extent of the smallest part: the longest of its three extents. */
+        public var leastPartExtent:Number;
+
+        /**
+         * @param windingCounter counts the windings of a complete surface
+         * @param parts the outermost points of its parts
+         */
+        public function Interior(windingCounter:WindingCounter, parts:OutermostPoints)
+        {
+            this.windingCounter = windingCounter;
+            hasClosedShell = windingCounter.surface.hasClosedShell;
+            partPoints = parts.points;
+            leastPartExtent = parts.leastExtent;
+        }
+
+        /** Whether a point is inside. The point must not be on the surface. */
+        public function isInside(point:Vector3D):Boolean
+        {
+            return hasClosedShell && windingCounter.isInside(point);
+        }
+    }
+}

@@ -73,6 +73,9 @@ package starlogo.hierarchy
         /** The radius of a sphere around the origin that contains the model. Rounding errors are relative to it. Complete with the root's box. */
         public var radiusAboutOrigin:Number = 0;
 
+        // The number of nodes. While the tree is made, the columns are longer.
+        private var _count:int = 0;
+
         // For each node, four times its level plus the axis along which it is split. The root's level is 1.
         private var _splits:Vector.<int> = new Vector.<int>();
 
@@ -91,7 +94,7 @@ package starlogo.hierarchy
         /** Whether there are nodes. When <code>complete()</code> has ended the making, only their boxes change. */
         public function get isMade():Boolean
         {
-            return left.length > 0;
+            return _count > 0;
         }
 
         /** Whether the items are triangles; otherwise they are vertices. */
@@ -228,7 +231,7 @@ package starlogo.hierarchy
         /** For makers of trees: the work that computes all boxes, to be followed by <code>complete()</code>. Until it is done, there are extents in their place. */
         engine function refitting():StepSequence
         {
-            var count:int = left.length;
+            var count:int = _count;
             return new StepSequence().slices(count, NODES_PER_STEP, function(from:int, to:int):void
                 {
                     measureNodes(count - to, count - from);
@@ -281,7 +284,8 @@ package starlogo.hierarchy
         /** For makers of trees: removes all nodes of a tree that cannot be made. */
         engine function clear():void
         {
-            boxes.length = left.length = first.length = end.length = endsUpToDepth.length = _splits.length = 0;
+            setRoom(0);
+            _count = 0;
         }
 
         /**
@@ -295,7 +299,7 @@ package starlogo.hierarchy
         engine function divide(node:int, axis:int, middle:int, isBelow:Boolean):int
         {
             var level:int = levelOf(node);
-            var child:int = left.length;
+            var child:int = _count;
             left[node] = child;
             endsUpToDepth[node] = isBelow ? LARGEST_DEPTH : level;
             _splits[node] = level << 2 | axis;
@@ -350,12 +354,12 @@ package starlogo.hierarchy
         /** For makers of trees: ends the making. The columns are copied, because lists that grew have room to spare. */
         engine function complete():void
         {
-            boxes = boxes.slice();
-            left = left.slice();
-            first = first.slice();
-            end = end.slice();
-            endsUpToDepth = endsUpToDepth.slice();
-            _splits = _splits.slice();
+            boxes = boxes.slice(0, 6 * _count);
+            left = left.slice(0, _count);
+            first = first.slice(0, _count);
+            end = end.slice(0, _count);
+            endsUpToDepth = endsUpToDepth.slice(0, _count);
+            _splits = _splits.slice(0, _count);
             measureRadius();
         }
 
@@ -366,12 +370,23 @@ package starlogo.hierarchy
 
         private function addNode(from:int, to:int, level:int):void
         {
-            boxes.push(0, 0, 0, 0, 0, 0);
-            left.push(0);
-            first.push(from);
-            end.push(to);
-            endsUpToDepth.push(EXACT);
-            _splits.push(level << 2);
+            var node:int = _count;
+            if (node == left.length)
+            {
+                setRoom(2 * node + 1);
+            }
+            first[node] = from;
+            end[node] = to;
+            endsUpToDepth[node] = EXACT;
+            _splits[node] = level << 2;
+            _count = node + 1;
+        }
+
+        // Sets how many nodes the columns have room for.
+        private function setRoom(count:int):void
+        {
+            boxes.length = 6 * count;
+            left.length = first.length = end.length = endsUpToDepth.length = _splits.length = count;
         }
     }
 }

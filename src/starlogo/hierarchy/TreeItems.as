@@ -28,10 +28,8 @@ package starlogo.hierarchy
         // The extents of each item, by its index: minX, maxX, minY, maxY, minZ, maxZ.
         private var _extents:Vector.<Number>;
 
-        // The current division. The items before the middle are in the first group, those after _last in the second one. If an item is held, it is the one
-        // at the middle, and belongs to the second group. It changes places with the last item that belongs to the first one.
+        // The current division. The items before the middle are in the first group, those after _last in the second one.
         private var _last:int;
-        private var _isHeld:Boolean;
         private var _split:Number;
 
         /**
@@ -56,8 +54,8 @@ package starlogo.hierarchy
             {
                 // the order is still that of the indices
                 _tree.writeExtents(i, i + 1, _extents, 6 * i);
-                extend(bounds, i);
             }
+            extend(bounds, first, end);
         }
 
         /** Twice the mean of the centres of some items along an axis. */
@@ -72,8 +70,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Begins a division: the items whose centre is below a splitting point move before the others. The extents of both groups are
-         * computed at the same time, so that an item is read once for each level.
+         * Begins a division: the items whose centre is below a splitting point move before the others.
          *
          * @param first the slot of the first item
          * @param end the slot after the last item
@@ -84,7 +81,6 @@ package starlogo.hierarchy
         {
             middle = first;
             _last = end - 1;
-            _isHeld = false;
             this.axis = axis;
             _split = split;
             clear(leftExtents);
@@ -126,7 +122,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Continues the division. Items that are on the right side keep their places.
+         * Continues the division, and extends the extents of both groups. Items that are on the right side keep their places.
          *
          * @param most the largest number of items to look at
          * @return whether there are more items
@@ -136,37 +132,33 @@ package starlogo.hierarchy
             var items:Vector.<int> = _tree.items;
             var extents:Vector.<Number> = _extents;
             var along:int = 2 * axis;
-            var i:int = middle;
-            var last:int = _last;
-            var isHeld:Boolean = _isHeld;
-            var count:int = last - i + (isHeld ? 0 : 1);
-            for (var rest:int = Math.min(count, most); rest > 0; rest--)
+            var split:Number = _split;
+            var low:int = middle;
+            var high:int = _last;
+            for (var rest:int = most; rest > 0 && low <= high; rest--)
             {
-                var item:int = items[isHeld ? last : i];
+                var item:int = items[low];
                 var at:int = 6 * item + along;
-                if (extents[at] + extents[int(at + 1)] < _split)
+                if (extents[at] + extents[int(at + 1)] < split)
                 {
-                    if (isHeld)
-                    {
-                        items[last] = items[i];
-                        items[i] = item;
-                        last--;
-                        isHeld = false;
-                    }
-                    i++;
-                    extend(leftExtents, item);
+                    low++;
+                    continue;
                 }
-                else
+                var other:int = items[high];
+                at = 6 * other + along;
+                if (extents[at] + extents[int(at + 1)] < split)
                 {
-                    last -= isHeld ? 1 : 0;
-                    isHeld = true;
-                    extend(rightExtents, item);
+                    items[low] = other;
+                    items[high] = item;
+                    low++;
                 }
+                high--;
             }
-            middle = i;
-            _last = last;
-            _isHeld = isHeld;
-            return count > most;
+            extend(leftExtents, middle, low);
+            extend(rightExtents, high + 1, _last + 1);
+            middle = low;
+            _last = high;
+            return low <= high;
         }
 
         // Twice the centre of an item's extents along an axis.
@@ -185,23 +177,39 @@ package starlogo.hierarchy
             }
         }
 
-        // Makes extents contain an item.
-        private function extend(extents:Vector.<Number>, item:int):void
+        // Makes extents contain the items of some slots.
+        private function extend(extents:Vector.<Number>, first:int, end:int):void
         {
-            var at:int = 6 * item;
-            for (var k:int = 0; k < 6; k += 2)
+            var items:Vector.<int> = _tree.items;
+            var ofItems:Vector.<Number> = _extents;
+            var minX:Number = extents[0];
+            var maxX:Number = extents[1];
+            var minY:Number = extents[2];
+            var maxY:Number = extents[3];
+            var minZ:Number = extents[4];
+            var maxZ:Number = extents[5];
+            for (var i:int = first; i < end; i++)
             {
-                var low:Number = _extents[int(at + k)];
-                var high:Number = _extents[int(at + k + 1)];
-                if (low < extents[k])
-                {
-                    extents[k] = low;
-                }
-                if (high > extents[int(k + 1)])
-                {
-                    extents[int(k + 1)] = high;
-                }
+                var at:int = 6 * items[i];
+                var low:Number = ofItems[at];
+                var high:Number = ofItems[int(at + 1)];
+                minX = low < minX ? low : minX;
+                maxX = high > maxX ? high : maxX;
+                low = ofItems[int(at + 2)];
+                high = ofItems[int(at + 3)];
+                minY = low < minY ? low : minY;
+                maxY = high > maxY ? high : maxY;
+                low = ofItems[int(at + 4)];
+                high = ofItems[int(at + 5)];
+                minZ = low < minZ ? low : minZ;
+                maxZ = high > maxZ ? high : maxZ;
             }
+            extents[0] = minX;
+            extents[1] = maxX;
+            extents[2] = minY;
+            extents[3] = maxY;
+            extents[4] = minZ;
+            extents[5] = maxZ;
         }
     }
 }

@@ -10,13 +10,12 @@ package starlogo.queries
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
     import starlogo.queries.motion.MotionResult;
-    import starlogo.queries.motion.Mover;
     import starlogo.queries.motion.MovingBody;
-    import starlogo.queries.motion.OverlapRecovery;
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.SlideResult;
     import starlogo.queries.motion.Slider;
     import starlogo.queries.motion.StartLift;
+    import starlogo.queries.motion.TouchSweep;
     import starlogo.queries.rays.Hits;
     import starlogo.queries.trees.Collector;
     import starlogo.search.Body;
@@ -33,9 +32,8 @@ package starlogo.queries
     public final class MoveQueries
     {
         private var _seen:SeenAgents;
-        private var _mover:Mover = new Mover();
+        private var _touches:TouchSweep = new TouchSweep();
         private var _slider:Slider = new Slider();
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _found:Collector;
         private var _hits:Hits;
 
@@ -144,7 +142,7 @@ package starlogo.queries
             setMotion(dx, dy, dz);
             _body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
             _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
-            _recovery.restoreClearance(_body, _slid.place);
+            _slider.restoreClearance(_body, _slid.place);
             if (dx != 0 || dy != 0 || dz != 0)
             {
                 _seen.moveAgent(agent, _slid.place);
@@ -202,7 +200,7 @@ package starlogo.queries
         {
             _lift.clear();
             // a floor may be many rows: what is lifted out of one of them does not run into the next
-            if (collectLifted(wanted, end) && _mover.findLift(_body, _body.rows, _from, _motion, _lift))
+            if (collectLifted(wanted, end) && _touches.findLift(_body, _body.rows, _from, _motion, _lift))
             {
                 collectLifted(wanted, end);
             }
@@ -217,14 +215,14 @@ package starlogo.queries
             _hits.begin();
             if (end != null)
             {
-                Mover.goAlong(_from, _motion, 1, _lift, end);
+                _lift.findEnd(_from, _motion, 1, end);
             }
             for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
                 _one.count = 0;
                 _one.add(row);
-                _mover.findTouch(_body, _one, _from, _motion, _lift, _result);
+                _touches.findTouch(_body, _one, _from, _motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0)
                 {
@@ -233,7 +231,7 @@ package starlogo.queries
                     _hits.add(row, _result.fraction, -1).copyFrom(_result.contact);
                     if (end != null && isFirst)
                     {
-                        _mover.goIntoTouch(_body, _result);
+                        _touches.goIntoTouch(_body, _result);
                         end.copyFrom(_result.place);
                     }
                 }

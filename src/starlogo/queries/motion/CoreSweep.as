@@ -38,7 +38,7 @@ package starlogo.queries.motion
         {
             out.row = -1;
             out.time = out.comparedTime = RelativeMotion.NEVER;
-            for (var i:int = 0; i < body.obstacles.count; i++)
+            for (var i:int = 0; i < body.obstacles.count && out.comparedTime > 0; i++)
             {
                 if (findStop(body, body.obstacles.numbers[i], from, motion, _met) && _met.comparedTime < out.comparedTime)
                 {
@@ -54,6 +54,29 @@ package starlogo.queries.motion
                 out.contact.setNormal(-motion.x, -motion.y, -motion.z);
                 out.contact.normalise();
                 out.along = -motion.length;
+            }
+            return true;
+        }
+
+        /**
+         * Whether the core overlaps nothing where a motion begins. Then what it meets first on the motion stops the body. A first touch after the
+         * beginning shows that no surfaces touch there. Flat bodies and one-way rows are not decided here.
+         *
+         * @param first receives what the core meets first, as from <code>findFirst()</code>
+         */
+        public function beginsFree(body:MovingBody, from:Vector3D, motion:Vector3D, first:Impact):Boolean
+        {
+            if (body.core.isFlat || findFirst(body, from, motion, first) && first.time == 0)
+            {
+                return false;
+            }
+            for (var i:int = 0; i < body.obstacles.count; i++)
+            {
+                var row:int = body.obstacles.numbers[i];
+                if (body.isOneWay(row) || body.isCoreInside(row, from))
+                {
+                    return false;
+                }
             }
             return true;
         }

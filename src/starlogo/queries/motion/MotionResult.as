@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a straight motion of a body ends. Mover writes it.
+     * Where a straight motion of a body first touches a row. TouchSweep writes it.
      *
      * @private
      */

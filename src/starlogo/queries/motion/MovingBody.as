@@ -7,6 +7,7 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
@@ -182,11 +183,13 @@ package starlogo.queries.motion
          * Begins a motion, with the core and the tolerances that it needs.
          *
          * @param among the rows that may be in its way. They become the obstacles
+         * @return whether the motion has a length. If not, nothing stops it
          */
-        public function beginMotion(among:IntList, from:Vector3D, motion:Vector3D):void
+        public function beginMotion(among:IntList, from:Vector3D, motion:Vector3D):Boolean
         {
             obstacles.copyFrom(among);
             core.begin(_seen.table, among, from, motion);
+            return motion.lengthSquared > Tolerances.VANISHING;
         }
 
         /** The body of a row. */

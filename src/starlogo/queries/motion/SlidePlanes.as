@@ -2,7 +2,6 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.geometry.Tolerances;
     import starlogo.search.penetration.HalfSpaceSolver;
     import starlogo.search.penetration.ShortestExit;
 
@@ -61,9 +60,8 @@ package starlogo.queries.motion
          * Begins a motion, without planes.
          *
          * @param limits how it may go
-         * @return whether there is any motion
          */
-        public function begin(whole:Vector3D, limits:SlideLimits):Boolean
+        public function begin(whole:Vector3D, limits:SlideLimits):void
         {
             _maxHorizontal = limits.maxHorizontal;
             _fallSlope = limits.fallSlope;
@@ -73,7 +71,6 @@ package starlogo.queries.motion
             gone = 0;
             count = 0;
             beginCorner();
-            return length * length > Tolerances.VANISHING;
         }
 
         /**

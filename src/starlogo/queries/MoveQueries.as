@@ -46,8 +46,7 @@ package starlogo.queries
         private var _result:MotionResult = new MotionResult();
         private var _slid:SlideResult = new SlideResult();
 
-        // One of the rows near the way, and the lift out of all of them, with which the body begins.
-        private var _one:IntList = new IntList();
+        // The lift out of all rows near the way, with which the body begins.
         private var _lift:StartLift = new StartLift();
 
         // Where the row that is met first stops the body.
@@ -220,9 +219,7 @@ package starlogo.queries
             for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
-                _one.count = 0;
-                _one.add(row);
-                _touches.findTouch(_body, _one, _from, _motion, _lift, _result);
+                _touches.findTouch(_body, row, _from, _motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0)
                 {

@@ -99,7 +99,7 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.numbers[i];
                 var isOverlapped:Boolean = body.coreTouches(row, place);
-                if (isOverlapped && _overlap.isPassed(body, row, place))
+                if (isOverlapped && _overlap.passesAt(body, row, place))
                 {
                     continue;
                 }

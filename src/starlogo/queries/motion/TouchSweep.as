@@ -7,8 +7,8 @@ package starlogo.queries.motion
 
     /**
      * Finds where a straight motion of a body first touches a row, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
-     * it only touches, leaves or runs along never stops it, because the core of the body is swept (CoreSweep). At the beginning the body may overlap
-     * rows (OverlapRecovery).
+     * it only touches, leaves or runs along does not stop it, because the core of the body is swept (CoreSweep). At the beginning the body may overlap
+     * the row (OverlapRecovery).
      *
      * @private
      */
@@ -21,7 +21,8 @@ package starlogo.queries.motion
         private var _sweep:CoreSweep = new CoreSweep();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
-        // How the beginning lifts the body, the planes of what it overlaps deeply, and what its core meets first.
+        // The row of a question; and how the beginning lifts the body, the plane of a deep overlap, and how the core meets the row.
+        private var _rows:IntList = new IntList();
         private var _lift:StartLift = new StartLift();
         private var _planes:SlidePlanes = new SlidePlanes();
         private var _impact:Impact = new Impact();
@@ -45,18 +46,19 @@ package starlogo.queries.motion
         }
 
         /**
-         * Computes a motion that ends when it first touches a row.
+         * Computes a motion that ends when it first touches a row, as if there were no others.
          *
-         * @param rows the rows that may be in its way
          * @param from where it begins: not <code>out.place</code>, which is written before the end
          * @param motion the whole motion
          * @param lift the lift of <code>findLift()</code> with which it begins
          * @param out receives the answer. Rounding may hide the touch at its place: see <code>goIntoTouch()</code>
          */
-        public function findTouch(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
+        public function findTouch(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
         {
+            _rows.count = 0;
+            _rows.add(row);
             _lift.copyFrom(lift);
-            findFirstTouch(body, rows, from, motion, _lift, out);
+            findStop(body, from, motion, _lift, out);
             _lift.findEnd(from, motion, out.fraction, out.place);
         }
 
@@ -86,15 +88,15 @@ package starlogo.queries.motion
             result.place.copyFrom(result.corePlace);
         }
 
-        // Finds how a row stops a motion that begins with a lift. The lift receives what else the body is lifted out of. The result receives all but its
-        // place.
-        private function findFirstTouch(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
+        // Finds whether and how the row stops a motion that begins with a lift. The lift receives what else the body is lifted out of. The result receives all
+        // but its place.
+        private function findStop(body:MovingBody, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
         {
             out.row = -1;
             out.fraction = 1;
             out.contact.setNormal(0, 0, 0);
             out.isDeep = out.isLifted = false;
-            if (!body.beginMotion(rows, from, motion))
+            if (!body.beginMotion(_rows, from, motion))
             {
                 lift.clear();
                 return;
@@ -128,7 +130,6 @@ package starlogo.queries.motion
         private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, lift:StartLift, impact:Impact, out:MotionResult):void
         {
             out.row = impact.row;
-            out.along = impact.along;
             out.contact.copyFrom(impact.contact);
             out.contact.depth = 0;
             _sweep.findTouchTime(body, lift.place, motion, impact);
@@ -138,6 +139,7 @@ package starlogo.queries.motion
             out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
             if (-out.fraction * impact.along < body.core.slop && body.touches(out.row, from))
             {
+                // otherwise each motion against a wall would lead a little deeper
                 out.fraction = 0;
             }
         }

@@ -8,9 +8,10 @@ package starlogo.queries.motion
 
     /**
      * Goes a Walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops
-     * the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls.
+     * the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls. The method
+     * <code>go()</code> shows the order.
      *
-     * <p>Each method takes the walk to its next place, <code>Walk.place</code>, and says whether the agent stands there.</p>
+     * <p>Steps take the walk to its next place, <code>Walk.place</code>, and return whether the agent stands there.</p>
      *
      * @private
      */
@@ -65,22 +66,22 @@ package starlogo.queries.motion
         public function carry(walk:Walk, platform:int):void
         {
             _others.copyFrom(walk.body.rows, platform);
-            _slider.slide(walk.body, _others, walk.start, walk.carry, SlideLimits.NONE, _along);
+            _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _along);
             if (_along.fraction < 1 && leadsIntoPlatform(walk, platform, _along.place))
             {
-                _slider.goStraight(walk.body, _others, walk.start, walk.carry, _tried);
+                _slider.goStraight(walk.body, _others, walk.place, walk.carry, _tried);
                 if (!leadsIntoPlatform(walk, platform, _tried.place))
                 {
                     _along.place.copyFrom(_tried.place);
                 }
             }
-            walk.start.copyFrom(_along.place);
+            walk.place.copyFrom(_along.place);
         }
 
         // Whether the rest of the way that the platform carries the agent, from its end back to a place, leads into the platform.
         private function leadsIntoPlatform(walk:Walk, platform:int, place:Vector3D):Boolean
         {
-            _carried.copyFrom(walk.start);
+            _carried.copyFrom(walk.place);
             _carried.incrementBy(walk.carry);
             _vector.copyFrom(place);
             _vector.decrementBy(_carried);
@@ -138,22 +139,23 @@ package starlogo.queries.motion
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
         private function recover(walk:Walk):Boolean
         {
-            walk.place.copyFrom(walk.start);
+            walk.start.copyFrom(walk.place);
             walk.pushed = 0;
             var stands:Boolean = goDown(walk, walk.closeDepth, _upright);
             if (!_upright.isDeep)
             {
                 return stands;
             }
+            walk.place.copyFrom(walk.start);
             walk.pushed = pushOut(walk);
+            walk.start.copyFrom(walk.place);
             return goDown(walk, walk.closeDepth, _upright);
         }
 
-        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. The walk begins
-        // where this ends. Returns how far it is from where it began.
+        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. Returns how far the
+        // agent is then from where the walk began.
         private function pushOut(walk:Walk):Number
         {
-            walk.place.copyFrom(walk.start);
             var left:Number = _overlaps.findDeepest(walk.body, walk.body.rows, walk.place, _overlap);
             if (left > 0)
             {
@@ -170,7 +172,6 @@ package starlogo.queries.motion
             }
             _vector.copyFrom(walk.place);
             _vector.decrementBy(walk.start);
-            walk.start.copyFrom(walk.place);
             return _vector.length;
         }
 
@@ -236,9 +237,9 @@ package starlogo.queries.motion
         private function fall(walk:Walk):Boolean
         {
             var left:Number = walk.options.fall;
+            var isStopped:Boolean = false;
             _fallen.copyFrom(walk.place);
-            _upright.floorRow = -1;
-            for (var piece:Number = 1; left > 0 && _upright.floorRow < 0; piece *= 2)
+            for (var piece:Number = 1; left > 0 && !isStopped; piece *= 2)
             {
                 var depth:Number = Math.min(left, piece);
                 if (_fallen.z - depth < -Agent.LARGEST_COORDINATE)
@@ -246,10 +247,11 @@ package starlogo.queries.motion
                     return false;
                 }
                 goUpright(walk, _fallen, -depth, _upright);
+                isStopped = _upright.floorRow >= 0;
                 _fallen.copyFrom(_upright.place);
                 left -= _upright.fraction * depth;
             }
-            if (_upright.floorRow < 0)
+            if (!isStopped)
             {
                 // a fall can also end where the ground begins, without being stopped
                 walk.place.copyFrom(_fallen);

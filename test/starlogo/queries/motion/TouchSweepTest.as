@@ -111,7 +111,7 @@ package starlogo.queries.motion
             {
                 _body.readStructure(new Sphere(from, 0.1));
                 _body.findRowsAlong(motion, null, null);
-                _sweep.findTouch(_body, _body.rows, from, motion, new StartLift(), _result);
+                _sweep.findTouch(_body, _seen.rowOf(agent), from, motion, new StartLift(), _result);
                 assertTrue(motion + ": deep", _result.isDeep);
             }
         }
@@ -136,7 +136,7 @@ package starlogo.queries.motion
                 from.setTo(_body.source.placement.x, _body.source.placement.y, _body.source.placement.z);
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
                 _body.findRowsAlong(motion, null, null);
-                _sweep.findTouch(_body, _body.rows, from, motion, new StartLift(), _result);
+                _sweep.findTouch(_body, _seen.rowOf(agent), from, motion, new StartLift(), _result);
                 if (_result.row >= 0)
                 {
                     check(_seen.table.bodyOf(_result.row));

@@ -106,7 +106,8 @@ package starlogo.queries.motion
                 if (i > 0)
                 {
                     walk.start.copyFrom(walk.place);
-                    stands = !beginsInAir && goDown(walk, walk.closeDepth, _upright);
+                    // beyond a gap there may be ground again
+                    stands ||= !beginsInAir && goDown(walk, walk.closeDepth, _upright);
                 }
                 if (!stands)
                 {

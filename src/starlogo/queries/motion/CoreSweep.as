@@ -59,14 +59,15 @@ package starlogo.queries.motion
         }
 
         /**
-         * Whether the core overlaps nothing where a motion begins. Then what it meets first on the motion stops the body. A first touch after the
-         * beginning shows that no surfaces touch there. Flat bodies and one-way rows are not decided here.
+         * Finds what stops the core first, if it overlaps nothing where the motion begins. That is so if no surfaces touch there, because the first touch is
+         * later, and the core is not inside of an obstacle either. Flat bodies and one-way obstacles are not decided here.
          *
-         * @param first receives what the core meets first, as from <code>findFirst()</code>
+         * @param out receives the answer of <code>findFirst()</code>
+         * @return whether the core certainly overlaps nothing
          */
-        public function beginsFree(body:MovingBody, from:Vector3D, motion:Vector3D, first:Impact):Boolean
+        public function findFirstIfFree(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            if (body.core.isFlat || findFirst(body, from, motion, first) && first.time == 0)
+            if (body.core.isFlat || findFirst(body, from, motion, out) && out.time == 0)
             {
                 return false;
             }

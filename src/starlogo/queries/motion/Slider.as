@@ -49,7 +49,7 @@ package starlogo.queries.motion
             }
             var whole:Number = _rest.length;
             _rest.project();
-            if (!beginsFree(body, from, out))
+            if (leaveOverlaps(body, from, out))
             {
                 _rest.project();
                 findNext(body, out.place);
@@ -88,7 +88,7 @@ package starlogo.queries.motion
             {
                 return;
             }
-            if (!beginsFree(body, from, out))
+            if (leaveOverlaps(body, from, out))
             {
                 var crossed:int = _rest.findCrossed();
                 if (crossed >= 0)
@@ -145,19 +145,19 @@ package starlogo.queries.motion
             return false;
         }
 
-        // Whether the body overlaps nothing where it is. Then what stops the rest of the motion is found too. Otherwise the body is freed, as far as it
-        // can be.
-        private function beginsFree(body:MovingBody, from:Vector3D, out:SlideResult):Boolean
+        // Frees the body from what it overlaps where the motion begins. If it overlaps nothing, finds what stops the motion first instead, because that
+        // takes no longer than to know it. Returns whether the body may have overlapped something.
+        private function leaveOverlaps(body:MovingBody, from:Vector3D, out:SlideResult):Boolean
         {
-            if (_sweep.beginsFree(body, from, _rest.motion, _impact))
+            if (_sweep.findFirstIfFree(body, from, _rest.motion, _impact))
             {
-                return true;
+                return false;
             }
             _lift.clear();
             _recovery.leaveOverlaps(body, from, _rest, _lift);
             out.place.copyFrom(_lift.place);
             out.isDeep = _rest.count > 0;
-            return false;
+            return true;
         }
 
         // Finds what stops the rest of the motion next.

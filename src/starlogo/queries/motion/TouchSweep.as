@@ -102,7 +102,7 @@ package starlogo.queries.motion
                 return;
             }
             lift.place.copyFrom(from);
-            if (lift.isLifted || !_sweep.beginsFree(body, from, motion, _impact))
+            if (lift.isLifted || !_sweep.findFirstIfFree(body, from, motion, _impact))
             {
                 _planes.begin(motion, SlideLimits.NONE);
                 _recovery.leaveOverlaps(body, from, _planes, lift);

@@ -17,11 +17,11 @@ package starlogo.queries.motion
      */
     public final class WalkMover
     {
-        // A shorter fall counts as none, and is undone. A part of the extent.
+        // A fall, with the slide after it, is undone if it leads less far down. A part of the extent.
         private static const REST:Number = 1e-8;
 
-        // In the air every surface is a wall, except level floors.
-        private static const FLOOR:Number = 1 - 1e-12;
+        // The least z of the normal of a level floor. In the air all other surfaces are walls.
+        private static const LEVEL:Number = 1 - 1e-12;
 
         // A walk begins with this many pushes at most.
         private static const MOST_PUSHES:int = 8;
@@ -111,7 +111,7 @@ package starlogo.queries.motion
                 }
                 if (!stands)
                 {
-                    slide(walk, walk.start, 0, FLOOR, _along);
+                    slide(walk, walk.start, 0, LEVEL, _along);
                     walk.place.copyFrom(_along.place);
                 }
                 else if (walk.pieceLength == 0)

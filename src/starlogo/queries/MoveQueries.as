@@ -10,13 +10,12 @@ package starlogo.queries
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
     import starlogo.queries.motion.MotionResult;
-    import starlogo.queries.motion.Mover;
     import starlogo.queries.motion.MovingBody;
-    import starlogo.queries.motion.OverlapRecovery;
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.SlideResult;
     import starlogo.queries.motion.Slider;
     import starlogo.queries.motion.StartLift;
+    import starlogo.queries.motion.TouchSweep;
     import starlogo.queries.rays.Hits;
     import starlogo.queries.trees.Collector;
     import starlogo.search.Body;
@@ -33,9 +32,8 @@ package starlogo.queries
     public final class MoveQueries
     {
         private var _seen:SeenAgents;
-        private var _mover:Mover = new Mover();
+        private var _touches:TouchSweep = new TouchSweep();
         private var _slider:Slider = new Slider();
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _found:Collector;
         private var _hits:Hits;
 
@@ -48,8 +46,7 @@ package starlogo.queries
         private var _result:MotionResult = new MotionResult();
         private var _slid:SlideResult = new SlideResult();
 
-        // One of the rows near the way, and the lift out of all of them, with which the body begins.
-        private var _one:IntList = new IntList();
+        // The lift out of all rows near the way, with which the body begins.
         private var _lift:StartLift = new StartLift();
 
         // Where the row that is met first stops the body.
@@ -144,7 +141,7 @@ package starlogo.queries
             setMotion(dx, dy, dz);
             _body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
             _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
-            _recovery.restoreClearance(_body, _slid.place);
+            _slider.restoreClearance(_body, _slid.place);
             if (dx != 0 || dy != 0 || dz != 0)
             {
                 _seen.moveAgent(agent, _slid.place);
@@ -202,7 +199,7 @@ package starlogo.queries
         {
             _lift.clear();
             // a floor may be many rows: what is lifted out of one of them does not run into the next
-            if (collectLifted(wanted, end) && _mover.findLift(_body, _body.rows, _from, _motion, _lift))
+            if (collectLifted(wanted, end) && _touches.findLift(_body, _body.rows, _from, _motion, _lift))
             {
                 collectLifted(wanted, end);
             }
@@ -217,14 +214,12 @@ package starlogo.queries
             _hits.begin();
             if (end != null)
             {
-                Mover.goAlong(_from, _motion, 1, _lift, end);
+                _lift.findEnd(_from, _motion, 1, end);
             }
             for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
-                _one.count = 0;
-                _one.add(row);
-                _mover.findTouch(_body, _one, _from, _motion, _lift, _result);
+                _touches.findTouch(_body, row, _from, _motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0)
                 {
@@ -233,7 +228,7 @@ package starlogo.queries
                     _hits.add(row, _result.fraction, -1).copyFrom(_result.contact);
                     if (end != null && isFirst)
                     {
-                        _mover.goIntoTouch(_body, _result);
+                        _touches.goIntoTouch(_body, _result);
                         end.copyFrom(_result.place);
                     }
                 }

@@ -2,8 +2,8 @@
 // kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
 // what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. The folder trees/ has the trees and their
 // searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts may ask while a
-// question is under way: then another object of the same class answers (idle). Read this file first, then AgentRays for a ray, Mover and Slider for
-// a motion, or WalkMover for a walk.
+// question is under way: then another object of the same class answers (idle). Read this file first, then AgentRays for a ray, TouchSweep and
+// Slider for a motion, or WalkMover for a walk.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;

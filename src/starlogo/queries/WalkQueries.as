@@ -63,7 +63,7 @@ package starlogo.queries
             var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
             var platform:int = findPlatform(walk, link);
             var at:Placement = walk.body.readAgent(agent, walk.turn).placement;
-            walk.start.setTo(at.x, at.y, at.z);
+            walk.place.setTo(at.x, at.y, at.z);
             walk.range += walk.carry.length;
             _walkMover.findNear(walk, 0);
             if (platform >= 0)

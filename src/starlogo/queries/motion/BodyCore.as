@@ -11,8 +11,8 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * The core of a body that moves, and the tolerances of the motion. The core is the body, but smaller by a slop, about the middle of its extents.
-     * It does not touch what the body only touches.
+     * The core of a body that moves, and the tolerances of the motion. The core is the body, made smaller by a slop about the middle of its extents. So
+     * it does not touch what the body only touches.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
@@ -42,8 +42,8 @@ package starlogo.queries.motion
         private static const FLAT:Number = 0.01;
 
         /**
-         * The slop of the motion, in patches. The core's nearest faces are that far behind the body's own, or less far if the body is slim, or its
-         * least half-extent is less than two slops. Another inset does not change the slop. Read only.
+         * The slop of the motion, in patches: how far the core's nearest faces are behind the body's own. They are less far behind if the body is slim, or
+         * if its least half-extent is less than two slops. A narrower core does not change the slop. Read only.
          */
         public var slop:Number = 0;
 
@@ -108,11 +108,11 @@ package starlogo.queries.motion
         }
 
         /**
-         * Makes the core narrower for this motion, if it does not touch a row then. The core stays nearly as wide as it can be, because a motion can
-         * go that much deeper.
+         * Makes the core narrower for this motion, if it is free of a row then. It becomes no narrower than it has to be, up to a factor, because the
+         * motion can lead the body into other rows as deep as its core is narrow.
          *
          * @param body the body that has the core
-         * @return whether the core does not touch the row any more
+         * @return whether the core is free of the row
          */
         public function narrow(body:MovingBody, row:int, place:Vector3D):Boolean
         {

@@ -10,7 +10,8 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * Sweeps the core of a body. What the core meets stops the body. The core does not meet what the body only touches, leaves or runs along.
+     * Finds what stops a body on a straight motion, and when. It sweeps the body's core, which does not meet what the body only touches, leaves or runs
+     * along.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
@@ -18,18 +19,17 @@ package starlogo.queries.motion
      */
     public final class CoreSweep
     {
-        // What the core meets of one row.
+        // How the core meets one row.
         private var _met:Impact = new Impact();
 
-        // A sweep, the body's place at its end, and where a sweep begins again that has met what the core leaves.
+        // A sweep, the place of the body at its end, and the place where a second sweep begins.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
         private var _beyond:Vector3D = new Vector3D();
 
         /**
-         * Finds what the core meets first.
+         * Finds which obstacle of a body its core meets first. Of obstacles with the same <code>comparedTime</code>, the first one in their order counts.
          *
-         * @param body the body that moves. What it meets are its obstacles. Of rows with the same <code>comparedTime</code>, the first one counts
          * @param from where the motion begins
          * @param out receives the answer, without the time of the touch
          * @return whether anything is met
@@ -38,7 +38,7 @@ package starlogo.queries.motion
         {
             out.row = -1;
             out.time = out.comparedTime = RelativeMotion.NEVER;
-            for (var i:int = 0; i < body.obstacles.count; i++)
+            for (var i:int = 0; i < body.obstacles.count && out.comparedTime > 0; i++)
             {
                 if (findStop(body, body.obstacles.numbers[i], from, motion, _met) && _met.comparedTime < out.comparedTime)
                 {
@@ -58,6 +58,30 @@ package starlogo.queries.motion
             return true;
         }
 
+        /**
+         * Finds what stops the core first, if it overlaps nothing where the motion begins. That is so if no surfaces touch there, because the first touch is
+         * later, and the core is not inside of an obstacle either. Flat bodies and one-way obstacles are not decided here.
+         *
+         * @param out receives the answer of <code>findFirst()</code>
+         * @return whether the core certainly overlaps nothing
+         */
+        public function findFirstIfFree(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        {
+            if (body.core.isFlat || findFirst(body, from, motion, out) && out.time == 0)
+            {
+                return false;
+            }
+            for (var i:int = 0; i < body.obstacles.count; i++)
+            {
+                var row:int = body.obstacles.numbers[i];
+                if (body.isOneWay(row) || body.isCoreInside(row, from))
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
         /** Finds what stops the core first, as <code>findFirst()</code> does. One-way rows that the body passes are no obstacles from then on. */
         public function findObstacle(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
@@ -73,9 +97,9 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds when the whole body touches the row that the core has met. It does so earlier than the core, because its surface is in front of the core's
-         * at the contact. An inner face of a concave body is behind the core's, and touches later. There the whole body is swept too. Its time counts
-         * unless it is farther from the expected time than the core's, because then the body touches elsewhere.
+         * Finds when the whole body touches the row that its core has met. The body touches it earlier, because its surface is in front of the core's at
+         * the contact. Only an inner face of a concave body is behind the core's, and touches later. There the body is swept too. Its time counts unless
+         * it is farther from the expected time than the core's, because then the body touches elsewhere.
          *
          * @param out what <code>findFirst()</code> has found; receives the time of the touch
          */
@@ -100,9 +124,9 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds when and how a row stops the core. If the first contact on the way does not point against the motion, the core leaves what it touches
-         * there, and may enter another face at the same time: at the edge of a tile, its top. Then the sweep begins again, a clearance farther on.
-         * A flat core may be past a sheet there, so it is not swept again.
+         * Finds when and how a row stops the core. If the first contact does not point against the motion, the core leaves there what it touches. At the
+         * same time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on. A flat core may be past
+         * a sheet there, so it is not swept again.
          *
          * @param out receives the answer, without the time of the touch
          * @return whether the row stops it

@@ -9,8 +9,8 @@ package starlogo.queries.motion
     import starlogo.search.Body;
 
     /**
-     * Decides whether an agent that walks can stand on what is below it. A surface carries the agent if it is not too steep. At an edge, for example
-     * of a step, the face behind the edge is the surface.
+     * Decides whether an agent that walks can stand on what is below it. A surface carries the agent if it is not too steep. At an edge, such as that of a
+     * step, the face behind the edge decides.
      *
      * @private
      */
@@ -37,10 +37,10 @@ package starlogo.queries.motion
         /**
          * Lets an agent stand on a row, if the row carries it.
          *
-         * @param walk receives the row and its surface, if the row carries the agent
-         * @param contact below the agent
+         * @param walk receives the row and the normal of its surface, if the row carries the agent
+         * @param contact the contact below the agent
          * @param row the row of the contact
-         * @param place where the agent is then
+         * @param place where the agent would stand
          * @return whether the row carries it
          */
         public function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean

@@ -16,8 +16,8 @@ package starlogo.queries.motion
         public var time:Number = Infinity;
 
         /**
-         * The time that is compared with those of other rows. It is a clearance later if the contact does not point against the motion. So a corner of
-         * the core that enters a floor exactly between two tiles, along the side of one of them, is stopped by the top of the other.
+         * The time that decides which row is met first. It is a clearance later if the contact does not point against the motion. So if a corner of the
+         * core enters a floor exactly between two tiles, along the side of one of them, the top of the other stops it.
          */
         public var comparedTime:Number = Infinity;
 
@@ -30,7 +30,7 @@ package starlogo.queries.motion
         /** How far the motion goes along the contact's normal, less than 0. */
         public var along:Number = 0;
 
-        /** Whether no contact showed what is met, so that the normal is just the opposite of the motion. */
+        /** Whether no contact points against the motion. Then the normal is the opposite of the motion. */
         public var isNormalFallback:Boolean = false;
 
         /** Becomes a copy of another impact. */

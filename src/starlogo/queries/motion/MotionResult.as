@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a straight motion of a body ends. Mover writes it.
+     * Where a straight motion of a body first touches a row. TouchSweep writes it.
      *
      * @private
      */
@@ -21,9 +21,6 @@ package starlogo.queries.motion
 
         /** The contact with that row. */
         public var contact:ContactPoint = new ContactPoint();
-
-        /** How far the motion goes along the contact's normal, less than 0, if the fraction is not 0. */
-        public var along:Number = 0;
 
         /** Where the core of the body touches that row, if the fraction is not 0. */
         public var corePlace:Vector3D = new Vector3D();

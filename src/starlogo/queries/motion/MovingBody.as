@@ -1,3 +1,8 @@
+// This folder moves a body among the rows of a table. A MovingBody is what moves. Its BodyCore is the same body, smaller by a slop; CoreSweep finds what
+// the core meets, so the body may touch what it stands on or runs along. OverlapRecovery frees the body at the beginning of a motion (RowOverlap,
+// StartLift). Two classes make a motion of these: TouchSweep ends it in the touch of a row, for casts and moveUntilTouch; Slider ends it before the
+// touch, or goes on along what the body meets (SlidePlanes). WalkMover makes a walk of slides and straight motions, and Foothold says where an agent
+// stands. The other files are records. Read this file first, then TouchSweep, Slider and WalkMover.
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
@@ -7,6 +12,7 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
@@ -18,7 +24,7 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * A body that moves: the rows that may be in its way, its core, and the tests of both with a row, at the places that a motion tries. The classes
+     * A body that moves, and the rows near its way. It tells whether the body or its core touches a row, at the places that a motion tries. The classes
      * that move it know rows only through it.
      *
      * @private
@@ -34,7 +40,7 @@ package starlogo.queries.motion
         /** The rows that count and are near its way, in the order of the list. Read only. */
         public var rows:IntList = new IntList();
 
-        /** The rows that stop the motion. A row that a plane has taken the place of is not one of them, nor a one-way row that the body passed. */
+        /** The rows that stop the present motion: not those for which a plane stands, and no one-way rows that the body has passed. */
         public var obstacles:IntList = new IntList();
 
         /** Its core, and the tolerances of its present motion. Read only. */
@@ -182,11 +188,13 @@ package starlogo.queries.motion
          * Begins a motion, with the core and the tolerances that it needs.
          *
          * @param among the rows that may be in its way. They become the obstacles
+         * @return whether the motion has a length. If not, nothing stops it
          */
-        public function beginMotion(among:IntList, from:Vector3D, motion:Vector3D):void
+        public function beginMotion(among:IntList, from:Vector3D, motion:Vector3D):Boolean
         {
             obstacles.copyFrom(among);
             core.begin(_seen.table, among, from, motion);
+            return motion.lengthSquared > Tolerances.VANISHING;
         }
 
         /** The body of a row. */
@@ -229,9 +237,14 @@ package starlogo.queries.motion
         /** Whether one of the core and a row is inside of the other when the body stands at a place. Their surfaces must not touch there. */
         public function isCoreInside(row:int, place:Vector3D):Boolean
         {
-            var inner:Body = core.at(place);
             var other:Body = bodyOf(row);
-            return isNear(inner, other, RelativeMotion.NONE) && pairTestsFor(inner, other).isOneInside(inner, other);
+            // the whole body first, because mostly it is not near either
+            if (!isNear(wholeAt(place), other, RelativeMotion.NONE))
+            {
+                return false;
+            }
+            var inner:Body = core.at(place);
+            return pairTestsFor(inner, other).isOneInside(inner, other);
         }
 
         /** Whether a row stops only what comes from above. See Agent.isOneWay. */
@@ -240,13 +253,13 @@ package starlogo.queries.motion
             return agents[row].isOneWay;
         }
 
-        /** Whether the body goes on through a row that it meets with this contact, because the row is one-way, and the body does not come from above. */
+        /** Whether a row is one-way, and the body, which meets it with a contact, does not come from above. Then the body goes on through the row. */
         public function passes(row:int, contact:ContactPoint):Boolean
         {
             return isOneWay(row) && contact.normalZ < UPWARDS;
         }
 
-        /** Whether the extents of this body or its core come within a slop of another's, anywhere on a motion that ends where it is. */
+        /** Whether the extents of a body, this or its core, come within a slop of another's on a motion that ends where it is. */
         public function isNear(moved:Body, other:Body, motion:RelativeMotion):Boolean
         {
             if (other.form == ModelShape.GROUND)
@@ -262,7 +275,7 @@ package starlogo.queries.motion
                 && Math.abs(moved.z - z - other.z) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
         }
 
-        /** Whether this body or its core, where it is, touches another. */
+        /** Whether a body, this or its core, touches another where it is. */
         public function areTouching(moved:Body, other:Body):Boolean
         {
             return isNear(moved, other, RelativeMotion.NONE) && _seen.narrowPhase.areTouching(moved, other);

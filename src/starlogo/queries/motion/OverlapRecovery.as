@@ -5,15 +5,15 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
 
     /**
-     * Moves a body out of what it overlaps or touches: at the beginning of a motion (leaveOverlaps), and at its end off what it only touches
-     * (restoreClearance). RowOverlap says how it overlaps a row.
+     * Frees the core of a body from what it overlaps where a motion begins (leaveOverlaps), and leads the body off what it touches where its motions end
+     * (restoreClearance).
      *
-     * <p>Out of shallow overlaps the body is lifted, because they come from rounding in the game. If it overlaps a row more deeply, the plane of their
-     * contact stands for that row. The motion must not cross the plane, and nothing else of that row counts.</p>
+     * <p>A shallow overlap comes from rounding in the game: the body is lifted out of it. If the body overlaps a row more deeply, the plane of their
+     * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts.</p>
      *
-     * <p>It pushes the body out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
-     * another. If the body does not get free, for example between two opposite walls, it stays where it was. The tests of a pair know the
-     * shortest way out of that pair (PairTests.separate).</p>
+     * <p>The body is pushed out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
+     * another. If it does not get free, for example between two opposite walls, it stays where it was. The tests of a pair know the shortest way
+     * out of that pair (PairTests.separate).</p>
      *
      * @private
      */
@@ -33,15 +33,11 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
-        // What becomes of a body at one row: it is free of the row, is pushed out of it, or does not get out.
-        private static const FREE:int = 0;
-        private static const PUSHED:int = 1;
-        private static const STUCK:int = 2;
-
         private var _overlap:RowOverlap = new RowOverlap();
 
-        // Where the pushes begin.
+        // Where the pushes begin, and the contacts of those at the end of a motion, which nobody asks for.
         private var _before:Vector3D = new Vector3D();
+        private var _off:StartLift = new StartLift();
 
         // The contact of this push and of the last one.
         private var _contact:ContactPoint = new ContactPoint();
@@ -52,8 +48,8 @@ package starlogo.queries.motion
         private var _beside:Vector3D = new Vector3D();
 
         /**
-         * Frees the core of a body from the obstacles that it overlaps where its motion begins. The obstacles whose places planes take are no
-         * obstacles any more.
+         * Frees the core of a body from the obstacles that it overlaps where its motion begins. An obstacle for which a plane stands is none from then
+         * on.
          *
          * @param from where the motion begins
          * @param planes receives the planes of deep overlaps, before its first corner
@@ -65,7 +61,7 @@ package starlogo.queries.motion
             place.copyFrom(from);
             place.incrementBy(lift.displacement);
             lift.mostDepth = SLOPS_TO_LEAVE * body.core.slop;
-            if (replaceDeep(body, place, planes, false) && !pushFree(body, place, lift))
+            if (replaceDeep(body, place, planes, false) && !pushFree(body, place, true, lift))
             {
                 place.copyFrom(from);
                 lift.clear();
@@ -82,17 +78,18 @@ package starlogo.queries.motion
         }
 
         /**
-         * Lifts a body by the clearance off obstacles that it only touches, and a flat body off obstacles that it is close to, if there is room.
+         * Leads a body a clearance off the obstacles of its last motion that it touches, if there is room; a flat body also off those that it is close to.
          *
          * @param place the place of the body, which changes
          */
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
-            pushFree(body, place, null);
+            _off.clear();
+            pushFree(body, place, false, _off);
         }
 
-        // Lets planes take the places of obstacles that the core overlaps: of those whose overlap is deep, or of all. Obstacles that the body passes do
-        // not count any more. Returns whether obstacles are left that the core overlapped.
+        // Lets planes stand for obstacles that the core overlaps: for those whose overlap is deep, or for all. One-way obstacles that the body passes leave
+        // too. Returns whether obstacles are left that the core overlapped.
         private function replaceDeep(body:MovingBody, place:Vector3D, planes:SlidePlanes, isOfAll:Boolean):Boolean
         {
             var obstacles:IntList = body.obstacles;
@@ -102,7 +99,7 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.numbers[i];
                 var isOverlapped:Boolean = body.coreTouches(row, place);
-                if (isOverlapped && _overlap.isPassed(body, row, place))
+                if (isOverlapped && _overlap.passesAt(body, row, place))
                 {
                     continue;
                 }
@@ -120,8 +117,8 @@ package starlogo.queries.motion
             return isLeft;
         }
 
-        // Finds the contact whose plane has to take the place of an obstacle that the core touches. Returns false if there is none: if the overlap is
-        // shallow, unless all count, if a narrower core is free of the obstacle, which the motion then has, or if the core overlaps it, but not the body.
+        // Finds the contact whose plane has to stand for an obstacle that the core overlaps. There is none in three cases. The overlap is shallow, and not
+        // all count. A narrower core is free of the obstacle: then the motion has this core. Only the core overlaps the obstacle, not the body.
         private function findDeep(body:MovingBody, row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
         {
             var isShallow:Boolean = _overlap.findContact(body, row, place, isOfAll, out);
@@ -132,67 +129,66 @@ package starlogo.queries.motion
             return !body.core.narrow(body, row, place) && _overlap.wholeOverlaps(body, row, place);
         }
 
-        // Pushes a body out of one obstacle after the other, until it needs no push: with a lift, which receives the contacts, out of those that its core
-        // overlaps a little, and without one off those that it touches. Returns whether it gets free. If not, it is where it was.
-        private function pushFree(body:MovingBody, place:Vector3D, lift:StartLift):Boolean
+        // Pushes a body out of one obstacle after the other until it needs no push: out of those that its core overlaps, or off those that it touches. The
+        // last argument receives the contacts. Returns whether the body gets free. If not, it is where it was.
+        private function pushFree(body:MovingBody, place:Vector3D, isOfCore:Boolean, pushes:StartLift):Boolean
         {
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
-            var result:int = PUSHED;
-            for (var round:int = 0; round < ROUNDS && result == PUSHED; round++)
+            for (var round:int = 0; round < ROUNDS; round++)
             {
-                result = FREE;
-                for (var i:int = 0; i < body.obstacles.count && result != STUCK; i++)
+                var isFree:Boolean = true;
+                for (var i:int = 0; i < body.obstacles.count; i++)
                 {
                     var row:int = body.obstacles.numbers[i];
-                    var ofRow:int = lift == null ? pushOff(body, row, place, round) : liftOut(body, row, place, round, lift);
-                    if (ofRow != FREE)
+                    if (!(isOfCore ? findPushOut(body, row, place, round, _contact) : findPushOff(body, row, place, round, _contact)))
                     {
-                        result = ofRow;
-                        _last.copyFrom(_contact);
+                        continue;
                     }
+                    if (_contact.depth == Infinity || isOpposite(_contact))
+                    {
+                        place.copyFrom(_before);
+                        return false;
+                    }
+                    isFree = false;
+                    _contact.push(place, _contact.depth);
+                    _last.copyFrom(_contact);
+                    pushes.add(_contact);
+                }
+                if (isFree)
+                {
+                    return true;
                 }
             }
-            if (result != FREE)
-            {
-                place.copyFrom(_before);
-            }
-            return result == FREE;
+            place.copyFrom(_before);
+            return false;
         }
 
-        // Lifts a body by the clearance out of a row that its core overlaps a little.
-        private function liftOut(body:MovingBody, row:int, place:Vector3D, round:int, lift:StartLift):int
+        // Finds the push out of a row that the core overlaps: along a contact's normal by its depth, which is Infinity if the overlap is not shallow.
+        // Returns whether the core overlaps the row.
+        private function findPushOut(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
             if (!body.coreTouches(row, place))
             {
-                return FREE;
+                return false;
             }
-            var isShallow:Boolean = findContactInRound(body, row, place, round, _contact);
-            if (!isShallow || isOpposite(_contact))
-            {
-                return STUCK;
-            }
-            lift.add(_contact);
-            _contact.push(place, _contact.depth + body.core.clearance);
-            return PUSHED;
+            var isShallow:Boolean = findContactInRound(body, row, place, round, out);
+            out.depth = isShallow ? out.depth + body.core.clearance : Infinity;
+            return true;
         }
 
-        // Pushes a body by the clearance off a row that it touches.
-        private function pushOff(body:MovingBody, row:int, place:Vector3D, round:int):int
+        // Finds the push off a row that the body touches. Returns whether it touches the row.
+        private function findPushOff(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
             if (!findTouchingPlace(body, row, place, _touching))
             {
-                return FREE;
+                return false;
             }
-            findContactInRound(body, row, _touching, round, _contact);
-            if (isOpposite(_contact))
-            {
-                return STUCK;
-            }
+            findContactInRound(body, row, _touching, round, out);
             _beside.copyFrom(place);
             _beside.decrementBy(_touching);
-            _contact.push(place, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
-            return PUSHED;
+            out.depth = Math.min(out.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - out.along(_beside);
+            return true;
         }
 
         // Finds the contact with a row that the body touches at a place. Returns whether it is shallow.
@@ -212,8 +208,8 @@ package starlogo.queries.motion
             return contact.normalX * _last.normalX + contact.normalY * _last.normalY + contact.normalZ * _last.normalZ < OPPOSITE;
         }
 
-        // Finds where the body touches a row: at a place, or, if it is flat, half of a clearance beside the place along an axis. Returns whether
-        // there is such a touching place.
+        // Finds where the body touches a row: at its place, or if it is flat, half of a clearance beside its place along an axis. Returns whether it
+        // touches the row at one of these.
         private function findTouchingPlace(body:MovingBody, row:int, place:Vector3D, touching:Vector3D):Boolean
         {
             if (touchesAt(body, row, place, 0, 0, 0, touching))

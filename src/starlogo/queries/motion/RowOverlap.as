@@ -14,7 +14,7 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * Tells how a body that moves overlaps a row, at a place: with which contact, whether deeply, and which overlap is the deepest.
+     * Tells how a body overlaps a row at a place: with which contact, and how deep. It also finds the deepest overlap with several rows.
      *
      * @private
      */
@@ -50,8 +50,9 @@ package starlogo.queries.motion
         }
 
         /**
-         * Whether the whole body overlaps a row that its core touches. A core of a concave body may touch what is exactly between two sides of the
-         * body. Then the row, made smaller instead, does not touch the body. If the row is the ground, no piece of the body is deep in it.
+         * Whether the whole body overlaps a row that its core touches. If a concave body has something exactly between two of its sides, its core may
+         * touch that, but the body does not overlap it. So the row is made smaller instead, and must touch the body then. In the ground, a piece of
+         * the body must be deep.
          */
         public function wholeOverlaps(body:MovingBody, row:int, place:Vector3D):Boolean
         {
@@ -65,8 +66,8 @@ package starlogo.queries.motion
             return body.areTouching(whole, _smaller);
         }
 
-        /** Whether the body passes a row that its core touches: if the row is one-way, and the body does not rest on it. */
-        public function isPassed(body:MovingBody, row:int, place:Vector3D):Boolean
+        /** Whether the body passes a row that its core touches, because the row is one-way, and the body does not rest on it. */
+        public function passesAt(body:MovingBody, row:int, place:Vector3D):Boolean
         {
             return body.isOneWay(row) && (!findContact(body, row, place, true, _contact) || body.passes(row, _contact));
         }

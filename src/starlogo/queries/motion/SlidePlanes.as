@@ -2,13 +2,12 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.geometry.Tolerances;
     import starlogo.search.penetration.HalfSpaceSolver;
     import starlogo.search.penetration.ShortestExit;
 
     /**
-     * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the motion on these planes (Fauerby, "Improved
-     * collision detection and response", 2003, which keeps two planes; here all are kept that the Slider does not remove).
+     * The rest of a motion, and the planes of the contacts that the motion has met. It turns the rest so that it crosses none of them (Fauerby, "Improved
+     * collision detection and response", 2003). Fauerby keeps two planes. Here all are kept that the Slider does not remove.
      *
      * @private
      */
@@ -28,16 +27,16 @@ package starlogo.queries.motion
         /** The rest of the motion. */
         public var motion:Vector3D = new Vector3D();
 
-        /** The length of the rest. It and <code>gone</code> are fields because V8 makes an object for each Number that is returned. */
+        /** The length of the rest. */
         public var length:Number = 0;
 
-        /** How far the motion has gone. */
+        /** The length of the way so far. */
         public var gone:Number = 0;
 
         /** The number of planes. */
         public var count:int = 0;
 
-        /** By plane: the contact that it goes through. */
+        /** By plane: the contact whose plane it is. */
         public var contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
         /** By plane: the row that it belongs to. */
@@ -61,9 +60,8 @@ package starlogo.queries.motion
          * Begins a motion, without planes.
          *
          * @param limits how it may go
-         * @return whether there is any motion
          */
-        public function begin(whole:Vector3D, limits:SlideLimits):Boolean
+        public function begin(whole:Vector3D, limits:SlideLimits):void
         {
             _maxHorizontal = limits.maxHorizontal;
             _fallSlope = limits.fallSlope;
@@ -73,7 +71,6 @@ package starlogo.queries.motion
             gone = 0;
             count = 0;
             beginCorner();
-            return length * length > Tolerances.VANISHING;
         }
 
         /**
@@ -103,8 +100,8 @@ package starlogo.queries.motion
         }
 
         /**
-         * Adds the plane of a contact with a row. The motion must not cross it against its normal. If a plane with the same normal, except for
-         * rounding, is there already, it is replaced.
+         * Adds the plane of a contact with a row. The motion must not cross it against its normal. It replaces a plane with the same normal, up to
+         * rounding.
          *
          * @return the index of the plane
          */
@@ -158,8 +155,8 @@ package starlogo.queries.motion
         }
 
         /**
-         * Projects the motion on the planes that it crosses. It takes the motion as it was when the corner began, and finds the nearest motion
-         * that crosses no plane. If there is hardly any, or a fall is not steep enough, no motion is left.
+         * Makes the rest the motion that crosses no plane and is nearest to what it was when the corner began. If this is hardly any motion, or a fall
+         * that is not steep enough, none is left.
          *
          * @param without the index of a plane that does not count; -1 for none
          */

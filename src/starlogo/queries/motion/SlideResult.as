@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a slide of a body ends. Slider writes it.
+     * How a motion of a character's body ends. Slider writes it.
      *
      * @private
      */
@@ -13,8 +13,11 @@ package starlogo.queries.motion
         /** The place of the body at the end. */
         public var place:Vector3D = new Vector3D();
 
-        /** The length of the body's way as a part of the length of the motion, from 0 to 1. */
+        /** How much of the motion it has made, from 0 to 1: of a slide, the length of its way; of a straight motion, the free part. */
         public var fraction:Number = 1;
+
+        /** Whether it began deep in a row. */
+        public var isDeep:Boolean = false;
 
         /** Whether it met a wall: a surface that was too steep for it. */
         public var metWall:Boolean = false;
@@ -22,7 +25,7 @@ package starlogo.queries.motion
         /** The most level contact that it has met: the one with the greatest z of its normal. */
         public var floor:ContactPoint = new ContactPoint();
 
-        /** The other row of that contact; -1 if it has met nothing, or only what showed no contact (Impact.isNormalFallback). */
+        /** The other row of that contact; -1 if it has met nothing, or a slide only what showed no contact (Impact.isNormalFallback). */
         public var floorRow:int = -1;
     }
 }

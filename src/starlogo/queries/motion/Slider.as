@@ -5,7 +5,8 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
 
     /**
-     * Moves a body among rows of a table, along the rows that it meets. It begins like a motion of the Mover.
+     * Moves a body as characters move: along what it meets, or straight on. The body ends a clearance before what stops it, so that the next motion
+     * begins free.
      *
      * @private
      */
@@ -17,18 +18,18 @@ package starlogo.queries.motion
         // A normal is vertical if the square of its horizontal part is at most this. The rest is a rounding error.
         private static const VERTICAL_NORMAL:Number = 1e-20;
 
-        // A slide ends after this many iterations.
-        private static const MOST_ITERATIONS:int = 8;
+        // A slide turns at this many contacts at most.
+        private static const MOST_CONTACTS:int = 8;
 
         private var _sweep:CoreSweep = new CoreSweep();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
-        // What is left of the motion, what is met first on that, and what is met first without one of the planes.
+        // The rest of the motion, what stops it first, and what stops it first without one of the planes.
         private var _rest:SlidePlanes = new SlidePlanes();
         private var _impact:Impact = new Impact();
         private var _tried:Impact = new Impact();
 
-        // How the beginning lifts the body. A slide goes on from there.
+        // How the beginning lifts the body. The motion goes on from there.
         private var _lift:StartLift = new StartLift();
 
         /**
@@ -42,61 +43,154 @@ package starlogo.queries.motion
          */
         public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
         {
-            var place:Vector3D = out.place;
-            out.fraction = 1;
-            out.metWall = false;
-            out.floor.setNormal(0, 0, -1);
-            out.floorRow = -1;
-            body.beginMotion(rows, from, motion);
-            if (!_rest.begin(motion, limits))
+            if (!begin(body, rows, from, motion, limits, out))
             {
-                place.copyFrom(from);
-                place.incrementBy(motion);
                 return;
             }
-            _lift.clear();
-            _recovery.leaveOverlaps(body, from, _rest, _lift);
-            place.copyFrom(_lift.place);
             var whole:Number = _rest.length;
             _rest.project();
-            for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.length > 0; iterations++)
+            if (leaveOverlaps(body, from, out))
             {
-                if (!_sweep.findObstacle(body, place, _rest.motion, _impact))
-                {
-                    _rest.advance(place, 1);
-                    break;
-                }
-                goToTouch(body, place, _impact);
-                noteFloor(_impact, out);
+                _rest.project();
+                findNext(body, out.place);
+            }
+            for (var contacts:int = 0; contacts < MOST_CONTACTS && _impact.row >= 0; contacts++)
+            {
+                goToTouch(body, out.place);
+                noteFloor(out);
                 if (_impact.contact.normalZ < limits.walkableZ)
                 {
                     out.metWall = true;
                     standUp(_impact.contact);
                 }
-                dropNeedless(body, place, _rest.add(_impact.contact, _impact.row));
+                dropNeedless(body, out.place, _rest.add(_impact.contact, _impact.row));
                 _rest.project();
+                findNext(body, out.place);
+            }
+            if (_impact.row < 0)
+            {
+                _rest.advance(out.place, 1);
             }
             out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
         }
 
-        // Moves a slide to the clearance before the touch of what its core has met. If that is not in the present corner, another corner begins.
-        private function goToTouch(body:MovingBody, place:Vector3D, impact:Impact):void
+        /**
+         * Computes a straight motion that ends where something stops it.
+         *
+         * @param rows the rows that may be in its way
+         * @param from where it begins
+         * @param motion the whole motion
+         * @param out receives the answer. Its floor is what stops the motion
+         */
+        public function goStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:SlideResult):void
         {
-            if (!isSameCorner(body, impact))
+            if (!begin(body, rows, from, motion, SlideLimits.NONE, out))
+            {
+                return;
+            }
+            if (leaveOverlaps(body, from, out))
+            {
+                var crossed:int = _rest.findCrossed();
+                if (crossed >= 0)
+                {
+                    out.fraction = 0;
+                    out.floor.copyFrom(_rest.contacts[crossed]);
+                    out.floorRow = _rest.rows[crossed];
+                    return;
+                }
+                findNext(body, out.place);
+            }
+            if (_impact.row < 0)
+            {
+                _rest.advance(out.place, 1);
+                return;
+            }
+            out.floor.copyFrom(_impact.contact);
+            out.floorRow = _impact.row;
+            goToTouch(body, out.place);
+            out.fraction = _impact.touchTime;
+        }
+
+        /** Whether a row would stop a body on a straight motion. What the body overlaps at the beginning stops it too. */
+        public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
+        {
+            return body.beginMotion(body.rows, from, motion) && _sweep.findStop(body, row, from, motion, _tried);
+        }
+
+        /**
+         * Leads a body a clearance off what it touches where its motions end, if there is room. What its last motion has passed, or has begun deep in,
+         * does not count.
+         *
+         * @param place the place of the body, which changes
+         */
+        public function restoreClearance(body:MovingBody, place:Vector3D):void
+        {
+            _recovery.restoreClearance(body, place);
+        }
+
+        // Begins a motion that has met nothing yet. Returns whether it has a length. If not, this is its end.
+        private function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):Boolean
+        {
+            out.place.copyFrom(from);
+            out.fraction = 1;
+            out.isDeep = out.metWall = false;
+            out.floor.setNormal(0, 0, -1);
+            out.floorRow = -1;
+            _rest.begin(motion, limits);
+            if (body.beginMotion(rows, from, motion))
+            {
+                return true;
+            }
+            out.place.incrementBy(motion);
+            return false;
+        }
+
+        // Frees the body from what it overlaps where the motion begins. If it overlaps nothing, finds what stops the motion first instead, because that
+        // takes no longer than to know it. Returns whether the body may have overlapped something.
+        private function leaveOverlaps(body:MovingBody, from:Vector3D, out:SlideResult):Boolean
+        {
+            if (_sweep.findFirstIfFree(body, from, _rest.motion, _impact))
+            {
+                return false;
+            }
+            _lift.clear();
+            _recovery.leaveOverlaps(body, from, _rest, _lift);
+            out.place.copyFrom(_lift.place);
+            out.isDeep = _rest.count > 0;
+            return true;
+        }
+
+        // Finds what stops the rest of the motion next.
+        private function findNext(body:MovingBody, place:Vector3D):void
+        {
+            if (_rest.length > 0)
+            {
+                _sweep.findObstacle(body, place, _rest.motion, _impact);
+            }
+            else
+            {
+                _impact.row = -1;
+            }
+        }
+
+        // Moves the body to the clearance before the touch of what its core has met. If that is not in the present corner, another corner begins.
+        private function goToTouch(body:MovingBody, place:Vector3D):void
+        {
+            if (!isSameCorner(body, _impact))
             {
                 _rest.beginCorner();
             }
-            _sweep.findTouchTime(body, place, _rest.motion, impact);
-            _rest.advance(place, Math.max(impact.touchTime + body.core.clearance / impact.along, 0));
+            _sweep.findTouchTime(body, place, _rest.motion, _impact);
+            _rest.advance(place, Math.max(_impact.touchTime + body.core.clearance / _impact.along, 0));
         }
 
         // Keeps the most level surface that a slide has met.
-        private static function noteFloor(impact:Impact, out:SlideResult):void
+        private function noteFloor(out:SlideResult):void
         {
-            if (!impact.isNormalFallback && (out.floorRow < 0 || impact.contact.normalZ > out.floor.normalZ))
+            if (!_impact.isNormalFallback && (out.floorRow < 0 || _impact.contact.normalZ > out.floor.normalZ))
             {
-                out.floor.copyFrom(impact.contact);
-                out.floorRow = impact.row;
+                out.floor.copyFrom(_impact.contact);
+                out.floorRow = _impact.row;
             }
         }
 

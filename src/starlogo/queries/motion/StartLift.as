@@ -4,7 +4,8 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How the beginning of a motion lifts a body out of what it overlaps a little, as a record: the displacement, and the contacts that it leads out of.
+     * How the beginning of a motion lifts a body out of what it overlaps a little: the displacement, and the contacts that it leads out of. Slides go
+     * on from the lifted place. Straight motions until a touch end where they would without the lift, but no deeper.
      *
      * @private
      */
@@ -45,6 +46,24 @@ package starlogo.queries.motion
             }
             contacts[count].copyFrom(contact);
             count++;
+        }
+
+        /**
+         * Finds where a part of a motion ends that begins before the lift, but no deeper in what the body was lifted out of. Without this, motions that
+         * are shorter than the lift's clearance would lead deeper each time.
+         */
+        public function findEnd(from:Vector3D, motion:Vector3D, part:Number, out:Vector3D):void
+        {
+            out.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
+            for (var i:int = 0; i < count; i++)
+            {
+                var contact:ContactPoint = contacts[i];
+                var deeper:Number = contact.normalX * (from.x - out.x) + contact.normalY * (from.y - out.y) + contact.normalZ * (from.z - out.z);
+                if (deeper > 0 && deeper < mostDepth)
+                {
+                    contact.push(out, deeper);
+                }
+            }
         }
 
         /** Takes the displacement and the contacts of another lift. */

@@ -6,7 +6,7 @@ package starlogo.queries.motion
     import starlogo.queries.WalkOptions;
 
     /**
-     * A walk: what the options mean for this agent, and how far it has come. WalkQueries begins it, and the WalkMover goes it.
+     * A walk, as a record: what the options mean for this agent, and how far it has come. WalkQueries begins it, and the WalkMover goes it.
      *
      * @private
      */
@@ -41,10 +41,10 @@ package starlogo.queries.motion
         public var carry:Vector3D = new Vector3D();
         public var turn:Number = 0;
 
-        /** Where the present piece begins. */
+        /** Where the present piece begins. The WalkMover sets it. */
         public var start:Vector3D = new Vector3D();
 
-        /** Where the agent is now. */
+        /** Where the agent is now. WalkQueries sets where the walk begins. */
         public var place:Vector3D = new Vector3D();
 
         /** How far the agent was pushed out of what it overlapped, and then the part of the motion that it has made. See Footing. */

@@ -8,34 +8,34 @@ package starlogo.queries.motion
 
     /**
      * Goes a Walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops
-     * the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls.
+     * the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls. The method
+     * <code>go()</code> shows the order.
      *
-     * <p>Each method takes the walk to its next place, <code>Walk.place</code>, and says whether the agent stands there.</p>
+     * <p>Steps take the walk to its next place, <code>Walk.place</code>, and return whether the agent stands there.</p>
      *
      * @private
      */
     public final class WalkMover
     {
-        // A shorter fall counts as none, and is undone. A part of the extent.
+        // A fall, with the slide after it, is undone if it leads less far down. A part of the extent.
         private static const REST:Number = 1e-8;
 
-        // In the air every surface is a wall, except level floors.
-        private static const FLOOR:Number = 1 - 1e-12;
+        // The least z of the normal of a level floor. In the air all other surfaces are walls.
+        private static const LEVEL:Number = 1 - 1e-12;
 
         // A walk begins with this many pushes at most.
         private static const MOST_PUSHES:int = 8;
 
-        private var _mover:Mover = new Mover();
         private var _slider:Slider = new Slider();
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _overlaps:RowOverlap = new RowOverlap();
         private var _foothold:Foothold;
 
-        // Memory for the motions of the methods: how slides and straight motions end, their vectors and limits, where a fall has come, the rows
-        // without the platform and where it carries the agent, and an overlap.
-        private var _slid:SlideResult = new SlideResult();
+        // How motions end: up or down, along the ground, and those that may be undone.
+        private var _upright:SlideResult = new SlideResult();
+        private var _along:SlideResult = new SlideResult();
         private var _tried:SlideResult = new SlideResult();
-        private var _straight:MotionResult = new MotionResult();
+
+        // The vector and the limits of a motion, where a fall has come, the rows without the platform and where it carries the agent, and an overlap.
         private var _vector:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
         private var _fallen:Vector3D = new Vector3D();
@@ -66,46 +66,39 @@ package starlogo.queries.motion
         public function carry(walk:Walk, platform:int):void
         {
             _others.copyFrom(walk.body.rows, platform);
-            _slider.slide(walk.body, _others, walk.start, walk.carry, SlideLimits.NONE, _slid);
-            if (_slid.fraction < 1 && leadsIntoPlatform(walk, platform, _slid.place))
+            _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _along);
+            if (_along.fraction < 1 && leadsIntoPlatform(walk, platform, _along.place))
             {
-                _mover.goBeforeTouch(walk.body, _others, walk.start, walk.carry, _straight);
-                if (!leadsIntoPlatform(walk, platform, _straight.place))
+                _slider.goStraight(walk.body, _others, walk.place, walk.carry, _tried);
+                if (!leadsIntoPlatform(walk, platform, _tried.place))
                 {
-                    _slid.place.copyFrom(_straight.place);
+                    _along.place.copyFrom(_tried.place);
                 }
             }
-            walk.start.copyFrom(_slid.place);
+            walk.place.copyFrom(_along.place);
         }
 
         // Whether the rest of the way that the platform carries the agent, from its end back to a place, leads into the platform.
         private function leadsIntoPlatform(walk:Walk, platform:int, place:Vector3D):Boolean
         {
-            _carried.copyFrom(walk.start);
+            _carried.copyFrom(walk.place);
             _carried.incrementBy(walk.carry);
             _vector.copyFrom(place);
             _vector.decrementBy(_carried);
-            return _mover.meets(walk.body, platform, _carried, _vector);
+            return _slider.meets(walk.body, platform, _carried, _vector);
         }
 
         /**
-         * Goes the walk: pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. The walk receives how far
-         * the agent was pushed, and which part of the motion it has made.
+         * Goes the walk: recovers from overlaps, then goes each piece, and falls if the agent does not stand. The agent goes a piece along the ground.
+         * If a wall stops it there, it tries to step up. Otherwise it steps down to the ground. Without ground it goes through the air. The walk
+         * receives how far the agent was pushed, and which part of the motion it has made.
          *
          * @return whether the agent stands at the end
          */
         public function go(walk:Walk):Boolean
         {
-            walk.place.copyFrom(walk.start);
-            walk.pushed = 0;
-            var stands:Boolean = goDown(walk, walk.closeDepth, _straight);
-            if (_straight.isDeep)
-            {
-                walk.pushed = pushOut(walk);
-                stands = goDown(walk, walk.closeDepth, _straight);
-            }
-            // a walk that begins in the air stays there
-            var isInAir:Boolean = !stands;
+            var stands:Boolean = recover(walk);
+            var beginsInAir:Boolean = !stands;
             var startX:Number = walk.start.x;
             var startY:Number = walk.start.y;
             for (var i:int = 0; i < walk.pieces; i++)
@@ -113,23 +106,57 @@ package starlogo.queries.motion
                 if (i > 0)
                 {
                     walk.start.copyFrom(walk.place);
-                    stands = !isInAir && goDown(walk, walk.closeDepth, _straight);
+                    // beyond a gap there may be ground again
+                    stands ||= !beginsInAir && goDown(walk, walk.closeDepth, _upright);
                 }
-                stands = stands ? goPiece(walk) : goInAir(walk);
+                if (!stands)
+                {
+                    slide(walk, walk.start, 0, LEVEL, _along);
+                    walk.place.copyFrom(_along.place);
+                }
+                else if (walk.pieceLength == 0)
+                {
+                    // it stays exactly where it is
+                    walk.place.copyFrom(walk.start);
+                }
+                else
+                {
+                    slide(walk, walk.place, riseOf(walk), walk.cosine, _along);
+                    if (!(_along.metWall && stepUp(walk, _along.place)))
+                    {
+                        walk.place.copyFrom(_along.place);
+                        stands = goDown(walk, walk.options.snap + walk.closeDepth, _upright);
+                    }
+                }
             }
             var dx:Number = walk.place.x - startX;
             var dy:Number = walk.place.y - startY;
             walk.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.pieces * walk.pieceLength)) : 1;
             stands ||= walk.body.hasShape && fall(walk);
-            _recovery.restoreClearance(walk.body, walk.place);
+            _slider.restoreClearance(walk.body, walk.place);
             return stands;
         }
 
-        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. The piece begins
-        // where this ends. Returns how far it is from where it began.
+        // Pushes the agent out of what it overlaps. Returns whether it stands then.
+        private function recover(walk:Walk):Boolean
+        {
+            walk.start.copyFrom(walk.place);
+            walk.pushed = 0;
+            var stands:Boolean = goDown(walk, walk.closeDepth, _upright);
+            if (!_upright.isDeep)
+            {
+                return stands;
+            }
+            walk.place.copyFrom(walk.start);
+            walk.pushed = pushOut(walk);
+            walk.start.copyFrom(walk.place);
+            return goDown(walk, walk.closeDepth, _upright);
+        }
+
+        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. Returns how far the
+        // agent is then from where the walk began.
         private function pushOut(walk:Walk):Number
         {
-            walk.place.copyFrom(walk.start);
             var left:Number = _overlaps.findDeepest(walk.body, walk.body.rows, walk.place, _overlap);
             if (left > 0)
             {
@@ -141,55 +168,33 @@ package starlogo.queries.motion
                 left -= length;
                 _vector.setTo(0, 0, 0);
                 _overlap.push(_vector, length);
-                _slider.slide(walk.body, walk.body.rows, walk.place, _vector, SlideLimits.NONE, _slid);
-                walk.place.copyFrom(_slid.place);
+                _slider.slide(walk.body, walk.body.rows, walk.place, _vector, SlideLimits.NONE, _along);
+                walk.place.copyFrom(_along.place);
             }
             _vector.copyFrom(walk.place);
             _vector.decrementBy(walk.start);
-            walk.start.copyFrom(walk.place);
             return _vector.length;
         }
 
-        // Goes a piece of the way through the air. Returns false: the fall finds whether the agent stands.
-        private function goInAir(walk:Walk):Boolean
+        // How far a piece leads up or down if it runs along the ground below the agent.
+        private static function riseOf(walk:Walk):Number
         {
-            slide(walk, walk.start, 0, FLOOR, _slid);
-            walk.place.copyFrom(_slid.place);
-            return false;
-        }
-
-        // Goes a piece of the way along the ground, and down to it. Returns whether the agent stands at the end.
-        private function goPiece(walk:Walk):Boolean
-        {
-            if (walk.pieceLength == 0)
-            {
-                // it stays exactly where it is
-                walk.place.copyFrom(walk.start);
-                return true;
-            }
-            var rise:Number = -(walk.floorNormal.x * walk.piece.x + walk.floorNormal.y * walk.piece.y) / walk.floorNormal.z;
-            slide(walk, walk.place, rise, walk.cosine, _slid);
-            if (_slid.metWall && climb(walk, _slid.place))
-            {
-                return true;
-            }
-            walk.place.copyFrom(_slid.place);
-            return goDown(walk, walk.options.snap + walk.closeDepth, _straight);
+            return -(walk.floorNormal.x * walk.piece.x + walk.floorNormal.y * walk.piece.y) / walk.floorNormal.z;
         }
 
         // Tries a piece again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
-        private function climb(walk:Walk, plain:Vector3D):Boolean
+        private function stepUp(walk:Walk, plain:Vector3D):Boolean
         {
-            goUpright(walk, walk.start, walk.options.stepHeight, _straight);
-            var height:Number = _straight.place.z - walk.start.z;
+            goUpright(walk, walk.start, walk.options.stepHeight, _upright);
+            var height:Number = _upright.place.z - walk.start.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slide(walk, _straight.place, 0, walk.cosine, _tried);
+            slide(walk, _upright.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
             walk.place.copyFrom(_tried.place);
-            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, height + walk.options.snap + walk.closeDepth, _straight);
+            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, height + walk.options.snap + walk.closeDepth, _upright);
         }
 
         // Slides along the way of a piece, and up or down.
@@ -201,10 +206,10 @@ package starlogo.queries.motion
         }
 
         // Goes straight up, or down if dz is less than 0, until something is in the way.
-        private function goUpright(walk:Walk, from:Vector3D, dz:Number, out:MotionResult):void
+        private function goUpright(walk:Walk, from:Vector3D, dz:Number, out:SlideResult):void
         {
             _vector.setTo(0, 0, dz);
-            _mover.goBeforeTouch(walk.body, walk.body.rows, from, _vector, out);
+            _slider.goStraight(walk.body, walk.body.rows, from, _vector, out);
         }
 
         // Slides down like a fall, as long as what it slides on is too steep to stand on.
@@ -217,10 +222,10 @@ package starlogo.queries.motion
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. Otherwise the agent stays. The last argument receives how the
         // motion down ends.
-        private function goDown(walk:Walk, depth:Number, out:MotionResult):Boolean
+        private function goDown(walk:Walk, depth:Number, out:SlideResult):Boolean
         {
             goUpright(walk, walk.place, -depth, out);
-            if (out.row < 0 || !(_foothold.standOn(walk, out.contact, out.row, out.place) || standOnOther(walk, out.place)))
+            if (out.floorRow < 0 || !(_foothold.standOn(walk, out.floor, out.floorRow, out.place) || standOnOther(walk, out.place)))
             {
                 return false;
             }
@@ -233,25 +238,27 @@ package starlogo.queries.motion
         private function fall(walk:Walk):Boolean
         {
             var left:Number = walk.options.fall;
+            var isStopped:Boolean = false;
             _fallen.copyFrom(walk.place);
-            _straight.row = -1;
-            for (var piece:Number = 1; left > 0 && _straight.row < 0; piece *= 2)
+            for (var piece:Number = 1; left > 0 && !isStopped; piece *= 2)
             {
-                if (_fallen.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)
+                var depth:Number = Math.min(left, piece);
+                if (_fallen.z - depth < -Agent.LARGEST_COORDINATE)
                 {
                     return false;
                 }
-                goUpright(walk, _fallen, -Math.min(left, piece), _straight);
-                _fallen.copyFrom(_straight.place);
-                left -= _straight.fraction * Math.min(left, piece);
+                goUpright(walk, _fallen, -depth, _upright);
+                isStopped = _upright.floorRow >= 0;
+                _fallen.copyFrom(_upright.place);
+                left -= _upright.fraction * depth;
             }
-            if (_straight.row < 0)
+            if (!isStopped)
             {
                 // a fall can also end where the ground begins, without being stopped
                 walk.place.copyFrom(_fallen);
-                return goDown(walk, walk.closeDepth, _straight);
+                return goDown(walk, walk.closeDepth, _upright);
             }
-            if (_foothold.standOn(walk, _straight.contact, _straight.row, _fallen))
+            if (_foothold.standOn(walk, _upright.floor, _upright.floorRow, _fallen))
             {
                 walk.place.copyFrom(_fallen);
                 return true;
@@ -262,7 +269,7 @@ package starlogo.queries.motion
             {
                 walk.place.copyFrom(_tried.place);
             }
-            return goDown(walk, walk.closeDepth, _straight);
+            return goDown(walk, walk.closeDepth, _upright);
         }
 
         // Lets the agent stand on what else it touches at a place, besides something too steep.

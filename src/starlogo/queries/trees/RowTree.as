@@ -33,8 +33,10 @@ package starlogo.queries.trees
         // The most rows that a leaf can have.
         private static const LEAF_SIZE:int = 24;
 
-        /** How many breeds have bits of their own in a set of breeds; and the set of all. */
+        /** The number of bits in a set of breeds. */
         public static const BREED_BITS:int = 32;
+
+        /** The set of all breeds. */
         public static const ALL_BREEDS:int = -1;
 
         // After this many moves per row the tree has to be built again, because its boxes have grown too much.
@@ -52,7 +54,7 @@ package starlogo.queries.trees
         /** By slot: the middle of the row's box. */
         public var middles:Points = new Points();
 
-        /** By slot: the row's box, widened by a slack that is larger than its rounding errors. A tree of places reads them only when a row moves. */
+        /** By slot: the row's box, widened by a slack that is larger than its rounding errors. A tree of places has them only for rows that have moved. */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
         /** By node: a box around the boxes of the node's rows. */

@@ -27,7 +27,7 @@ package starlogo.queries.motion
     use namespace engine;
 
     /** Which triangle a motion's contact has: the one that the sweep met, or none if the motion begins deep. */
-    public class MoverTest
+    public class TouchSweepTest
     {
         // Triangles whose distances from the contact differ by less have the contact both.
         private static const TIE:Number = 1e-7;
@@ -37,7 +37,7 @@ package starlogo.queries.motion
         private var _model:Model = BuiltInModel.sphere();
         private var _seen:SeenAgents = new SeenAgents(EachCollider.make("triangles", landOf(_model)));
         private var _body:MovingBody = new MovingBody(_seen);
-        private var _mover:Mover = new Mover();
+        private var _sweep:TouchSweep = new TouchSweep();
         private var _result:MotionResult = new MotionResult();
         private var _corners:Vector.<Number> = new Vector.<Number>();
         private var _wrong:Complaints = new Complaints();
@@ -111,7 +111,7 @@ package starlogo.queries.motion
             {
                 _body.readStructure(new Sphere(from, 0.1));
                 _body.findRowsAlong(motion, null, null);
-                _mover.findTouch(_body, _body.rows, from, motion, new StartLift(), _result);
+                _sweep.findTouch(_body, _seen.rowOf(agent), from, motion, new StartLift(), _result);
                 assertTrue(motion + ": deep", _result.isDeep);
             }
         }
@@ -136,7 +136,7 @@ package starlogo.queries.motion
                 from.setTo(_body.source.placement.x, _body.source.placement.y, _body.source.placement.z);
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
                 _body.findRowsAlong(motion, null, null);
-                _mover.findTouch(_body, _body.rows, from, motion, new StartLift(), _result);
+                _sweep.findTouch(_body, _seen.rowOf(agent), from, motion, new StartLift(), _result);
                 if (_result.row >= 0)
                 {
                     check(_seen.table.bodyOf(_result.row));

@@ -56,6 +56,9 @@ const CHANGES = [
 /** A field gets its first value: mostly another is written before it is read. */
 const FIRST_VALUE = /^\s+this\.[#$\w]+ = (-?[\d.]+|null|false|true|""|\(0 \/ 0.*|-?Infinity);$/;
 
+/** The module's own checks of arguments, which are no lines of a source: test/module/input.test.mjs has their tests. */
+const BORDER = /(?<![\w.])\$(?:an?[A-Z]|bytes|check|named|numbers|options|point|refuse|warn)\w*\(/;
+
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const [tests, count = "100", seed = "1", all = "", packages = ""] = process.argv.slice(2);
 
@@ -74,7 +77,7 @@ function placesOf(name) {
 		const line = lines[i];
 		isConstructor = /^\tconstructor\(/.test(line) || (isConstructor && !/^\t\}/.test(line));
 		if (isConstructor && FIRST_VALUE.test(line)) continue;
-		if (/^\s*(\/\/|\*|\/\*)|throw new|static #?\w+ =|requireType|\$check/.test(line)) continue;
+		if (/^\s*(\/\/|\*|\/\*)|throw new|static #?\w+ =|requireType/.test(line) || BORDER.test(line)) continue;
 		for (const [from, to] of CHANGES) for (const { index, 0: text } of line.matchAll(from)) places.push({ name, line: i, changed: line.slice(0, index) + to + line.slice(index + text.length) });
 	}
 	return places;

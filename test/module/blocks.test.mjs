@@ -256,7 +256,9 @@ test("the blocks that walk move agents as walks and motions do, and traits and s
 		for (const each of [...bears, cub]) assert.deepEqual([each.collideAs, each.isOneWay, each.traversalDepth, each.hierarchical], [Agent.BOX, true, 3, true]);
 		for (const each of others) assert.deepEqual([each.collideAs, each.isOneWay, each.traversalDepth, each.hierarchical], [Agent.TIGHTEST, false, 0, false]);
 		assert.throws(() => traits.setCollisionDepth("bears", 2 ** 31), /needs a whole number/);
-		structures.show("bears", true);
+		for (const breed of ["balls", "bears", "hasOwnProperty"]) structures.show(breed, true);
+		structures.show("balls", false);
+		structures.show("hasOwnProperty", false);
 		structures.show(others[0], true);
 		assert.deepEqual(agents.filter((each) => structures.isShown(each)), agents.filter((each) => each.breed === "bears" || each === others[0]));
 	});

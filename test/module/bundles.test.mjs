@@ -81,7 +81,8 @@ test("a game loads the questions that it asks", () => {
 		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 43],
 		[["Agent", "Collision", "BinCollider", "AgentQueries"], 77],
 		[[...level, "AgentRays"], 45.2],
-		[[...level, "AgentWalks"], 79],
+		[[...level, "AgentWalks"], 78],
+		[[...level, "AgentRays", "AgentWalks"], 80],
 	];
 	for (const [names, limit] of limits) {
 		const size = weigh(bundle(names)) / KB;

@@ -10,12 +10,12 @@
  * changed line. The first time, all tests run once for that, and TESTS.coverage keeps which lines each of them runs. With "chosen" those run that ./antw
  * test -Dtest=SOURCE runs in Node, and those that it leaves to the player; PACKAGES are all then. Of *.test.mjs those run that check the source.
  *
- * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes
- * are visited in another order; boxes are wider, or what would spare work does not; the slower of two sorts runs; there is room for more than comes; a limit that nothing is
- * below is another such limit; a method that every subclass has fails in another way. The smallest sphere whose vertices are not all looked at
- * again is larger by less than a step of the hull's grid. Corners of triangles are kept as moved although they are at their vertices' places. A
- * level's triangles are prepared when it is added, or when it is asked first. Where two bodies part is halved from 0 on, which takes longer. Of two
- * places that both lead into a platform the one or the other is taken (WalkMover.carry).
+ * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes are
+ * visited in another order; boxes are wider, or what would spare work does not; the slower of two sorts runs; there is room for more than comes; a
+ * limit that nothing is below is another such limit; a method that every subclass has fails in another way. The smallest sphere whose vertices are
+ * not all looked at again is larger by less than a step of the hull's grid. Corners of triangles are kept as moved although they are at their
+ * vertices' places. A level's triangles are prepared when it is added, or when it is asked first. Where two bodies part is halved from 0 on, which
+ * takes longer. Of two places that both lead into a platform the one or the other is taken (WalkMover.carry).
  *
  * What is there for rounding alone, or for a counter that only long games fill, hardly any test of every day runs: PenetrationSearch.findGrazing and its
  * second push against the motion, the shorter depth in DirectionSearch.makeSure, the end of a triangle in the ray that TriangleRayVisitor makes longer by

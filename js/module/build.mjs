@@ -72,7 +72,7 @@ buildSync({
 });
 // last, because with this file the package counts as made
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
-console.log(`written: ${out} (${Math.round(small.length / 1024)} KB minified)`);
+console.log(`written: ${out} (${Math.round(small.length / 1024)} KB minified); in a project's folder: npm install $(npm pack ${resolve(out)})`);
 
 /**
  * The text without Flash's error numbers (the engine itself removes those of streams), and with escapes for characters that make tools

@@ -31,6 +31,7 @@ const WARNINGS = new Map([
 	["starlogo.queries.AgentQueries.update", ["$warnOfStale(this, agents, null);"]],
 	...["refresh", "moveUntilTouch", "slide"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, agent);"]]),
 	["starlogo.queries.AgentQueries.walk", ["$warnOfStale(this, null, agent);", "$warnOfFall(agent, dx, dy);"]],
+	["starlogo.queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
 	["starlogo.queries.AgentWalks.walk", ["$warnOfFall(agent, dx, dy);"]],
 	...["cast", "near", "nearest"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, null);"]]),
 ]);

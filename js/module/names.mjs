@@ -15,6 +15,7 @@ export const EXTERNALS = {
 	ArgumentError: "ArgumentError",
 	"flash.errors.EOFError": "EOFError",
 	"flash.utils.ByteArray": "ByteArray",
+	"flash.utils.getQualifiedClassName": "classNameOf",
 	"starlogo.data.hintOfName": "$hintOfName",
 	"starlogo.data.textOf": "$named",
 	"starlogo.data.warn": "$warn",

@@ -640,8 +640,8 @@ test("errors name structures, elements of lists, functions and settings as their
 	assert.equal(String(sphere), "a Sphere of radius 0.5 at Vector3D(1, 2, 3)");
 	assert.equal(String(new Box(new Vector3D(), ...turned, 1, 2, 3)), "a Box of half-extents (1, 2, 3) at Vector3D(0, 0, 0)");
 	assert.equal(String(new engine.Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 2)), "a Cylinder of radius 2 from Vector3D(0, 0, 0) to Vector3D(0, 0, 1)");
-	refused(() => questions.overlapping(new Ring(7)), "a sphere, box, capsule or hull is needed, not a structure of kind 4");
-	refused(() => engine.Wireframes.ofStructure(new Ring(7)), "this kind of structure can't be drawn: a structure of kind 4");
+	refused(() => questions.overlapping(new Ring(7)), "a sphere, box, capsule or hull is needed, not a structure of class Ring");
+	refused(() => engine.Wireframes.ofStructure(new Ring(7)), "this kind of structure can't be drawn: a structure of class Ring");
 	refused(() => new SeenAgents(land), "not an object of class GreatLand; a SeenAgents may also have a LevelShapes");
 	const flat = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3";
 	assert.throws(() => new engine.ObjModel("flat", flat, { up: "y" }), /the up axis must be "x", "y" or "z", or a ModelTransform, not a plain object$/);

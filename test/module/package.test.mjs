@@ -358,14 +358,18 @@ test("while a game is developed, handlers and places that can't be meant are war
 });
 
 test("while a game is developed, angles in radians are warned of, once, and angles in degrees never", () => {
-	const program = (module, angles) => `import { Agent } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+	const turning = 'let i = 0; for (const angle of angles) agents[i % 2][["heading", "pitch", "roll"][i++ % 3]] = angle;';
+	const seeing = "for (const angle of angles) queries.inCone(agents[0], 5, angle);";
+	const program = (module, angles, use) => `import { Agent, AgentQueries, BinCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
 		console.warn = (text) => said.push(text);
 		const agents = [new Agent("sphere", "wolves"), new Agent("sphere", "sheep")];
-		let i = 0;
-		for (const angle of ${angles}) agents[i % 2][["heading", "pitch", "roll"][i++ % 3]] = angle;
+		const queries = new AgentQueries(new BinCollider());
+		queries.update(agents);
+		const angles = ${angles};
+		${use}
 		console.log(JSON.stringify(said));`;
-	const run = (angles, module = "starlogo-collision.js") => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module, angles)], { encoding: "utf8" }));
+	const run = (angles, use = turning, module = "starlogo-collision.js") => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module, angles, use)], { encoding: "utf8" }));
 	const many = (of) => `Array.from({ length: 900 }, (_, i) => ${of})`;
 	const radians = [["[0, 3, -Math.PI / 2, Math.PI]", /^starlogo-collision: roll of agent \d+ \(breed "wolves", shape "sphere"\) is -1\.57, a part of π\..* here -90$/], ["[Math.PI / 6]", /here 30$/],
 		[many("Math.atan2(Math.sin(i), Math.cos(i))"), /and was -?[23]\.\d+; all angles were between -3\.1\d? and 3\.\d+\. Angles are in degrees/], [many("0.1 * i % (2 * Math.PI)"), /and was [56]\.\d+; all angles were between 0 and 6\.\d+\. /]];
@@ -373,8 +377,12 @@ test("while a game is developed, angles in radians are warned of, once, and angl
 		const said = run(angles);
 		assert.equal(said.length, 1, `${angles}: ${said.join("\n")}`);
 		assert.match(said[0], pattern);
-		assert.deepEqual(run(angles, "starlogo-collision.min.js"), []);
+		assert.deepEqual(run(angles, turning, "starlogo-collision.min.js"), []);
 	}
+	const [cone, ...others] = run("[Math.PI / 3, Math.PI / 2]", seeing);
+	assert.match(cone, /^starlogo-collision: inCone\(\) takes the cone's full angle in degrees\. 1\.05 is a part of π: .* here 60$/);
+	assert.deepEqual(others, []);
+	assert.deepEqual(run("[0, 1, 2, 3, 6, 60, 90, 180, 360, Infinity]", seeing), []);
 	for (const degrees of ["[90, 180, 3, -3, 0.5]", many("5 * Math.sin(i)"), many("10 * Math.sin(i)"), many("i % 7"), many("i % 360 - 180"), many("0.01 * i"), many("Math.atan2(Math.sin(i), Math.cos(i)) * 180 / Math.PI")]) assert.deepEqual(run(degrees), [], degrees);
 });
 

@@ -10,12 +10,12 @@
  * changed line. The first time, all tests run once for that, and TESTS.coverage keeps which lines each of them runs. With "chosen" those run that ./antw
  * test -Dtest=SOURCE runs in Node, and those that it leaves to the player; PACKAGES are all then. Of *.test.mjs those run that check the source.
  *
- * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes
- * are visited in another order; boxes are wider, or what would spare work does not; there is room for more than comes; a limit that nothing is
- * below is another such limit; a method that every subclass has fails in another way. The smallest sphere whose vertices are not all looked at
- * again is larger by less than a step of the hull's grid. Corners of triangles are kept as moved although they are at their vertices' places. A
- * level's triangles are prepared when it is added, or when it is asked first. Where two bodies part is halved from 0 on, which takes longer. Of two
- * places that both lead into a platform the one or the other is taken (WalkMover.carry).
+ * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes are
+ * visited in another order; boxes are wider, or what would spare work does not; the slower of two sorts runs; there is room for more than comes; a
+ * limit that nothing is below is another such limit; a method that every subclass has fails in another way. The smallest sphere whose vertices are
+ * not all looked at again is larger by less than a step of the hull's grid. Corners of triangles are kept as moved although they are at their
+ * vertices' places. A level's triangles are prepared when it is added, or when it is asked first. Where two bodies part is halved from 0 on, which
+ * takes longer. Of two places that both lead into a platform the one or the other is taken (WalkMover.carry).
  *
  * What is there for rounding alone, or for a counter that only long games fill, hardly any test of every day runs: PenetrationSearch.findGrazing and its
  * second push against the motion, the shorter depth in DirectionSearch.makeSure, the end of a triangle in the ray that ShearedRay makes longer by its
@@ -56,6 +56,9 @@ const CHANGES = [
 /** A field gets its first value: mostly another is written before it is read. */
 const FIRST_VALUE = /^\s+this\.[#$\w]+ = (-?[\d.]+|null|false|true|""|\(0 \/ 0.*|-?Infinity);$/;
 
+/** The module's own checks of arguments, which are no lines of a source: test/module/input.test.mjs has their tests. */
+const BORDER = /(?<![\w.])\$(?:an?[A-Z]|bytes|check|named|numbers|options|point|refuse|warn)\w*\(/;
+
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const [tests, count = "100", seed = "1", all = "", packages = ""] = process.argv.slice(2);
 
@@ -74,7 +77,7 @@ function placesOf(name) {
 		const line = lines[i];
 		isConstructor = /^\tconstructor\(/.test(line) || (isConstructor && !/^\t\}/.test(line));
 		if (isConstructor && FIRST_VALUE.test(line)) continue;
-		if (/^\s*(\/\/|\*|\/\*)|throw new|static #?\w+ =|requireType|\$check/.test(line)) continue;
+		if (/^\s*(\/\/|\*|\/\*)|throw new|static #?\w+ =|requireType/.test(line) || BORDER.test(line)) continue;
 		for (const [from, to] of CHANGES) for (const { index, 0: text } of line.matchAll(from)) places.push({ name, line: i, changed: line.slice(0, index) + to + line.slice(index + text.length) });
 	}
 	return places;

@@ -298,3 +298,20 @@ export async function finger(page) {
 	const client = await page.context().newCDPSession(page);
 	return (type, ...touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
 }
+
+/** Drags from one place of the ground to another, with the mouse. */
+export async function drag(page, from, to) {
+	const [a, b] = await page.evaluate((places) => {
+		const { stage } = globalThis.playground;
+		const box = stage.canvas.getBoundingClientRect();
+		return places.map(([x, y]) => {
+			const at = stage.pixelOf(x, y, 0);
+			return { x: box.left + at.x, y: box.top + at.y };
+		});
+	}, [from, to]);
+	await page.mouse.move(a.x, a.y);
+	await page.mouse.down();
+	await page.mouse.move(b.x, b.y, { steps: 24 });
+	await page.mouse.up();
+	await rest(page, 100);
+}

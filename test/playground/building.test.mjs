@@ -1,7 +1,7 @@
 /** A level that is built in the world, by mouse: kept in the program as blocks, and undone like them. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { SIZES, begin, open, rest } from './browser.mjs';
+import { SIZES, begin, drag, open, rest } from './browser.mjs';
 import { parts } from './parts.mjs';
 
 let site;
@@ -62,23 +62,6 @@ test('agents are moved, copied, turned, raised and deleted in the world, and Und
 	assert.deepEqual(said, []);
 	await leave();
 });
-
-/** Drags from one place of the ground to another, with the mouse. */
-async function drag(page, from, to) {
-	const [a, b] = await page.evaluate((places) => {
-		const { stage } = globalThis.playground;
-		const box = stage.canvas.getBoundingClientRect();
-		return places.map(([x, y]) => {
-			const at = stage.pixelOf(x, y, 0);
-			return { x: box.left + at.x, y: box.top + at.y };
-		});
-	}, [from, to]);
-	await page.mouse.move(a.x, a.y);
-	await page.mouse.down();
-	await page.mouse.move(b.x, b.y, { steps: 24 });
-	await page.mouse.up();
-	await rest(page, 100);
-}
 
 test('the ground is raised and lowered, and a maze is built, by mouse: as blocks, and Undo takes each stroke back', async () => {
 	const { page, said, leave } = await open(site, 'play/paintball', SIZES.laptop);

@@ -557,19 +557,19 @@ test('Play: what scripts take is not counted as the engine\'s', async () => {
 		let [now, steps] = [0, 0];
 		const { collision } = world.collisions;
 		const { update } = collision;
-		const { forward } = world;
+		const { forward } = world.moves;
 		performance.now = () => now;
 		collision.update = (agents) => {
 			now += 5;
 			update.call(collision, agents);
 		};
-		world.forward = (...given) => {
+		world.moves.forward = (...given) => {
 			now += 1;
 			steps++;
-			forward.apply(world, given);
+			forward.apply(world.moves, given);
 		};
 		world.step();
-		for (const thing of [performance, collision, world]) for (const name of ['now', 'update', 'forward']) if (Object.hasOwn(thing, name)) delete thing[name];
+		for (const thing of [performance, collision, world.moves]) for (const name of ['now', 'update', 'forward']) if (Object.hasOwn(thing, name)) delete thing[name];
 		return { engine: world.collisionMs, scripts: world.scriptMs, steps };
 	});
 	// three each frame, and one for each of a pair that touches

@@ -6,7 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { root } from './browser.mjs';
 
 const { buildSync } = createRequire(path.join(root, 'js/playground/package.json'))('esbuild');
-const MODULES = ['play/world.js', 'play/examples.js', 'play/games.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'play/javascript.js', 'teach/solutions.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'];
+const MODULES = ['play/world.js', 'play/moves.js', 'play/examples.js', 'play/games.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'play/javascript.js', 'teach/solutions.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'];
 const FILES = ['bear.obj', 'seagull.dae', 'fireman.dae', 'dragon.dae', 'person.dae', 'fortress.obj', 'spaceship.obj', 'kelp.obj', 'tree.obj'];
 const folder = path.join(root, 'bin/generated');
 

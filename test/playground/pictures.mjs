@@ -6,7 +6,7 @@
  */
 import { mkdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { begin, ready, rest, root } from './browser.mjs';
+import { begin, drag, ready, rest, root } from './browser.mjs';
 
 const SIZES = [[1366, 625], [1366, 768], [390, 844], [844, 390], [1920, 1080]];
 /** A model of the user's own. */
@@ -38,22 +38,6 @@ const openSettings = async (page) => {
 const build = async (page, brush) => {
 	await page.locator('.corner .tick input').check();
 	await page.locator(`[data-brush="${brush}"]`).click();
-};
-/** Drags from one place of the ground to another, with the mouse. */
-const drag = async (page, from, to) => {
-	const [a, b] = await page.evaluate((places) => {
-		const { stage } = globalThis.playground;
-		const box = stage.canvas.getBoundingClientRect();
-		return places.map(([x, y]) => {
-			const at = stage.pixelOf(x, y, 0);
-			return { x: box.left + at.x, y: box.top + at.y };
-		});
-	}, [from, to]);
-	await page.mouse.move(a.x, a.y);
-	await page.mouse.down();
-	await page.mouse.move(b.x, b.y, { steps: 24 });
-	await page.mouse.up();
-	await rest(page, 100);
 };
 /** The game of an empty program of the user's own. */
 const openNew = async (page) => {

@@ -1,7 +1,7 @@
 import { Agent, BinCollider, Collision, CombinationCollider, GreatLand, HierarchicalCollider, TightestFitCollider } from "starlogo-collision";
 import { Blocks } from "./blocks.js";
-import { Cells } from "./cells.js";
 import { Entry, firstSharedBin } from "./entry.js";
+import { Neighbours } from "./neighbours.js";
 import { SPHERE, Shapes } from "./shapes.js";
 import { Traits, checkTraits } from "./traits.js";
 
@@ -19,21 +19,16 @@ const FARTHEST = Agent.LARGEST_COORDINATE - Agent.LARGEST_SIZE;
 /** The lower part of a key is the turn. No game has so many updates. */
 const TURNS = 2 ** 36;
 
-/** The id of the breed that means all breeds. */
-const EVERYONE = 1;
-
 /** A key has room for this many breeds. */
 const RANKS = 128;
 
 /** Finds the collisions of a client in a window, with the engine. It replaces the client's Collisions. */
 export class NovaCollisions {
 	#execution;
-	#state;
-	#equals;
 	#half;
 	#options;
 	#entries = new Set();
-	#cells;
+	#neighbours;
 	#turn = 0;
 	#greatLand = new GreatLand();
 	#shapes;
@@ -45,20 +40,14 @@ export class NovaCollisions {
 	#ghost = new Agent(SPHERE);
 	#found = [];
 	#isSwept = false;
-	// the tick in which all places were last read, and the tick whose collisions were last found; then the agents that may move, by pairs
-	#tick = NaN;
-	#collidedIn = NaN;
-	#suspects = [];
 	#traits = new Traits();
 
 	/** For the client of a window; agents are added later. For the options see installInto. */
 	constructor(window, options) {
 		this.#execution = window.Execution;
-		this.#state = window.Common.State;
-		this.#equals = window.Helper?.Comparison?.equals ?? Object.is;
 		this.#half = window.Helper?.Constants?.MAPSIZE ?? 50.5;
-		this.#cells = new Cells(this.#half);
-		this.#blocks = new Blocks(this.#state, (a, b) => this.#onPair(a.entry, b.entry));
+		this.#neighbours = new Neighbours(window, this.#half, this.#entries);
+		this.#blocks = new Blocks(window.Common.State, (a, b) => this.#onPair(a.entry, b.entry));
 		this.#use(options);
 		this.#shapes = new Shapes(this.#greatLand, window, { own: options.shapes, manifest: options.manifest });
 	}
@@ -85,7 +74,7 @@ export class NovaCollisions {
 
 	/** Makes the next question read all places again. */
 	forgetPlaces() {
-		this.#tick = NaN;
+		this.#neighbours.forgetPlaces();
 	}
 
 	/**
@@ -148,7 +137,7 @@ export class NovaCollisions {
 		if (entry !== null) {
 			this.#entries.delete(entry);
 			entry.owner = null;
-			this.#cells.take(entry);
+			this.#neighbours.take(entry);
 		}
 		agent.jbins = [];
 	}
@@ -164,8 +153,7 @@ export class NovaCollisions {
 	reset() {
 		for (const entry of this.#entries) entry.owner = null;
 		this.#entries.clear();
-		this.#cells.clear();
-		this.#suspects.length = 0;
+		this.#neighbours.clear();
 		this.#bodies.length = 0;
 		this.#found = [];
 	}
@@ -181,12 +169,10 @@ export class NovaCollisions {
 		this.#blocks.read(this.#collision);
 		this.#gather();
 		this.#found = [];
-		this.#suspects.length = 0;
+		this.#neighbours.beginCollisions();
 		this.#collision.update(this.#bodies);
 		if (!this.#isSwept) this.#collect();
-		// The first question after this, and the first in the next tick, read all places.
-		this.#collidedIn = this.#state.clock;
-		this.#tick = NaN;
+		this.#neighbours.endCollisions();
 		return this.#found;
 	}
 
@@ -200,19 +186,12 @@ export class NovaCollisions {
 
 	/** Counts the agents of a breed within a radius of an agent, optionally only those with a value of a trait. */
 	count(agent, breedName, radius, trait, value) {
-		const reach = Number(radius);
-		const breed = this.#breedOf(breedName);
-		if (reach > 2 * Math.SQRT2 * this.#half) return this.#countAll(breed, trait, value);
-		this.#refresh();
-		return reach >= 0 ? this.#cells.count(agent, breed, reach, this.#asks(trait, value)) : 0;
+		return this.#neighbours.count(agent, breedName, radius, trait, value);
 	}
 
 	/** The nearest agent of a breed within a radius, optionally with a value of a trait. If there is none, the agent itself. */
 	nearest(agent, breedName, radius, trait, value) {
-		const reach = Number(radius);
-		const breed = this.#breedOf(breedName);
-		this.#refresh();
-		return (reach >= 0 ? this.#cells.nearest(agent, breed, reach, this.#asks(trait, value)) : null) ?? agent;
+		return this.#neighbours.nearest(agent, breedName, radius, trait, value);
 	}
 
 	#use(options) {
@@ -244,7 +223,7 @@ export class NovaCollisions {
 
 	#place(entry) {
 		entry.bin(this.#half, ++this.#turn);
-		this.#cells.put(entry);
+		this.#neighbours.put(entry);
 	}
 
 	/** Moves all bodies that take part to their agents. */
@@ -273,10 +252,10 @@ export class NovaCollisions {
 	#collect() {
 		for (const { entry } of this.#bodies) {
 			const others = entry.others;
-			if (others.length > 0) this.#suspects.push(entry);
+			if (others.length > 0) this.#neighbours.suspect(entry);
 			for (let i = 0; i < others.length; i++) {
 				this.#found.push(pairOf(entry.agent, others[i].agent));
-				this.#suspects.push(others[i]);
+				this.#neighbours.suspect(others[i]);
 			}
 		}
 	}
@@ -332,7 +311,8 @@ export class NovaCollisions {
 		if (this.#isBins && !a.body.sweeps && !b.body.sweeps && !doSpheresMeet(first.state, second.state)) return;
 		if (this.#isSwept) {
 			this.#found.push(pairOf(first, second));
-			this.#suspects.push(a, b);
+			this.#neighbours.suspect(a);
+			this.#neighbours.suspect(b);
 			return;
 		}
 		const rank = isSameBreed && first.id > second.id ? -1 : this.#blocks.rank(first.breed.id, second.breed.id);
@@ -340,43 +320,6 @@ export class NovaCollisions {
 		const shared = firstSharedBin(a, b) * RANKS;
 		if (rank >= 0 && (otherRank < 0 || a.index < b.index)) a.keep(b, (shared + rank) * TURNS + b.turn);
 		else b.keep(a, (shared + otherRank) * TURNS + a.turn);
-	}
-
-	/** Reads the places of all agents that may have moved unannounced: once a tick of all agents, later of those whose blocks run. */
-	#refresh() {
-		if (this.#state.clock !== this.#tick) {
-			this.#tick = this.#state.clock;
-			for (const entry of this.#entries) this.#cells.put(entry);
-			return;
-		}
-		if (this.#collidedIn === this.#tick) for (const entry of this.#suspects) this.#cells.put(entry);
-	}
-
-	/** The breed with a name; null for all breeds. */
-	#breedOf(name) {
-		const breed = this.#execution.AgentController.getByName(name);
-		if (!breed) throw new RangeError(`there is no breed "${name}"`);
-		return breed.id === EVERYONE ? null : breed;
-	}
-
-	#asks(trait, value) {
-		const equals = this.#equals;
-		return trait ? (other) => equals(other.getTrait(trait), value) : null;
-	}
-
-	/**
-	 * Counts all agents, as the client does for a radius beyond the ground's diagonal. That includes the asker, and the World if all breeds
-	 * count.
-	 */
-	#countAll(breed, trait, value) {
-		const { data, numAgents } = this.#execution.AgentController;
-		const accepts = this.#asks(trait, value);
-		let found = 0;
-		for (let i = breed === null ? 0 : 1; i < numAgents; i++) {
-			const agent = data[i];
-			if (agent && !agent.isDead && (breed === null || agent.breed === breed) && (accepts === null || accepts(agent))) found++;
-		}
-		return found;
 	}
 }
 

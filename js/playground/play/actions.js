@@ -82,9 +82,9 @@ export const STATEMENTS = {
 	starlogo_collide_as: (block, world) => () => world.traits.collideAs(whom(block, world), block.fields.AS),
 	starlogo_show: (block, world) => () => world.structures.show(whom(block, world), block.fields.ON === "on"),
 	starlogo_sweep: (block, world) => () => world.sweep(whom(block, world), block.fields.ON === "on"),
-	starlogo_until: withNumber("STEPS", (agent, steps, { BREED, HOW }, world) => world.advance(agent, steps, breedOf(BREED), HOW)),
-	starlogo_face: withValue("AGENT", (agent, other, fields, world) => world.face(agent, other), null),
-	starlogo_bounce: (block, world) => () => world.bounce(me(block, world), touched(block, world)),
+	starlogo_until: withNumber("STEPS", (agent, steps, { BREED, HOW }, world) => world.moves.advance(agent, steps, breedOf(BREED), HOW)),
+	starlogo_face: withValue("AGENT", (agent, other, fields, world) => world.moves.face(agent, other), null),
+	starlogo_bounce: (block, world) => () => world.moves.bounce(me(block, world), touched(block, world)),
 	starlogo_become: (block, world) => () => {
 		for (const agent of world.subjects(whom(block, world))) world.become(agent, block.fields.BREED);
 	},
@@ -125,7 +125,7 @@ export const STATEMENTS = {
 	starlogo_end: (block, world) => () => {
 		world.ended ??= { how: block.fields.HOW, text: block.fields.TEXT };
 	},
-	starlogo_forward: withNumber("STEPS", (agent, steps, fields, world) => world.forward(agent, steps)),
+	starlogo_forward: withNumber("STEPS", (agent, steps, fields, world) => world.moves.forward(agent, steps)),
 	starlogo_turn: withNumber("DEGREES", (agent, degrees, { DIRECTION }) => {
 		agent.heading += DIRECTION === "left" ? degrees : -degrees;
 	}),
@@ -136,8 +136,8 @@ export const STATEMENTS = {
 		const [x, y, z] = ["X", "Y", "Z"].map((name) => number(block, name, world));
 		return () => me(block, world).jumpTo(x(), y(), z());
 	},
-	starlogo_scatter: about((agent, fields, world) => world.scatter(agent)),
-	starlogo_back: about((agent, fields, world) => world.goBack(agent, world.collidee)),
+	starlogo_scatter: about((agent, fields, world) => world.moves.scatter(agent)),
+	starlogo_back: about((agent, fields, world) => world.moves.goBack(agent, world.collidee)),
 	starlogo_mound: (block, world) => {
 		const [high, wide] = ["HEIGHT", "WIDTH"].map((name) => number(block, name, world));
 		world.needTerrain(true);
@@ -159,7 +159,7 @@ export const STATEMENTS = {
 	starlogo_flat: onTerrain((block, world) => () => world.terrain.reset()),
 	starlogo_solid: (block, world) => () => world.setSolid(block.fields.BREED, block.fields.ON === "on"),
 	starlogo_push: (block, world) => () => world.contacts.pushAway(me(block, world), touched(block, world)),
-	starlogo_walk: onTerrain(withNumber("STEPS", (agent, steps, fields, world) => world.walk(agent, steps))),
+	starlogo_walk: onTerrain(withNumber("STEPS", (agent, steps, fields, world) => world.moves.walk(agent, steps))),
 	starlogo_jump: onTerrain(withNumber("HEIGHT", (agent, height, fields, world) => {
 		agent.rise = world.walking.jump(agent, height, agent.rise);
 	})),
@@ -171,7 +171,7 @@ export const STATEMENTS = {
 		return () => world.edges[`${block.fields.HOW}Edge`](me(block, world));
 	},
 	starlogo_stand: onTerrain(about((agent, fields, world) => {
-		agent.z = world.groundBelow(agent);
+		agent.z = world.moves.groundBelow(agent);
 	})),
 	starlogo_delete: (block, world) => () => {
 		for (const agent of world.subjects(whom(block, world))) world.remove(agent);
@@ -256,7 +256,7 @@ const VALUES = {
 	},
 	starlogo_touch: (block, world) => () => {
 		const [agent, other] = [me(block, world), touched(block, world)];
-		return block.fields.TOUCH === "speed" ? world.speedOf(agent, other) : world.contacts.touchPoint(agent, other)[block.fields.TOUCH];
+		return block.fields.TOUCH === "speed" ? world.moves.speedOf(agent, other) : world.contacts.touchPoint(agent, other)[block.fields.TOUCH];
 	},
 	starlogo_ahead: withNumber("DISTANCE", (agent, distance, { BREED }, world) => world.senses.ahead(agent, breedOf(BREED), distance)),
 	starlogo_free: withNumber("DISTANCE", (agent, distance, { BREED }, world) => Math.min(FAR, world.senses.distanceAhead(agent, breedOf(BREED), distance))),
@@ -276,7 +276,7 @@ const VALUES = {
 		};
 	},
 	starlogo_touching: about((agent, { BREED }, world) => world.senses.isTouching(agent, breedOf(BREED))),
-	starlogo_ground_height: onTerrain(about((agent, fields, world) => world.groundBelow(agent))),
+	starlogo_ground_height: onTerrain(about((agent, fields, world) => world.moves.groundBelow(agent))),
 	starlogo_on_ground: onTerrain(about((agent, fields, world) => world.senses.isTouching(agent, Collision.TERRAIN))),
 	starlogo_key_down: (block, world) => () => world.held.has(block.fields.KEY),
 	starlogo_mouse: (block, world) => () => (block.fields.MOUSE === "down" ? world.mouse.isDown : world.mouse[block.fields.MOUSE]),

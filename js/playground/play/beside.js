@@ -21,7 +21,7 @@ export class Beside {
 		this.view = view;
 		this.host = h("div.world");
 		this.screen = h("div.screen", {}, this.host);
-		view.screens.append(this.screen);
+		view.layout.screens.append(this.screen);
 		this.stage = new Stage(this.host, { ...STAGE, label: words.besideWorld(texts.systems[system]) });
 		this.world = new World(view.world.greatLand);
 		this.world.useSystem(system);
@@ -33,7 +33,7 @@ export class Beside {
 		this.count = h("span");
 		this.first = h("span", { role: "status" });
 		this.note = h("p.differences", {}, this.count, " ", this.first);
-		view.screens.after(this.note);
+		view.layout.screens.after(this.note);
 		view.scene.isBeside = true;
 		view.scene.caption.hidden = this.scene.caption.hidden = false;
 	}

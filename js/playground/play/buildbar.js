@@ -57,7 +57,7 @@ export class BuildBar {
 		if (view.stage.canvas) view.stage.canvas.style.touchAction = isPainting ? "none" : "pan-y";
 		if (isPainting) view.showGround();
 		if (this.isOn) {
-			view.dragNote.hidden = true;
+			view.layout.dragNote.hidden = true;
 			view.say(words.how[brush]);
 		}
 		view.draw();

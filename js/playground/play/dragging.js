@@ -1,5 +1,5 @@
 /** Moves agents in the world with the pointer. Elsewhere the pointer turns the world. */
-import { HALF_WIDTH } from "./world.js";
+import { HALF_WIDTH } from "./moves.js";
 
 /** A pointer that has moved this many pixels drags. */
 const STILL = 6;

@@ -19,7 +19,7 @@ export async function share({ view, whole }) {
 	const but = location.protocol === "file:" ? ` ${words.sharedFile}` : models.length > 0 ? ` ${words.sharedWithout(models.join(", "))}` : "";
 	if (place === null) return view.say(words.shared + but);
 	view.say(words.sharedHere);
-	view.status.append(" ", place, but);
+	view.layout.status.append(" ", place, but);
 	return place.select();
 }
 

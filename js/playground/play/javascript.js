@@ -7,14 +7,15 @@ import { BUILT_IN } from "../shared/assets.js";
 import { INSTALL } from "../shared/names.js";
 import { COLOURS } from "./colours.js";
 import { BEING, ENGINE, HELPERS, INSIDE_EDGES, hex } from "./javascriptparts.js";
-import { FRAMES_A_SECOND, HALF_WIDTH } from "./world.js";
+import { HALF_WIDTH } from "./moves.js";
+import { FRAMES_A_SECOND } from "./world.js";
 
 const INDENT = "\t";
 const text = JSON.stringify;
 const NAME = /^[a-z_$][\w$]*$/i;
 
 /** The classes that a module may import from the package. */
-const CLASSES = ["Agent", "AgentFilter", "BuiltInModel", "Collision", "CollisionBlocks", "ContactBlocks", "DetectionBlocks", "GreatLand", "Model", "Terrain", "TerrainBlocks", "TraitBlocks", "WalkBlocks", "WorldBounds"];
+const CLASSES = ["Agent", "BuiltInModel", "Collision", "CollisionBlocks", "ContactBlocks", "DetectionBlocks", "GreatLand", "Model", "Terrain", "TerrainBlocks", "TraitBlocks", "WalkBlocks", "WorldBounds"];
 
 const RESERVED = { anyone: "Collision.ANY_BREED", [Collision.TERRAIN]: "Collision.TERRAIN", [Collision.EDGE]: "Collision.EDGE" };
 const breedOf = (field) => RESERVED[field] ?? text(field);

@@ -80,8 +80,7 @@ function moveInside(agent, x, y) {
 function advance(agent, steps, breed, how) {
 	const { z } = agent;
 	const angle = (agent.heading * Math.PI) / 180;
-	const filter = breed === Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
-	if (breed === Collision.ANY_BREED) filter.exceptBreeds = [Collision.TERRAIN];
+	const filter = breed === Collision.ANY_BREED ? { exceptBreeds: [Collision.TERRAIN] } : { breeds: [breed] };
 	senses().queries[how](agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, filter);
 	agent.z = z;
 	moveInside(agent, agent.x, agent.y);

@@ -1,5 +1,5 @@
 /** Raises and lowers the ground, and builds walls, where the pointer goes. */
-import { HALF_WIDTH } from "./world.js";
+import { HALF_WIDTH } from "./moves.js";
 
 /** The patches by which a brush raises the ground. */
 const HEIGHTS = { raise: 1, lower: -1 };

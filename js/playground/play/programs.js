@@ -236,7 +236,7 @@ export class Programs {
 		if (this.view.isRunning) this.view.stop();
 		const [{ Home }] = await Promise.all([import("./home.js"), learn("game")]);
 		this.#home?.leave();
-		this.#home = new Home(this, this.view.main, note);
+		this.#home = new Home(this, this.view.layout.main, note);
 	}
 
 	/** The first screen's groups of programs, and what the user can do with them. */
@@ -447,8 +447,8 @@ export class Programs {
 		this.#asked = title;
 		this.#show(program, "link", title, lesson);
 		const name = this.#putNew(title);
-		const [, back] = this.view.status.childNodes;
-		if (back) this.view.status.firstChild.textContent = words.opened(name);
+		const [, back] = this.view.layout.status.childNodes;
+		if (back) this.view.layout.status.firstChild.textContent = words.opened(name);
 		if (!this.shelf.isKept) this.view.say(words.notKept, true);
 	}
 

@@ -9,7 +9,8 @@ import { Being } from "./being.js";
 import { Hiding, isMoving } from "./hiding.js";
 import { nameOf } from "./panel.js";
 import { breedsThatKeysTurn } from "./program.js";
-import { HALF_WIDTH, World } from "./world.js";
+import { HALF_WIDTH } from "./moves.js";
+import { World } from "./world.js";
 
 const words = texts.play;
 const STRUCTURES = { color: LINES.tested };

@@ -1,25 +1,20 @@
-/**
- * Play: a program of blocks beside its world.
- *
- * This file is long because the controls of a game belong together: most of it is their layout, and starting, stopping and drawing.
- */
+/** Play: a program of blocks beside its world. The view starts, stops and draws the game; layout.js has its elements. */
 import { CollisionBlocks } from "starlogo-collision";
-import { button, choice, field, h, slider, tick } from "../shared/dom.js";
+import { button } from "../shared/dom.js";
 import { loadLand } from "../shared/models.js";
-import { recall, remember } from "../shared/memory.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
-import { fixed, texts } from "../shared/language.js";
+import { texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
 import { BuildBar } from "./buildbar.js";
 import { Keys } from "./keys.js";
 import { dragAgents } from "./dragging.js";
 import { Models } from "./kept.js";
+import { Layout } from "./layout.js";
 import { loadMessages } from "./messages.js";
 import { Panel } from "./panel.js";
 import { STAGE, Scene } from "./scene.js";
 import { Sound } from "./sound.js";
-import { LOW, splitter } from "./splitter.js";
 import { Programs } from "./programs.js";
 import { meaning } from "./storage.js";
 import { FRAMES_A_SECOND, SEED, World } from "./world.js";
@@ -27,16 +22,9 @@ import { FRAMES_A_SECOND, SEED, World } from "./world.js";
 const words = texts.play;
 /** The most frames that are computed between two pictures to make up for lost time. */
 const MOST_AT_ONCE = 8;
-const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const PICTURE = [240, 150];
 /** A game with at most so many agents is looked at closely. */
 const FEW = 4;
-/** Where the browser remembers whether the settings are open. */
-const OPEN = "starlogo-playground.settings";
-/** The milliseconds for which words that do not fit beside the buttons are over the world, if they are no problem. */
-const TOLD = 6000;
-/** The number of pieces of confetti, and the milliseconds that they fall. */
-const [PIECES, CELEBRATED] = [36, 3000];
 
 export async function createView(main, link) {
 	const words = loadMessages();
@@ -54,8 +42,6 @@ export async function createView(main, link) {
 
 class PlayView {
 	#beginEditing;
-	/** Puts what chooses and shows the collision system into an element; for null into its own place. */
-	#placeSystem;
 	#loop = new Loop((now) => this.#frames(now));
 	#speed = 1;
 	isBroken = false;
@@ -74,8 +60,6 @@ class PlayView {
 	/** The game beside this one, or null; and the last one that was requested. */
 	#beside = null;
 	#asked = "";
-	/** What hides words over the world that are no problem. */
-	#told = 0;
 
 	constructor(main, models, world) {
 		this.models = models;
@@ -86,11 +70,11 @@ class PlayView {
 		this.sound = new Sound();
 		this.panel = new Panel(world, (agent) => this.#choose(agent));
 		this.buildBar = new BuildBar(this);
-		this.#build(main);
-		this.stage = new Stage(this.worldHost, { ...STAGE, label: words.world });
-		this.scene = new Scene(this.stage, world, models, this.screen);
-		this.#placeCorner();
-		this.worldHost.addEventListener("pointerdown", () => this.editor?.closeMenus());
+		this.layout = this.#makeLayout(main);
+		this.stage = new Stage(this.layout.worldHost, { ...STAGE, label: words.world });
+		this.scene = new Scene(this.stage, world, models, this.layout.screen);
+		this.layout.placeCorner([this.scene.legend, this.keys.pad], [this.buildBar.tick, this.sound.button]);
+		this.layout.worldHost.addEventListener("pointerdown", () => this.editor?.closeMenus());
 		this.keys.listen(this.stage, (agent) => {
 			world.click(agent);
 			this.#choose(agent);
@@ -107,125 +91,45 @@ class PlayView {
 		});
 		this.stage.controls?.addEventListener("start", () => this.#forgetDragNote());
 		world.onSystem = (name) => {
-			this.system.value = name;
+			this.layout.system.value = name;
 		};
 		world.useSystem(CollisionBlocks.TIGHTEST_FITS);
 	}
 
-	#build(main) {
-		this.main = main;
-		this.runLabel = h("span", {}, words.run);
-		this.runButton = button(h("span.icon"), () => (this.isRunning && this.#isAnewOffered ? this.#anew() : this.isRunning ? this.stop() : this.run()), { class: "primary run" });
-		this.runButton.append(this.runLabel);
-		this.status = h("p.status", { role: "status" }, words.ready);
-		const systems = CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]);
-		this.system = choice(systems, CollisionBlocks.TIGHTEST_FITS, (name) => this.#useSystem(name));
-		this.editBar = h("div.edit", { role: "group", "aria-label": words.editor.label });
-		this.programs.menuButton.before(this.editBar);
-		this.blocksHost = h("div.blocks", { role: "group", "aria-label": words.blocksKeys });
-		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
-		this.speed = slider(words.speed, { min: 0, max: SPEEDS.length - 1, step: 1, value: SPEEDS.indexOf(1), format: (i) => words.speeds(SPEEDS[i]) }, (i) => {
-			this.#speed = SPEEDS[i];
+	#makeLayout(main) {
+		return new Layout(main, this, {
+			run: () => (this.isRunning && this.#isAnewOffered ? this.#anew() : this.isRunning ? this.stop() : this.run()),
+			step: () => this.#step(),
+			reset: () => this.#renew(),
+			useSystem: (name) => this.#useSystem(name),
+			putBeside: (name) => this.putBeside(name),
+			useCamera: (name) => this.#useCamera(name),
+			setSpeed: (speed) => {
+				this.#speed = speed;
+			},
+			goBack: (frames) => this.#goBack(frames),
+			showSeen: (isOn) => {
+				this.scene.isSeen = isOn;
+				this.draw();
+				this.#playOn();
+			},
+			closeMenus: () => this.editor?.closeMenus(),
+			playOn: () => this.#playOn(),
 		});
-		// keys may move the slider on
-		this.speed.input.addEventListener("pointerup", () => this.#playOn());
-		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack(fixed(-at / FRAMES_A_SECOND, 1)) : words.rewindNow) }, (at) => this.#goBack(-at));
-		this.fullscreen = button(h("span.icon"), () => this.theatre.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen });
-		// words that are more than fit beside the buttons; readers have them there
-		this.whole = h("p.whole", { hidden: true, "aria-hidden": "true" });
-		this.settings = button(words.settings, () => {
-			const isOpen = this.main.classList.contains("folded");
-			remember(OPEN, String(isOpen));
-			this.#openSettings(isOpen);
-		}, { class: "settings" });
-		this.dragNote = h("p.drag-note", { hidden: true }, words.drag);
-		this.screen = h("div.screen", {}, this.worldHost, this.dragNote, this.whole);
-		this.screens = h("div.screens", {}, this.screen);
-		this.theatre = h("div.theatre", {}, this.screens);
-		const system = field(words.system, this.system);
-		const besides = choice([["", words.alone], ...systems], "", (name) => this.putBeside(name));
-		this.camera = choice(Object.entries(words.cameras), "all", (name) => {
-			this.scene.camera = name;
-			this.scene.frame(true);
-			this.programs.keepCamera(name);
-			this.draw();
-			this.#playOn();
-		});
-		// a small window shows one of the two parts
-		this.tabs = Object.entries(words.tabs).map(([name, text]) => button(text, () => this.#turnTo(name), { "data-tab": name }));
-		this.#turnTo("game");
-		this.controls = h("div.controls.game", { role: "group", "aria-label": words.run },
-			this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.#renew()), h("div.tabs", { role: "group" }, ...this.tabs), h("div.saying", {}, this.status));
-		// in full screen, the button Run is included
-		this.theatre.addEventListener("fullscreenchange", () => {
-			if (document.fullscreenElement === this.theatre) this.theatre.prepend(this.controls);
-			else this.main.querySelector(".show").prepend(this.controls);
-			this.#playOn();
-		});
-		const sees = tick(words.sees, false, (on) => {
-			this.scene.isSeen = on;
-			this.draw();
-			this.#playOn();
-		});
-		const program = h("section.program", { "aria-label": words.blocks }, this.programs.element, this.blocksHost);
-		const tools = h("div.tools", {}, field(words.beside, besides), field(words.camera, this.camera));
-		this.#placeSystem = (host) => {
-			if (host) host.append(system, sees);
-			else {
-				tools.prepend(system);
-				tools.append(sees);
-			}
-		};
-		main.replaceChildren(
-			// the lesson is read before the blocks, though it is above the world
-			this.programs.lessons.element,
-			program,
-			splitter(main, program),
-			h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
-				tools,
-				this.theatre,
-				this.buildBar.element,
-				h("div.time", {}, this.speed.element, this.rewind.element),
-				this.panel.element)));
-		const kept = recall(OPEN);
-		this.#openSettings(kept === null ? innerHeight >= LOW : kept === "true");
 	}
 
-	/**
-	 * Puts the keys below the world, and what belongs to the world beside them. In a low and wide window, it is beside “Run”, and the collision
-	 * system beside the task of a lesson that is about it, so that the world is higher.
-	 */
-	#placeCorner() {
-		const corner = h("div.corner", {}, this.settings, this.buildBar.tick, this.sound.button, this.fullscreen);
-		const foot = h("div.foot", {}, this.scene.legend, this.keys.pad);
-		const { lessons } = this.programs;
-		const place = () => {
-			(this.room.matches ? this.controls : foot).append(corner);
-			this.#placeSystem(this.room.matches ? lessons.placeOfSystem : null);
-		};
-		lessons.onShow = place;
-		this.room = matchMedia(`(min-width: 75rem) and (max-height: ${LOW - 1}px)`);
-		this.room.onchange = place;
-		this.theatre.append(foot);
-		place();
-	}
-
-	/** Opens or folds the systems, the camera, speed and numbers. Folded, the world has their room. */
-	#openSettings(isOpen) {
-		this.main.classList.toggle("folded", !isOpen);
-		this.settings.setAttribute("aria-expanded", String(isOpen));
+	#useCamera(name) {
+		this.scene.camera = name;
+		this.scene.frame(true);
+		this.programs.keepCamera(name);
+		this.draw();
+		this.#playOn();
 	}
 
 	/** Shows the whole ground, from a camera that stays. */
 	showGround() {
-		this.camera.value = "all";
+		this.layout.camera.value = "all";
 		this.scene.showGround();
-	}
-
-	#turnTo(tab) {
-		this.main.dataset.tab = tab;
-		this.editor?.closeMenus();
-		for (const each of this.tabs) each.setAttribute("aria-pressed", each.dataset.tab === tab);
 	}
 
 	#choose(agent) {
@@ -252,12 +156,12 @@ class PlayView {
 
 	#forgetDragNote() {
 		this.isDragKnown = true;
-		this.dragNote.hidden = true;
+		this.layout.dragNote.hidden = true;
 	}
 
 	/** Shows the beginning of a program's game before its blocks are loaded. */
 	async preview(program) {
-		for (const part of [this.controls, this.blocksHost.parentElement]) part.inert = true;
+		this.layout.isUsable = false;
 		this.say(texts.loading);
 		this.keys.show(program);
 		if (this.#isShown(program)) return;
@@ -282,20 +186,18 @@ class PlayView {
 
 	/** Points the camera at a new program's game: the one that the user has chosen for it, or else the one that suits it. */
 	lookAt(program, camera = null) {
-		this.camera.value = this.scene.lookAt(program, camera);
+		this.layout.camera.value = this.scene.lookAt(program, camera);
 		// it matters where a few agents are looked at closely
-		this.dragNote.hidden = this.isDragKnown || this.buildBar.isOn || this.scene.camera !== "all" || this.world.agents.length > FEW || !this.stage.renderer;
-		// it is there for some seconds, see style.css
-		for (const each of this.dragNote.getAnimations()) each.currentTime = 0;
+		this.layout.showDragNote(!this.isDragKnown && !this.buildBar.isOn && this.scene.camera === "all" && this.world.agents.length <= FEW && Boolean(this.stage.renderer));
 		this.draw();
 	}
 
 	/** Takes the editor, which the page loads last. */
 	edit(Editor) {
-		this.editor = new Editor(this.blocksHost, this.editBar, {
+		this.editor = new Editor(this.layout.blocksHost, this.layout.editBar, {
 			onChange: (deleted) => this.programs.changed(deleted), pictureOf: (shape) => this.scene.pictureOf(shape), say: (text) => this.say(text),
 		});
-		for (const part of [this.controls, this.blocksHost.parentElement]) part.inert = false;
+		this.layout.isUsable = true;
 		this.#beginEditing();
 	}
 
@@ -331,14 +233,14 @@ class PlayView {
 		const { isRunning } = this;
 		this.#beside?.close();
 		this.#beside = name === "" ? null : new Beside(this, name);
-		this.screens.classList.toggle("two", name !== "");
+		this.layout.screens.classList.toggle("two", name !== "");
 		this.reset();
 		if (isRunning) this.run();
 	}
 
 	/** Gives the keyboard focus back to the game. */
 	#playOn() {
-		if (this.isRunning) this.worldHost.focus({ preventScroll: true });
+		if (this.isRunning) this.layout.worldHost.focus({ preventScroll: true });
 	}
 
 	/** A picture of the beginning of a program's game; null if there is none. */
@@ -367,7 +269,7 @@ class PlayView {
 	/** Shows a message with a button. */
 	offer(text, action, onclick) {
 		this.say(text);
-		this.status.append(" ", button(action, onclick, { title: action }));
+		this.layout.status.append(" ", button(action, onclick, { title: action }));
 	}
 
 	/** Goes to the beginning of a newly opened program. */
@@ -396,7 +298,7 @@ class PlayView {
 			this.world.begin(program, this.#seed);
 		});
 		if (!this.isBroken && this.world.agents.length === 0) this.say(words.empty);
-		this.system.value = this.world.collisions.systemName;
+		this.layout.system.value = this.world.collisions.systemName;
 		this.panel.forget();
 		this.scene.begin();
 		this.buildBar.begin();
@@ -426,10 +328,10 @@ class PlayView {
 		if (this.isBroken) return;
 		this.#isSelfStarted = false;
 		this.#loop.run();
-		this.#turnTo("game");
+		this.layout.turnTo("game");
 		this.showRun();
 		this.say(words.running);
-		this.worldHost.focus({ preventScroll: true });
+		this.layout.worldHost.focus({ preventScroll: true });
 		this.panel.forget(performance.now());
 	}
 
@@ -457,12 +359,9 @@ class PlayView {
 		this.draw();
 	}
 
-	/** Shows what the button does: run, stop, or start a changed program anew. */
+	/** Shows what the button does. */
 	showRun() {
-		const isChanged = this.isRunning && this.#isAnewOffered;
-		this.runLabel.textContent = isChanged ? words.startAnew : this.isRunning ? words.stop : words.run;
-		this.runButton.classList.toggle("running", this.isRunning);
-		this.runButton.classList.toggle("changed", isChanged);
+		this.layout.showRun(this.isRunning, this.#isAnewOffered);
 	}
 
 	#halt() {
@@ -523,9 +422,7 @@ class PlayView {
 	#celebrate(text) {
 		this.sound.done();
 		this.say(text);
-		const confetti = h("div.confetti", { "aria-hidden": "true" }, ...Array.from({ length: PIECES }, (_, i) => pieceOf(i)));
-		this.screen.append(confetti);
-		setTimeout(() => confetti.remove(), CELEBRATED);
+		this.layout.celebrate();
 	}
 
 	#goBack(back) {
@@ -556,15 +453,7 @@ class PlayView {
 	}
 
 	say(text, isProblem = false) {
-		this.status.textContent = text;
-		this.status.classList.toggle("problem", isProblem);
-		this.whole.textContent = text;
-		this.whole.classList.toggle("problem", isProblem);
-		this.whole.hidden = this.status.scrollHeight <= this.status.clientHeight + 1;
-		clearTimeout(this.#told);
-		if (!isProblem) this.#told = setTimeout(() => {
-			this.whole.hidden = true;
-		}, TOLD);
+		this.layout.say(text, isProblem);
 	}
 
 	draw(now = 0) {
@@ -573,28 +462,17 @@ class PlayView {
 		this.buildBar.show();
 		this.#beside?.draw();
 		this.panel.show(this.isRunning ? now : 0);
-		const { length } = world.history;
-		this.rewind.input.disabled = length === 0;
-		this.rewind.input.min = -Math.max(1, length);
-		this.rewind.set(-world.history.back);
+		this.layout.showTime(world.history);
 	}
 
 	close() {
 		this.#halt();
-		clearTimeout(this.#told);
 		this.#asked = null;
 		this.#beside?.close();
-		this.room.onchange = null;
+		this.layout.close();
 		this.sound.close();
 		this.programs.close();
 		this.editor?.close();
 		this.stage.close();
 	}
-}
-
-/** A piece of confetti, which falls at a place, at a time and at a speed of its own. */
-function pieceOf(i) {
-	const piece = h("i");
-	Object.assign(piece.style, { left: `${(29 * i) % 97}%`, animationDelay: `${(137 * i) % 700}ms`, animationDuration: `${1.7 + 0.4 * (i % 3)}s` });
-	return piece;
 }

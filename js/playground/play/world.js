@@ -4,10 +4,9 @@ import { texts } from "../shared/language.js";
 import { ProgramError, breedOf } from "./actions.js";
 import { Being } from "./being.js";
 import { History } from "./history.js";
+import { HALF_WIDTH, Moves } from "./moves.js";
 import { Rounds, Thread, compile } from "./program.js";
 
-/** Half the width of the ground. An agent that leaves it comes in on the other side. */
-export const HALF_WIDTH = 12;
 export const FRAMES_A_SECOND = 60;
 /** The seed of random numbers if no other one is given. A lesson always has it, so that its checks see the same game again. */
 export const SEED = 20150601;
@@ -43,7 +42,6 @@ export class World {
 	#received = [];
 	#scripts = [];
 	#areSensesOld = true;
-	#now;
 	/** The blocks that asking.js brings, once a program uses them. */
 	#asking = null;
 
@@ -56,15 +54,20 @@ export class World {
 		this.collisions = new CollisionBlocks(greatLand, this.agents);
 		this.traits = new TraitBlocks(this.agents);
 		this.structures = new StructureBlocks(this.collisions);
-		// A separate system, because a system that has searched gives the contacts of its last search.
-		this.#now = new CollisionBlocks(greatLand, []);
+		this.moves = new Moves(this);
 		this.history = new History(this);
 		this.#forget();
 	}
 
 	#forget(seed = SEED) {
 		/** The data of a frame that History keeps, in addition to the agents. */
-		this.state = { frame: 0, seed, sweeping: {}, solid: [], messages: [], shown: [], variables: {}, threads: [], score: null, goal: null, limit: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
+		this.state = {
+			frame: 0, seed, made: 0,
+			score: null, goal: null, limit: null, ground: MEADOW, ended: null,
+			sweeping: {}, solid: [],
+			messages: [], shown: [], variables: {}, threads: [],
+			totals: new Map(), events: [], pairs: new Map(), meetings: 0, touching: 0,
+		};
 		this.agents.length = this.sounds.length = 0;
 		this.collisions.collision.terrain = this.collisions.collision.bounds = null;
 		if (this.#asking) this.#asking.walker.solidBreeds = [];
@@ -101,17 +104,13 @@ export class World {
 		this.#scripts = [];
 		this.#scripts = compile(program, this);
 		// all pairs that touch, also those without scripts
-		this.collisions.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, (a, b) => {
-			const start = performance.now();
+		this.collisions.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, (a, b) => this.#timed(() => {
 			a.touched = b.touched = this.frame;
 			if (this.isWatched && a.number < b.number) this.state.pairs.set(`${a.number} ${b.number}`, [a, b]);
-			this.#handled += performance.now() - start;
-		});
-		this.collisions.whenTouchingStarts(Collision.ANY_BREED, Collision.ANY_BREED, (a, b, { point }) => {
-			const start = performance.now();
+		}));
+		this.collisions.whenTouchingStarts(Collision.ANY_BREED, Collision.ANY_BREED, (a, b, { point }) => this.#timed(() => {
 			if (a.id < b.id) this.#meet(a, b, point);
-			this.#handled += performance.now() - start;
-		});
+		}));
 		for (const { event, fields, code } of this.#scripts) this.#listen(event, fields, code);
 		this.rounds.begin();
 		for (const { event, code } of this.#scripts) if (event === "start") this.#start(code, null, null);
@@ -123,11 +122,14 @@ export class World {
 		if (fields.OTHER === Collision.TERRAIN) this.needTerrain();
 		if (fields.OTHER === Collision.EDGE) this.needEdges();
 		// the ground and the edges are no agents for blocks
-		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => {
-			const start = performance.now();
-			this.#start(code, collider, collidee instanceof Being ? collidee : null);
-			this.#handled += performance.now() - start;
-		});
+		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => this.#timed(() => this.#start(code, collider, collidee instanceof Being ? collidee : null)));
+	}
+
+	/** Does what a handler is for. Its time is no time of the engine. */
+	#timed(action) {
+		const start = performance.now();
+		action();
+		this.#handled += performance.now() - start;
 	}
 
 	/** Begins a script, unless it is still running for the same agents. */
@@ -323,50 +325,6 @@ export class World {
 		return this.senses && this.walker;
 	}
 
-	walk(agent, steps) {
-		this.walking.walk(agent, steps);
-		this.#moveInside(agent, agent.x, agent.y);
-	}
-
-	forward(agent, steps) {
-		if (this.state.solid.length > 0) {
-			this.walking.forward(agent, steps);
-			this.#moveInside(agent, agent.x, agent.y);
-			return;
-		}
-		const [x, y] = ahead(agent);
-		this.#moveInside(agent, agent.x + steps * x, agent.y + steps * y);
-	}
-
-	/** The steps of a frame that bring two agents together, along the normal of their contact. */
-	speedOf(agent, other) {
-		const { normal } = this.#system.contactOf(agent, other);
-		return Math.max(0, ["x", "y", "z"].reduce((sum, axis, i) => sum - normal[axis] * (agent[axis] - agent.before[i] - other[axis] + other.before[i]), 0));
-	}
-
-	#moveInside(agent, x, y) {
-		if (this.collisions.collision.bounds) {
-			agent.moveTo(x, y, agent.z);
-			return;
-		}
-		const wrappedX = wrapped(x);
-		const wrappedY = wrapped(y);
-		if (wrappedX === x && wrappedY === y) agent.moveTo(x, y, agent.z);
-		else agent.jumpTo(wrappedX, wrappedY, agent.z);
-	}
-
-	/** Moves an agent forward, until it touches an agent of a breed, or sliding along it. The agent keeps its height, even on a slope. */
-	advance(agent, steps, breed, how) {
-		const { z } = agent;
-		const [x, y] = ahead(agent);
-		const { AgentFilter } = World.engine;
-		const filter = breed === Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
-		if (breed === Collision.ANY_BREED) filter.exceptBreeds = [Collision.TERRAIN];
-		this.senses.queries[how](agent, steps * x, steps * y, 0, filter);
-		agent.z = z;
-		this.#moveInside(agent, agent.x, agent.y);
-	}
-
 	/** The ground that agents stand on; null if the program has no block about it. */
 	get terrain() {
 		return this.collisions.collision.terrain;
@@ -386,52 +344,6 @@ export class World {
 	/** Called when a block about the edges of the world is compiled. Then agents do not come in on the other side by themselves. */
 	needEdges() {
 		this.collisions.collision.bounds ??= new World.engine.WorldBounds(-HALF_WIDTH, -HALF_WIDTH, -Infinity, HALF_WIDTH, HALF_WIDTH, Infinity);
-	}
-
-	/** The height of the ground below an agent; 0 outside of the field. */
-	groundBelow({ x, y }) {
-		return this.terrain.heightAt(x, y) || 0;
-	}
-
-	face(agent, other) {
-		if (other && (other.x !== agent.x || other.y !== agent.y)) agent.heading = degrees(other.x - agent.x, other.y - agent.y);
-	}
-
-	/** Turns an agent that moves into another one, as a mirror reflects light. */
-	bounce(agent, other) {
-		const { normal } = this.#system.contactOf(agent, other);
-		const [x, y] = ahead(agent);
-		const into = x * normal.x + y * normal.y;
-		if (into < 0) agent.heading = degrees(x - 2 * into * normal.x, y - 2 * into * normal.y);
-	}
-
-	get #system() {
-		return this.collisions.collision.collisionSystem;
-	}
-
-	scatter(agent) {
-		agent.jumpTo((this.random() * 2 - 1) * (HALF_WIDTH - 2), (this.random() * 2 - 1) * (HALF_WIDTH - 2), agent.z);
-		agent.heading = this.random() * 360;
-	}
-
-	/**
-	 * Undoes the agent's steps and turns of this frame. If it touched the other agent before, for example after a change of the collision
-	 * system, it must not get stuck. Then it may turn, and move to where the overlap is not deeper.
-	 */
-	goBack(agent, other) {
-		const { x, y, z, heading } = agent;
-		const deep = other ? this.#depth(agent, other) : 0;
-		agent.jumpTo(agent.before[0], agent.before[1], agent.before[2]);
-		agent.heading = agent.before[3];
-		if (!other || this.#depth(agent, other) === 0) return;
-		agent.heading = heading;
-		if (deep <= this.#depth(agent, other)) agent.jumpTo(x, y, z);
-	}
-
-	/** The depth of the overlap of two agents now; 0 if they do not touch. */
-	#depth(agent, other) {
-		if (!this.#system.areColliding(agent, other)) return 0;
-		return Math.max(Number.MIN_VALUE, this.#now.systemNamed(this.collisions.systemName).contactOf(agent, other).depth);
 	}
 
 	/** Colours an agent, or all of a breed. */
@@ -501,19 +413,4 @@ for (const name of ["frame", "variables", "threads", "score", "goal", "limit", "
 			this.state[name] = value;
 		},
 	});
-}
-
-/** The direction in which an agent looks: x and y, of length 1. */
-function ahead({ heading }) {
-	const angle = (heading * Math.PI) / 180;
-	return [Math.cos(angle), Math.sin(angle)];
-}
-
-const degrees = (x, y) => (Math.atan2(y, x) * 180) / Math.PI;
-
-/** The coordinate on the ground for one beyond its border. */
-function wrapped(coordinate) {
-	if (Math.abs(coordinate) <= HALF_WIDTH) return coordinate;
-	const width = 2 * HALF_WIDTH;
-	return ((((coordinate + HALF_WIDTH) % width) + width) % width) - HALF_WIDTH;
 }

@@ -182,6 +182,11 @@ export function $warnOfUnits(options) {
 	$warn(`slopeDegrees is ${options.slopeDegrees}, so ground that is steeper than this many degrees is a wall. If these are radians, take ${Math.round(options.slopeDegrees * 180 / Math.PI)}`);
 }
 
+/** Warns of a cone's angle that is probably in radians. A cone of one degree or two may be meant, so only parts of π count. */
+export function $warnOfCone(degrees) {
+	if (degrees !== 0 && $isPartOfTurn(degrees)) $warn(`inCone() takes the cone's full angle in degrees. ${$rounded(degrees)} is a part of π: if this is in radians, take degrees = angle * 180 / Math.PI, here ${$rounded(degrees * 180 / Math.PI)}`, "cone");
+}
+
 /**
  * Warns of an agent's angle that is probably in radians. It looks at the first angles alone, and no further once one is of more than a turn. It is
  * short, so V8 makes it a part of the setter, which then makes no object of the Number.
@@ -191,8 +196,7 @@ export function $warnOfAngle(agent, name, value) {
 }
 
 /**
- * An angle is probably in radians if it is a twelfth of π or some of them, to the last digits, because no angle in degrees is; or if it begins
- * again at the other end of a turn, and none was farther yet.
+ * An angle is probably in radians if it is a part of π; or if it begins again at the other end of a turn, and none was farther yet.
  */
 function $warnOfRadians(agent, name, value) {
 	const before = agent[name];
@@ -200,8 +204,7 @@ function $warnOfRadians(agent, name, value) {
 	$angles.count++;
 	$angles.least = Math.min($angles.least, value);
 	$angles.most = Math.max($angles.most, value);
-	const twelfths = Math.abs(value) * 12 / Math.PI;
-	const isPart = twelfths < 24.5 && Math.abs(twelfths - Math.round(twelfths)) < 1e-12;
+	const isPart = $isPartOfTurn(value);
 	const areOfATurn = $angles.most - $angles.least < 6.2832 && ($angles.most < 3.1416 || $angles.least >= 0);
 	$anglesToSee = areOfATurn ? $anglesToSee - 1 : 0;
 	const beginsAgain = areOfATurn && $angles.count > $MANY_ANGLES && Math.abs(value - before) > 4.7 && !Number.isInteger(value);
@@ -209,6 +212,12 @@ function $warnOfRadians(agent, name, value) {
 	$anglesToSee = 0;
 	const why = isPart ? "a part of π" : `and was ${$rounded(before)}; all angles were between ${$rounded($angles.least)} and ${$rounded($angles.most)}`;
 	$warn(`${name} of ${agent} is ${$rounded(value)}, ${why}. Angles are in degrees: if this is in radians, take ${name} = angle * 180 / Math.PI, here ${$rounded(value * 180 / Math.PI)}`);
+}
+
+/** Whether an angle is some twelfths of π, one turn at most, to the last digits: no angle in degrees is. */
+function $isPartOfTurn(angle) {
+	const twelfths = Math.abs(angle) * 12 / Math.PI;
+	return twelfths < 24.5 && Math.abs(twelfths - Math.round(twelfths)) < 1e-12;
 }
 
 /** What an error says about a name that is not known: the name that is probably meant. Of hints the minified module has nothing. */

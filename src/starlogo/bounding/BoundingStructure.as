@@ -6,6 +6,7 @@ package starlogo.bounding
     import flash.errors.IllegalOperationError;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import flash.utils.getQualifiedClassName;
     import starlogo.convex.ConvexShape;
     import starlogo.data.requireGiven;
     import starlogo.engine;
@@ -80,7 +81,7 @@ package starlogo.bounding
         /** A description of the structure and its place, for messages. */
         public function toString():String
         {
-            return "a structure of kind " + kind;
+            return "a structure of class " + getQualifiedClassName(this).replace("::", ".");
         }
 
         /** The volume in cubic patches. 0 for a structure that is a rectangle, a segment or a point. */

@@ -10,9 +10,10 @@ package starlogo.geometry
      *
      * @param what names the numbers in the message
      * @param x a coordinate; y and z are others, or 0
+     * @param owner the agent whose numbers they are, which the message names; null if they are no agent's
      * @private
      */
-    public function requireInWorld(what:String, x:Number, y:Number, z:Number):void
+    public function requireInWorld(what:String, x:Number, y:Number, z:Number, owner:Object = null):void
     {
         if (!isInWorld(x, y, z))
         {
@@ -23,7 +24,7 @@ package starlogo.geometry
             {
                 wrong = Math.abs(value) > most && !(Math.abs(value) <= Math.abs(wrong)) ? value : wrong;
             }
-            throw new RangeError(what + " must be between " + -most + " and " + most + ", a finite number: " + wrong);
+            throw new RangeError((owner == null ? "" : owner + ": ") + what + " must be between " + -most + " and " + most + ", a finite number: " + wrong);
         }
     }
 }

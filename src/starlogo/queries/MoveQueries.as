@@ -112,7 +112,7 @@ package starlogo.queries
         private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _body.readAgent(agent);
-            setMotion(dx, dy, dz);
+            setMotion(agent, dx, dy, dz);
             _body.findRowsAlong(_motion, agent, filter);
             collect(1, _end);
             var isMet:Boolean = _hits.end() > 0;
@@ -138,7 +138,7 @@ package starlogo.queries
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             _body.readAgent(agent);
-            setMotion(dx, dy, dz);
+            setMotion(agent, dx, dy, dz);
             _body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
             _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
             _slider.restoreClearance(_body, _slid.place);
@@ -151,7 +151,7 @@ package starlogo.queries
 
         private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            setMotion(dx, dy, dz);
+            setMotion(asker, dx, dy, dz);
             _body.findRowsAlong(_motion, asker, filter);
             collect(1, null);
             return _hits.end() == 0 ? null : write(0, hit || new ShapeHit());
@@ -160,7 +160,7 @@ package starlogo.queries
         private function castAll(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            setMotion(dx, dy, dz);
+            setMotion(asker, dx, dy, dz);
             _body.findRowsAlong(_motion, asker, filter);
             collect(Collector.ALL, null);
             _hits.resize(hits, _hits.end());
@@ -185,10 +185,11 @@ package starlogo.queries
             return this;
         }
 
-        private function setMotion(dx:Number, dy:Number, dz:Number):void
+        // The asker is null if a structure is cast.
+        private function setMotion(asker:Agent, dx:Number, dy:Number, dz:Number):void
         {
             var at:Placement = _body.source.placement;
-            requireInWorld("a motion", dx, dy, dz);
+            requireInWorld("a motion", dx, dy, dz, asker);
             _motion.setTo(dx, dy, dz);
             _from.setTo(at.x, at.y, at.z);
         }

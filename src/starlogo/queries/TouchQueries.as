@@ -62,8 +62,8 @@ package starlogo.queries
         /** See AgentQueries.wouldTouchAt. */
         public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Boolean
         {
-            requireInWorld("a place", x, y, z);
             _seen.requirePlaced(agent);
+            requireInWorld("a place", x, y, z, agent);
             return idle.findDisplaced(agent, x, y, z, filter).end() > 0;
         }
 

@@ -86,7 +86,7 @@ package starlogo.queries
         private function readOptions(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
         {
             var size:Number = _seen.placeOf(agent).size;
-            requireInWorld("a motion", dx, dy, 0);
+            requireInWorld("a motion", dx, dy, 0, agent);
             var whole:Number = Math.sqrt(dx * dx + dy * dy);
             out.agent = agent;
             out.options = options;

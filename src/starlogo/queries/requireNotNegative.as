@@ -9,7 +9,7 @@ package starlogo.queries
     {
         if (!(value >= 0))
         {
-            throw new RangeError(name + " must not be negative: " + value);
+            throw new RangeError(name + " must be 0 or more, not " + value);
         }
     }
 }

@@ -168,8 +168,8 @@ package starlogo.search
         {
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
             shape.structure.rotatedBoxInto(new Placement(), extents);
-            requireInWorld(agent + ": the middle of its model's structure", extents[0], extents[1], extents[2]);
-            requireInWorld(agent + ": half of the length of its model's structure", extents[3], extents[4], extents[5]);
+            requireInWorld("the middle of its model's structure", extents[0], extents[1], extents[2], agent);
+            requireInWorld("half of the length of its model's structure", extents[3], extents[4], extents[5], agent);
         }
 
         /** @private Forgets the shapes of models that were replaced, removed or posed. They are void then. */

@@ -53,6 +53,13 @@ package starlogo.bounding
         }
 
         [Test]
+        public function oneOfAGamesOwnClassSaysWhichClassItIs():void
+        {
+            var said:String = String(new BoundingStructure(BoundingStructure.OTHER));
+            assertTrue(said, /^a structure of class (starlogo\.bounding\.)?BoundingStructure$/.test(said));
+        }
+
+        [Test]
         public function whatIsNoStructureIsRefused():void
         {
             for each (var wrong:Number in [-1, NaN, Infinity])

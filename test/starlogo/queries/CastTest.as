@@ -375,8 +375,8 @@ package starlogo.queries
                 assertThrows(RangeError, /origin must be .*finite.*: -Infinity/, question, new Vector3D(0, 0, -Infinity), up);
                 assertThrows(ArgumentError, /needs a direction/, question, zero, zero);
                 assertThrows(ArgumentError, /needs a direction/, question, zero, new Vector3D(0, NaN, 1));
-                assertThrows(RangeError, /maxDistance must not be negative: -1/, question, zero, up, -1);
-                assertThrows(RangeError, /maxDistance must not be negative: NaN/, question, zero, up, NaN);
+                assertThrows(RangeError, /maxDistance must be 0 or more, not -1/, question, zero, up, -1);
+                assertThrows(RangeError, /maxDistance must be 0 or more, not NaN/, question, zero, up, NaN);
             }
             assertThrows(ArgumentError, /null/, queries.canSee, null, _agents[0]);
             assertThrows(ArgumentError, /null/, queries.canSee, _agents[0], null);

@@ -111,6 +111,20 @@ package starlogo.queries
         }
 
         [Test]
+        public function whatAnAgentIsAskedAboutNamesIt():void
+        {
+            var all:Object = calls;
+            var named:RegExp = /^agent \d+ \(breed "turtles", shape "cube"\): a (motion|place) must be between -1000000000 and 1000000000, .*NaN$/;
+            for each (var name:String in ["castAgent", "castAgentAll", "moveUntilTouch", "slide"])
+            {
+                assertThrows(RangeError, named, all[name], 0, NaN, 0);
+            }
+            assertThrows(RangeError, named, _queries.walk, _bear, NaN, 0);
+            assertThrows(RangeError, named, _queries.wouldTouchAt, _bear, 0, 0, NaN);
+            assertThrows(RangeError, /^a motion must be between/, all.castShape, 0, NaN, 0);
+        }
+
+        [Test]
         public function placesOnTheGroundAndItsOwnNumbersToo():void
         {
             for each (var wrong:* in OUTSIDE)

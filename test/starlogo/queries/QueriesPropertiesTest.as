@@ -93,12 +93,12 @@ package starlogo.queries
             assertThrows(ArgumentError, /agent (is needed|must)/, _queries.touching, null);
             assertThrows(ArgumentError, /point (is needed|must)/, _queries.nearPoint, null, 1);
             assertThrows(RangeError, /finite/, _queries.countNearPoint, new Vector3D(NaN, 0, 0), 1);
-            assertThrows(RangeError, /radius must not be negative: -1/, _queries.near, _agents[0], -1);
-            assertThrows(RangeError, /radius must not be negative: NaN/, _queries.nearest, _agents[0], NaN);
-            assertThrows(RangeError, /count must not be negative: -2/, _queries.nearestOf, _agents[0], -2);
+            assertThrows(RangeError, /radius must be 0 or more, not -1/, _queries.near, _agents[0], -1);
+            assertThrows(RangeError, /radius must be 0 or more, not NaN/, _queries.nearest, _agents[0], NaN);
+            assertThrows(RangeError, /count must be 0 or more, not -2/, _queries.nearestOf, _agents[0], -2);
             assertThrows(ArgumentError, /agent (is needed|must)/, _queries.nearestOf, null, 2);
             assertThrows(ArgumentError, /agent (is needed|must)/, _queries.touchesAny, null);
-            assertThrows(RangeError, /degrees must not be negative: -3/, _queries.inCone, _agents[0], 1, -3);
+            assertThrows(RangeError, /degrees must be 0 or more, not -3/, _queries.inCone, _agents[0], 1, -3);
             assertThrows(ArgumentError, /not /, _queries.overlapping, new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1));
             var sphere:Sphere = new Sphere(new Vector3D(), 1);
             sphere.radius = NaN;

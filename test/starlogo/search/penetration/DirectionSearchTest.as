@@ -1,0 +1,77 @@
+package starlogo.search.penetration
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Sphere;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.search.Body;
+    import starlogo.search.pairs.StructurePairTests;
+    import support.assertClose;
+
+    /** A ball whose middle is 0.4 below the top of a wide box: the shortest way out is straight up. */
+    public class DirectionSearchTest
+    {
+        private static const RADIUS:Number = 0.1;
+        private static const DEEP:Number = 0.4;
+
+        private var _pair:DisplacedPair = new DisplacedPair(new StructurePairTests());
+        private var _search:DirectionSearch = new DirectionSearch(_pair);
+        private var _out:ContactPoint = new ContactPoint();
+
+        [Before]
+        public function overlap():void
+        {
+            var box:Box = new Box(new Vector3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1), 3, 3, 1);
+            _pair.begin(bodyOf(new Sphere(new Vector3D(0, 0, 1 - DEEP), RADIUS)), bodyOf(box), RelativeMotion.NONE);
+        }
+
+        [Test]
+        public function aGuessThatIsTooShortIsMadeLongerBeforeItsDirectionIsImproved():void
+        {
+            for each (var guess:Number in [0, 1e-6, 0.001, 0.1, 0.45])
+            {
+                findAlong(0.6, 0.8, guess);
+                assertIsStraightUp("" + guess);
+            }
+        }
+
+        [Test]
+        public function soIsOneThatIsLongEnough():void
+        {
+            findAlong(0.6, 0.8, 1);
+            assertIsStraightUp("1");
+        }
+
+        [Test]
+        public function aDirectionThatNoSideImprovesStays():void
+        {
+            findAlong(0, 1, 0.2);
+            assertIsStraightUp("up");
+            findAlong(1, 0, 0.2);
+            assertClose(1, _out.normalX, 1e-12);
+            assertClose(3 + RADIUS, _out.depth, 1e-8, "sideways");
+        }
+
+        private function findAlong(x:Number, z:Number, depth:Number):void
+        {
+            _out.setNormal(x, 0, z);
+            _out.depth = depth;
+            _search.findAlong(_out, _out);
+        }
+
+        private function assertIsStraightUp(said:String):void
+        {
+            assertClose(1, _out.normalZ, 1e-9, said + ": the normal of the top");
+            assertClose(DEEP + RADIUS, _out.depth, 1e-8, said + ": the depth");
+        }
+
+        private static function bodyOf(structure:BoundingStructure):Body
+        {
+            var body:Body = new Body();
+            body.readStructure(structure);
+            return body;
+        }
+    }
+}

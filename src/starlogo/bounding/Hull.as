@@ -61,7 +61,7 @@ package starlogo.bounding
         // A box around the hull, a little larger than it. Its axes are the coordinate axes of the space in which the hull was made.
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
-        // Empty until it is asked for.
+        // Empty until they are needed.
         private var _halfSpaces:Vector.<Number> = new Vector.<Number>();
 
         /**

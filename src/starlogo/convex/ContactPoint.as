@@ -28,7 +28,7 @@ package starlogo.convex
          */
         public var triangle:int = -1;
 
-        /** What is known of the depth besides. Null if the record has never had a contact with such knowledge. */
+        /** What else is known of the depth. Null until a contact with such knowledge is written for the first time. */
         public var proof:DepthProof = null;
 
         /** Becomes the same as another contact. */

@@ -32,7 +32,7 @@ package starlogo.intersection
         public var signY:int = 1;
         public var signZ:int = 1;
 
-        /** Where the segment's point nearest to the box is: from 0 at the segment's start to 1 at its end. In the middle of several. */
+        /** Where the segment's point nearest to the box is: from 0 at the segment's start to 1 at its end. If several are, it is in the middle of them. */
         public var nearest:Number = 0;
 
         /** Whether a part of the segment is inside of all slabs of the box that it crosses. Slabs parallel to the segment are not tested. */

@@ -9,7 +9,7 @@ package starlogo.convex
      * separating axis test between convex polyhedra", 2013). The edges of boxes, triangles and segments say nothing of faces, so nothing is known to
      * be on a side of them.
      *
-     * <p>If two displacements are equally short, it is the one that is tried first: faces of the second core, faces of the first, edges. Of two
+     * <p>If two displacements are equally short, the result is the one that is tried first: faces of the second core, faces of the first, edges. Of two
      * opposite ones, it is the one against the pair's motion. If the pair has no motion, rounding decides. Points and parallel segments move upwards as
      * far as possible.</p>
      *

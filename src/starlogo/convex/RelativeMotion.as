@@ -30,7 +30,7 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** Where the part of the motion that is asked about begins. The shapes are known not to touch before, so a test need not begin there. */
+        /** Where the part of the motion that is asked about begins. The shapes are known not to touch before, so a test may begin at 0. */
         public var earliest:Number = 0;
 
         /** Where that part ends, from 0 to 1. No answer is later. */

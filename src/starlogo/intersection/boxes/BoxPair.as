@@ -12,9 +12,10 @@ package starlogo.intersection.boxes
      * they need different arithmetic. KernelsAgreeTest checks that both agree.</p>
      *
      * <ul>
-     * <li>BoxSeparation is for boxes that stand. It ends at the first axis that separates them, and gets an edge axis from a few products.
-     *     These cancel if edges are nearly parallel, so then it asks BoxSweep</li>
-     * <li>BoxSweep is for boxes that move. Each axis gives an interval of time, and an edge axis gets all edges projected in full</li>
+     * <li>BoxSeparation is for boxes that stand. Two spheres decide most pairs before any axis is tried. An axis across edges takes a few products, which
+     *     cancel if the edges are nearly parallel. Then it asks BoxSweep</li>
+     * <li>BoxSweep is for boxes that move. Each axis gives an interval of time. It projects the boxes in full on the axes across edges, so nothing
+     *     cancels, but that takes longer</li>
      * </ul>
      *
      * <p>OverlapTraversal projects pairs of nodes on the faces itself, in its loop, because a call for each pair would take a tenth more time. It

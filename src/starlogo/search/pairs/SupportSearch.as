@@ -153,15 +153,9 @@ package starlogo.search.pairs
         private function findOfStructure(structure:BoundingStructure, direction:Vector3D, out:SupportPoint):void
         {
             structure.shapeInto(_shape);
-            var farthest:int = _shape.support(direction, 1);
-            out.support = supportOfPoint(farthest, direction);
-        }
-
-        // How far a point of _shape's core reaches with the radius around it.
-        private function supportOfPoint(at:int, direction:Vector3D):Number
-        {
             var p:Vector.<Number> = _shape.points;
-            return (_shape.x + p[at]) * direction.x + (_shape.y + p[int(at + 1)]) * direction.y + (_shape.z + p[int(at + 2)]) * direction.z
+            var i:int = _shape.support(direction, 1);
+            out.support = (_shape.x + p[i]) * direction.x + (_shape.y + p[int(i + 1)]) * direction.y + (_shape.z + p[int(i + 2)]) * direction.z
                 + _shape.radius;
         }
 
@@ -239,9 +233,10 @@ package starlogo.search.pairs
             var x:Number = _shape.x + _shape.radius * direction.x;
             var y:Number = _shape.y + _shape.radius * direction.y;
             var z:Number = _shape.z + _shape.radius * direction.z;
+            var leastOfCore:Number = least.support - (x * direction.x + y * direction.y + z * direction.z);
             for (var i:int = 0; i < _shape.end; i += 3)
             {
-                if (supportOfPoint(i, direction) >= least.support)
+                if (p[i] * direction.x + p[int(i + 1)] * direction.y + p[int(i + 2)] * direction.z >= leastOfCore)
                 {
                     _added.setTo(x + p[i], y + p[int(i + 1)], z + p[int(i + 2)]);
                     addPoint(_added);

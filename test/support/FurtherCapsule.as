@@ -71,16 +71,6 @@ package support
             capsule.rotatedBoxInto(placement, out);
         }
 
-        override engine function supportAlong(direction:Vector3D):Number
-        {
-            return capsule.supportAlong(direction);
-        }
-
-        override engine function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void
-        {
-            capsule.farthestPoint(direction, least, out);
-        }
-
         override engine function shapeInto(out:ConvexShape):void
         {
             _center.setTo((capsule.start.x + capsule.end.x) / 2, (capsule.start.y + capsule.end.y) / 2, (capsule.start.z + capsule.end.z) / 2);

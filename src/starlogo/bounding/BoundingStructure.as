@@ -274,26 +274,6 @@ package starlogo.bounding
             return null;
         }
 
-        /** @private The largest coordinate of the structure's points along a direction, which is a unit vector. */
-        engine function supportAlong(direction:Vector3D):Number
-        {
-            throw new IllegalOperationError(this + " does not implement supportAlong");
-        }
-
-        /**
-         * Writes the farthest point in a direction, or the middle of those that count as the farthest. A hull's point is one of the hull of its
-         * corners, without the radius.
-         *
-         * @param direction a unit vector
-         * @param least for a capsule or a hull: points whose coordinate along the direction is at least this count as the farthest. Edges and faces of
-         *     a box count if they are across the direction
-         * @private
-         */
-        engine function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void
-        {
-            throw new IllegalOperationError(this + " does not implement farthestPoint");
-        }
-
         /**
          * A simpler structure around this one, which tests take first; this structure if there is none.
          *
@@ -430,12 +410,6 @@ package starlogo.bounding
         protected static function rounding(extent:Number, at:Vector3D):Number
         {
             return Tolerances.ROUNDING * (extent + Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
-        }
-
-        /** The dot product: the coordinate of a point along a direction, if that is a unit vector. */
-        protected static function dot(point:Vector3D, direction:Vector3D):Number
-        {
-            return point.x * direction.x + point.y * direction.y + point.z * direction.z;
         }
 
         /** Writes the extent between two coordinates, in either order, enlarged by a length on both sides. */

@@ -197,31 +197,6 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function supportAlong(direction:Vector3D):Number
-        {
-            return dot(center, direction) + halfX * Math.abs(dot(axisX, direction)) + halfY * Math.abs(dot(axisY, direction))
-                + halfZ * Math.abs(dot(axisZ, direction));
-        }
-
-        /** @private */
-        override engine function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void
-        {
-            var byX:Number = halfX * sideOf(axisX, direction);
-            var byY:Number = halfY * sideOf(axisY, direction);
-            var byZ:Number = halfZ * sideOf(axisZ, direction);
-            out.x = center.x + byX * axisX.x + byY * axisY.x + byZ * axisZ.x;
-            out.y = center.y + byX * axisX.y + byY * axisY.y + byZ * axisZ.y;
-            out.z = center.z + byX * axisX.z + byY * axisY.z + byZ * axisZ.z;
-        }
-
-        // Whether an axis points along a direction (1), against it (-1) or across it (0).
-        private static function sideOf(axis:Vector3D, direction:Vector3D):int
-        {
-            var cosine:Number = dot(axis, direction);
-            return Math.abs(cosine) <= Tolerances.SEPARATION ? 0 : cosine > 0 ? 1 : -1;
-        }
-
-        /** @private */
         override engine function numbers():Vector.<Number>
         {
             return new <Number>[center.x, center.y, center.z, axisX.x, axisX.y, axisX.z, axisY.x, axisY.y, axisY.z, axisZ.x, axisZ.y, axisZ.z,
@@ -259,7 +234,7 @@ package starlogo.bounding
 
         private static function removeComponent(vector:Vector3D, along:Vector3D):void
         {
-            var amount:Number = dot(vector, along);
+            var amount:Number = vector.x * along.x + vector.y * along.y + vector.z * along.z;
             vector.x -= amount * along.x;
             vector.y -= amount * along.y;
             vector.z -= amount * along.z;

@@ -88,21 +88,6 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function supportAlong(direction:Vector3D):Number
-        {
-            return Math.max(dot(start, direction), dot(end, direction)) + radius;
-        }
-
-        /** @private */
-        override engine function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void
-        {
-            var further:Number = dot(end, direction) - dot(start, direction);
-            var share:Number = Math.abs(further) <= 2 * (supportAlong(direction) - least) ? 0.5 : further > 0 ? 1 : 0;
-            out.setTo(start.x + share * (end.x - start.x) + radius * direction.x, start.y + share * (end.y - start.y) + radius * direction.y,
-                    start.z + share * (end.z - start.z) + radius * direction.z);
-        }
-
-        /** @private */
         override engine function rotatedBoxInto(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;

@@ -31,8 +31,6 @@ package starlogo.bounding
         private static const POINT:Vector.<Number> = new <Number>[0, 0, 0];
 
         private static var sMiddle:Vector3D = new Vector3D();
-        private static var sLow:Vector3D = new Vector3D();
-        private static var sHigh:Vector3D = new Vector3D();
 
         /** A point inside of the hull: the mean of the points of which it was made. */
         public var center:Vector3D = new Vector3D();
@@ -61,7 +59,7 @@ package starlogo.bounding
         // A box around the hull, a little larger than it. Its axes are the coordinate axes of the space in which the hull was made.
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
-        // Empty until it is asked for.
+        // Empty until they are needed.
         private var _halfSpaces:Vector.<Number> = new Vector.<Number>();
 
         /**
@@ -291,41 +289,6 @@ package starlogo.bounding
             out[3] = size * ((highX - lowX) / 2 + outerMargin);
             out[4] = size * ((highY - lowY) / 2 + outerMargin);
             out[5] = size * ((highZ - lowZ) / 2 + outerMargin);
-        }
-
-        /** @private */
-        override engine function supportAlong(direction:Vector3D):Number
-        {
-            var best:int = 0;
-            var most:Number = -Infinity;
-            for (var i:int = 0; i < points.length; i += 3)
-            {
-                var place:Number = points[i] * direction.x + points[int(i + 1)] * direction.y + points[int(i + 2)] * direction.z;
-                if (place > most)
-                {
-                    most = place;
-                    best = i;
-                }
-            }
-            sMiddle.setTo(center.x + points[best], center.y + points[int(best + 1)], center.z + points[int(best + 2)]);
-            return dot(sMiddle, direction) + radius;
-        }
-
-        /** @private */
-        override engine function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void
-        {
-            sLow.setTo(Infinity, Infinity, Infinity);
-            sHigh.setTo(-Infinity, -Infinity, -Infinity);
-            for (var i:int = 0; i < points.length; i += 3)
-            {
-                sMiddle.setTo(center.x + points[i], center.y + points[int(i + 1)], center.z + points[int(i + 2)]);
-                if (dot(sMiddle, direction) + radius >= least)
-                {
-                    sLow.setTo(Math.min(sLow.x, sMiddle.x), Math.min(sLow.y, sMiddle.y), Math.min(sLow.z, sMiddle.z));
-                    sHigh.setTo(Math.max(sHigh.x, sMiddle.x), Math.max(sHigh.y, sMiddle.y), Math.max(sHigh.z, sMiddle.z));
-                }
-            }
-            out.setTo((sLow.x + sHigh.x) / 2, (sLow.y + sHigh.y) / 2, (sLow.z + sHigh.z) / 2);
         }
 
         /** @private */

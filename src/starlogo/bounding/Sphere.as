@@ -116,18 +116,6 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function supportAlong(direction:Vector3D):Number
-        {
-            return dot(center, direction) + radius;
-        }
-
-        /** @private */
-        override engine function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void
-        {
-            out.setTo(center.x + radius * direction.x, center.y + radius * direction.y, center.z + radius * direction.z);
-        }
-
-        /** @private */
         override engine function numbers():Vector.<Number>
         {
             return new <Number>[center.x, center.y, center.z, radius];

@@ -28,7 +28,7 @@ package starlogo.convex
          */
         public var triangle:int = -1;
 
-        /** What is known of the depth besides. Null if the record has never had a contact with such knowledge. */
+        /** What else is known of the depth. Null until a contact with such knowledge is written for the first time. */
         public var proof:DepthProof = null;
 
         /** Becomes the same as another contact. */
@@ -77,16 +77,16 @@ package starlogo.convex
         }
 
         /**
-         * Sets the contact of two shapes whose cores are apart.
+         * Sets the contact of two shapes whose cores are apart, or are two points.
          *
-         * @param gap the gap between the cores, longer than 0, and the radii
+         * @param gap the gap between the cores, and the radii. If its length is 0, the normal points upwards
          */
         public function setFromGap(gap:CoreGap):void
         {
             var length:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
-            normalX = gap.x / length;
-            normalY = gap.y / length;
-            normalZ = gap.z / length;
+            normalX = length > 0 ? gap.x / length : 0;
+            normalY = length > 0 ? gap.y / length : 0;
+            normalZ = length > 0 ? gap.z / length : 1;
             depth = gap.radiusA + gap.radiusB - length;
             // rounding can make it negative
             depth = depth > 0 ? depth : 0;

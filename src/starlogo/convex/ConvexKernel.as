@@ -10,7 +10,7 @@ package starlogo.convex
      *
      * <p>In all packages a kernel decides about two shapes or structures, and a pair is two of them. a and b are the two of a question, in the order
      * of the call; a is the one that moves. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint with its DepthProof) stand
-     * here for all packages, because this is the first of those that fill them.</p>
+     * here for all packages, because the others that fill them may use this one.</p>
      *
      * <p>areTouching and findTime agree about what touches: see Touching. findTime adds the margin of the motion. The distance and the depth leave
      * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. The same two shapes in the other order

@@ -3,7 +3,7 @@ package starlogo.convex
     /**
      * The gap between the closest points of two cores, as a record. A core is a sphere's centre, a capsule's axis, or a whole box, triangle or hull.
      * Two shapes touch if the gap between their cores is at most as long as their radii together, except for the margins of Touching. All numbers
-     * are in the space of the two shapes, a where its motion has brought it.
+     * are in the space of the two shapes.
      *
      * @private
      */
@@ -14,7 +14,7 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** The closest point of a's core. */
+        /** The closest point of a's core. It is where a is stored, until movePoint() moves it. */
         public var pointX:Number = 0;
         public var pointY:Number = 0;
         public var pointZ:Number = 0;
@@ -25,28 +25,13 @@ package starlogo.convex
         /** The radius around b's core. */
         public var radiusB:Number = 0;
 
-        /**
-         * Written by a GapFinder only: the vector's squared length; how fast a's motion closes the gap, times the gap's length; and the extent of both
-         * shapes together, which the rounding error of the gap is relative to.
-         */
-        public var squaredLength:Number = 0;
-        public var closing:Number = 0;
-        public var extent:Number = 0;
-
-        /** Moves the closest point of a's core, from where a is stored to where it is at its motion's time. */
+        /** Moves the closest point of a's core to where a is at its motion's time. */
         public function movePoint(motion:RelativeMotion):void
         {
             var time:Number = motion.time;
             pointX += motion.startX + time * motion.x;
             pointY += motion.startY + time * motion.y;
             pointZ += motion.startZ + time * motion.z;
-        }
-
-        /** Computes the squared length, and how a motion of a's core closes the gap. */
-        public function measure(motion:RelativeMotion):void
-        {
-            squaredLength = x * x + y * y + z * z;
-            closing = -(x * motion.x + y * motion.y + z * motion.z);
         }
     }
 }

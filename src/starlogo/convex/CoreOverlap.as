@@ -9,8 +9,8 @@ package starlogo.convex
      * separating axis test between convex polyhedra", 2013). The edges of boxes, triangles and segments say nothing of faces, so nothing is known to
      * be on a side of them.
      *
-     * <p>If two displacements are equally short, the first one is taken that is tried: faces of the second core, faces of the first, edges. Of two
-     * opposite ones, it is the one against the pair's motion; if the pair has none, rounding decides. Points and parallel segments move upwards as
+     * <p>If two displacements are equally short, the result is the one that is tried first: faces of the second core, faces of the first, edges. Of two
+     * opposite ones, it is the one against the pair's motion. If the pair has no motion, rounding decides. Points and parallel segments move upwards as
      * far as possible.</p>
      *
      * <p>The results are a unit vector, and how far the cores are apart along it. It is less than 0 if they overlap: the displacement is as long.</p>

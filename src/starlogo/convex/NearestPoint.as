@@ -1,5 +1,7 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * The point of a simplex that is nearest to the origin.
      *
@@ -18,13 +20,6 @@ package starlogo.convex
 
         /** Rounding hides which part of the simplex is nearest, so there is no point. */
         public static const LOST:int = 2;
-
-        // The rounding error of a corner, as a fraction of the extents and places: about four units in the last place.
-        private static const CORNER_ROUNDING:Number = 4e-16;
-
-        // The squared ratio of height to base below which a triangle counts as its edges. It is smaller than Tolerances.FLAT_TRIANGLE, because a point
-        // in a needle has more digits than the needle's normal.
-        private static const NARROWEST:Number = 1e-28;
 
         /** The point, and its squared distance. */
         public var x:Number = 0;
@@ -58,7 +53,7 @@ package starlogo.convex
         /** Begins with two cores, which the rounding error depends on. */
         public function begin(cores:CorePair):void
         {
-            rounding = CORNER_ROUNDING * (cores.first.extent + cores.second.extent + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
+            rounding = Tolerances.CORE_POINTS * (cores.first.extent + cores.second.extent + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
         }
 
         /**
@@ -292,7 +287,7 @@ package starlogo.convex
             toZ += along * uz;
             var up:Number = -(toX * hx + toY * hy + toZ * hz) / hh;
             var low:Number = along - foot * up;
-            if (!(hh > NARROWEST * uu && up > 0 && low > 0 && low < 1 - up))
+            if (!(hh > Tolerances.NARROW_TRIANGLE * uu && up > 0 && low > 0 && low < 1 - up))
             {
                 tryEdges(i, j, k);
                 return;

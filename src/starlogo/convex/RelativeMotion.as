@@ -17,7 +17,7 @@ package starlogo.convex
         /** The time of impact of shapes that do not touch in the part of the motion that is asked about. */
         public static const NEVER:Number = Infinity;
 
-        /** The motion of a shape that stands still, at time 0. Nobody changes it. */
+        /** The motion of a shape that stands still, at time 0. It must not be changed. */
         public static const NONE:RelativeMotion = new RelativeMotion(0);
 
         /** The vector from the shape's stored place to its place at time 0. */
@@ -30,13 +30,13 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** Where the part of the motion that is asked about begins. The shapes are known not to touch before, so a test need not begin there. */
+        /** Where the part of the motion that is asked about begins. The shapes are known not to touch before, so a test may begin at 0. */
         public var earliest:Number = 0;
 
         /** Where that part ends, from 0 to 1. No answer is later. */
         public var latest:Number = 1;
 
-        /** The time at which the shape is on the motion. NEVER if it was to be when the two first touch, and they do not touch. */
+        /** The time at which the shape is on the motion. NEVER after a <code>findTime()</code> of two that do not touch. */
         public var time:Number;
 
         public function RelativeMotion(time:Number = NEVER)

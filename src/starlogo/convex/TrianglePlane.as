@@ -6,7 +6,7 @@ package starlogo.convex
     /**
      * The plane of a triangle, and a quick test by it. Its fields are read only.
      *
-     * <p>Here alone it is decided which triangles are flat: needles and points, whose normal would be a rounding error (Tolerances.FLAT_TRIANGLE). A
+     * <p>This class alone decides which triangles are flat: needles and points, whose normal would be a rounding error (Tolerances.FLAT_TRIANGLE). A
      * flat triangle has no plane. Its normal is 0 and its offset NaN, so all comparisons with places along the normal are false. ConvexKernel makes no
      * difference: to it a triangle is the hull of its corners, however narrow that is.</p>
      *

@@ -10,7 +10,7 @@ package starlogo.data
         /** The numbers. After the last one, numbers may be left over from earlier lists. */
         public var numbers:Vector.<int> = new Vector.<int>();
 
-        /** How many they are. */
+        /** How many numbers there are. */
         public var count:int = 0;
 
         /** Takes the numbers of another list, except for one; -1 takes all. */

@@ -18,7 +18,7 @@ package starlogo.data
         /** The key of each number. */
         public var keys:Vector.<Number> = new Vector.<Number>();
 
-        /** How many they are. */
+        /** How many numbers there are. */
         public var count:int = 0;
 
         private var _otherNumbers:Vector.<int> = new Vector.<int>();

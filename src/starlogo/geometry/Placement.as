@@ -33,7 +33,7 @@ package starlogo.geometry
         /** The uniform scale, above 0. */
         public var size:Number = 1;
 
-        /** Whether the rotation is known to be the identity. Then <code>place()</code> leaves it out. Who writes r00 to r22 sets it to false. */
+        /** Whether the rotation is known to be the identity. Then <code>place()</code> leaves it out. Code that writes r00 to r22 sets it to false. */
         public var isUnrotated:Boolean = true;
 
         /** The rotation: row 0, column 0. */

@@ -145,6 +145,13 @@ package starlogo.geometry
         public static const CORES:Number = 1e-15;
 
         /**
+         * The rounding of the difference of a point of one convex core and a point of the other, as a fraction of the extents and of the distance of
+         * their places: about four units in the last place. Smaller: the search for the closest points goes on among rounding errors. Larger: it ends
+         * too early, with an error of that fraction.
+         */
+        public static const CORE_POINTS:Number = 4e-16;
+
+        /**
          * How much larger a hierarchy's nodes are than the nodes of the next level, as a fraction of the model's radius. Smaller than
          * 1e-15: because of rounding, children may touch something that their parents do not touch, so a greater depth may find more
          * collisions than a smaller depth. Larger: nodes are larger, by 63 times that fraction at the root.
@@ -169,6 +176,13 @@ package starlogo.geometry
          * triangle has no plane, and no side. Smaller: the normal of a needle is a rounding error. Larger: needles lose their sides.
          */
         public static const FLAT_TRIANGLE:Number = 1e-24;
+
+        /**
+         * The same ratio, below which a triangle between two convex cores counts as its edges. It is smaller than FLAT_TRIANGLE, because a point in
+         * a needle has more digits than the needle's normal. Smaller: the height of a needle is a rounding error, and distances from it are wrong.
+         * Larger: the nearest point of a narrow triangle is taken from its edges, and is farther by its height.
+         */
+        public static const NARROW_TRIANGLE:Number = 1e-28;
 
         /**
          * The least sine of an angle between directions of contacts that rounding leaves certain. Edges within this angle count as parallel to

@@ -6,7 +6,7 @@ package starlogo.hierarchy
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.PairTable;
-    import starlogo.intersection.sweep.BoxAxes;
+    import starlogo.intersection.boxes.BoxAxes;
 
     /**
      * Finds the distance of two trees. The distance of two boxes' extents, along the axes of one box or the other, is a lower bound of the

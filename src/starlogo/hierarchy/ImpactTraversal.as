@@ -3,8 +3,8 @@ package starlogo.hierarchy
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
-    import starlogo.intersection.sweep.BoxPair;
-    import starlogo.intersection.sweep.BoxSweep;
+    import starlogo.intersection.boxes.BoxPair;
+    import starlogo.intersection.boxes.BoxSweep;
 
     /**
      * Finds when two moving trees first touch, as RelativeMotion says. Parents touch no later than their children. The axes of the edges are

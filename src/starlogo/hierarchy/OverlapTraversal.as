@@ -2,9 +2,9 @@ package starlogo.hierarchy
 {
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.BoxSeparation;
-    import starlogo.intersection.sweep.BoxAxes;
-    import starlogo.intersection.sweep.BoxPair;
+    import starlogo.intersection.boxes.BoxSeparation;
+    import starlogo.intersection.boxes.BoxAxes;
+    import starlogo.intersection.boxes.BoxPair;
 
     /**
      * Decides whether two standing trees overlap. It is like BestPairTraversal, but without bounds, because each pair overlaps

@@ -5,7 +5,7 @@ package starlogo.intersection
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.sweep.BoxSweep;
+    import starlogo.intersection.boxes.BoxSweep;
 
     /** The kernel of two boxes. BoxSweep finds the time of impact. The ConvexPairKernel finds the contact and the distance. */
     internal final class BoxBoxKernel extends PairKernel

@@ -32,15 +32,11 @@ package starlogo.intersection
         public var signY:int = 1;
         public var signZ:int = 1;
 
-        /**
-         * The place on the segment's line that is nearest to the box, as all places from 0 at the segment's start to 1 at its end. It may be beyond the
-         * ends. If the line passes through the box, it is where it has entered all slabs.
-         */
+        /** Where the segment's point nearest to the box is: from 0 at the segment's start to 1 at its end. If several are, it is in the middle of them. */
         public var nearest:Number = 0;
 
-        /** Where the line has entered all slabs of the box, and where it leaves the first one. It passes through the box if that is not before. */
-        public var lastIn:Number = 0;
-        public var firstOut:Number = 0;
+        /** Whether a part of the segment is inside of all slabs of the box that it crosses. Slabs parallel to the segment are not tested. */
+        public var isInside:Boolean = false;
 
         /** Sets the axis of a capsule. */
         public function setTo(capsule:Capsule, box:Box):void
@@ -86,77 +82,58 @@ package starlogo.intersection
             z += time * (signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z));
         }
 
-        /**
-         * Finds <code>nearest</code>, <code>lastIn</code> and <code>firstOut</code>. First it finds where the line enters and leaves each slab of the box.
-         */
+        /** Finds <code>nearest</code> and <code>isInside</code>. First it finds where the segment's line enters and leaves each slab of the box. */
         public function findNearest(box:Box):void
         {
             var px:Number = x;
             var py:Number = y;
             var pz:Number = z;
-            var dx:Number = alongX;
-            var dy:Number = alongY;
-            var dz:Number = alongZ;
+            var ux:Number = alongX;
+            var uy:Number = alongY;
+            var uz:Number = alongZ;
             var halfX:Number = box.halfX;
             var halfY:Number = box.halfY;
             var halfZ:Number = box.halfZ;
-            var inX:Number = dx > 0 ? (-halfX - px) / dx : -Infinity;
-            var outX:Number = dx > 0 ? (halfX - px) / dx : Infinity;
-            var inY:Number = dy > 0 ? (-halfY - py) / dy : -Infinity;
-            var outY:Number = dy > 0 ? (halfY - py) / dy : Infinity;
-            var inZ:Number = dz > 0 ? (-halfZ - pz) / dz : -Infinity;
-            var outZ:Number = dz > 0 ? (halfZ - pz) / dz : Infinity;
-            lastIn = inX > inY ? inX : inY;
+            var inX:Number = ux > 0 ? (-halfX - px) / ux : -Infinity;
+            var outX:Number = ux > 0 ? (halfX - px) / ux : Infinity;
+            var inY:Number = uy > 0 ? (-halfY - py) / uy : -Infinity;
+            var outY:Number = uy > 0 ? (halfY - py) / uy : Infinity;
+            var inZ:Number = uz > 0 ? (-halfZ - pz) / uz : -Infinity;
+            var outZ:Number = uz > 0 ? (halfZ - pz) / uz : Infinity;
+            var lastIn:Number = inX > inY ? inX : inY;
             lastIn = lastIn > inZ ? lastIn : inZ;
-            firstOut = outX < outY ? outX : outY;
+            var firstOut:Number = outX < outY ? outX : outY;
             firstOut = firstOut < outZ ? firstOut : outZ;
-            var share:Number = lastIn;
-            if (lastIn > firstOut)
+            isInside = lastIn <= firstOut && lastIn <= 1 && firstOut >= 0;
+            if (lastIn <= firstOut)
             {
-                // The line misses the box: it leaves one slab before it enters another, and is closest between these two places.
-                // These two slabs count. The third slab also counts if the line is outside of it at the minimum found without it.
-                var isOnX:Boolean = outX == firstOut || inX == lastIn;
-                var isOnY:Boolean = outY == firstOut || inY == lastIn;
-                var isOnZ:Boolean = outZ == firstOut || inZ == lastIn;
-                var slope:Number = 0;
-                var curvature:Number = 0;
-                var beyond:Number;
-                if (isOnX)
-                {
-                    beyond = outX == firstOut ? px - halfX : px + halfX;
-                    slope = dx * beyond;
-                    curvature = dx * dx;
-                }
-                if (isOnY)
-                {
-                    beyond = outY == firstOut ? py - halfY : py + halfY;
-                    slope += dy * beyond;
-                    curvature += dy * dy;
-                }
-                if (isOnZ)
-                {
-                    beyond = outZ == firstOut ? pz - halfZ : pz + halfZ;
-                    slope += dz * beyond;
-                    curvature += dz * dz;
-                }
-                share = -slope / curvature;
-                if (!isOnX && (share < inX || share > outX))
-                {
-                    beyond = share < inX ? px + halfX : px - halfX;
-                    share = -(slope + dx * beyond) / (curvature + dx * dx);
-                }
-                else if (!isOnY && (share < inY || share > outY))
-                {
-                    beyond = share < inY ? py + halfY : py - halfY;
-                    share = -(slope + dy * beyond) / (curvature + dy * dy);
-                }
-                else if (!isOnZ && (share < inZ || share > outZ))
-                {
-                    beyond = share < inZ ? pz + halfZ : pz - halfZ;
-                    share = -(slope + dz * beyond) / (curvature + dz * dz);
-                }
+                nearest = ((lastIn > 0 ? (lastIn < 1 ? lastIn : 1) : 0) + (firstOut > 0 ? (firstOut < 1 ? firstOut : 1) : 0)) / 2;
+                return;
             }
-            nearest = share;
+            // The line misses the box: it leaves one slab before it enters another, and is closest between these two places. How far it is outside of
+            // these two slabs counts.
+            var dx:Number = outX == firstOut || inX == lastIn ? ux : 0;
+            var dy:Number = outY == firstOut || inY == lastIn ? uy : 0;
+            var dz:Number = outZ == firstOut || inZ == lastIn ? uz : 0;
+            var slope:Number = dx * (outX == firstOut ? px - halfX : px + halfX) + dy * (outY == firstOut ? py - halfY : py + halfY)
+                + dz * (outZ == firstOut ? pz - halfZ : pz + halfZ);
+            var curvature:Number = dx * dx + dy * dy + dz * dz;
+            var share:Number = -slope / curvature;
+            // The third slab also counts if the line is outside of it at the minimum found without it.
+            if (dx == 0 && (share < inX || share > outX))
+            {
+                share = -(slope + ux * (share < inX ? px + halfX : px - halfX)) / (curvature + ux * ux);
+            }
+            else if (dy == 0 && (share < inY || share > outY))
+            {
+                share = -(slope + uy * (share < inY ? py + halfY : py - halfY)) / (curvature + uy * uy);
+            }
+            else if (dz == 0 && (share < inZ || share > outZ))
+            {
+                share = -(slope + uz * (share < inZ ? pz + halfZ : pz - halfZ)) / (curvature + uz * uz);
+            }
+            // The comparison is false for NaN too.
+            nearest = share > 0 ? (share < 1 ? share : 1) : 0;
         }
     }
 }

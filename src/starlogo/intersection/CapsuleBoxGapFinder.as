@@ -12,13 +12,10 @@ package starlogo.intersection
     {
         private var _axis:BoxSegment = new BoxSegment();
 
-        /**
-         * If several points are closest, the one in the middle of them is taken.
-         *
-         * @inheritDoc
-         */
-        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
+        /** @inheritDoc */
+        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
         {
+            var gap:CoreGap = out.cores;
             var axis:BoxSegment = _axis;
             var capsule:Capsule = a as Capsule;
             var box:Box = b as Box;
@@ -26,26 +23,17 @@ package starlogo.intersection
             axis.move(box, motion);
             axis.findNearest(box);
             var share:Number = axis.nearest;
-            if (axis.lastIn <= axis.firstOut)
-            {
-                var from:Number = axis.lastIn > 0 ? (axis.lastIn < 1 ? axis.lastIn : 1) : 0;
-                var to:Number = axis.firstOut > 0 ? (axis.firstOut < 1 ? axis.firstOut : 1) : 0;
-                share = (from + to) / 2;
-            }
-            // The comparison is false for NaN too.
-            share = share > 0 ? (share < 1 ? share : 1) : 0;
-            out.x = axis.signX * (axis.x + share * axis.alongX);
-            out.y = axis.signY * (axis.y + share * axis.alongY);
-            out.z = axis.signZ * (axis.z + share * axis.alongZ);
+            gap.x = axis.signX * (axis.x + share * axis.alongX);
+            gap.y = axis.signY * (axis.y + share * axis.alongY);
+            gap.z = axis.signZ * (axis.z + share * axis.alongZ);
             measureToBox(box, motion, out);
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
-            out.pointX = start.x + share * (end.x - start.x);
-            out.pointY = start.y + share * (end.y - start.y);
-            out.pointZ = start.z + share * (end.z - start.z);
-            out.movePoint(motion);
-            out.radiusA = capsule.radius;
-            out.radiusB = 0;
+            gap.pointX = start.x + share * (end.x - start.x);
+            gap.pointY = start.y + share * (end.y - start.y);
+            gap.pointZ = start.z + share * (end.z - start.z);
+            gap.radiusA = capsule.radius;
+            gap.radiusB = 0;
             out.extent = axis.alongX + axis.alongY + axis.alongZ + box.halfX + box.halfY + box.halfZ + capsule.radius;
         }
     }

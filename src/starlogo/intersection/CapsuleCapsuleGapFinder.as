@@ -12,17 +12,9 @@ package starlogo.intersection
         private var _axes:SegmentPair = new SegmentPair();
 
         /** @inheritDoc */
-        override public function areSwapped(a:BoundingStructure, b:BoundingStructure):Boolean
+        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
         {
-            var startA:Vector3D = (a as Capsule).start;
-            var startB:Vector3D = (b as Capsule).start;
-            // Capsules with the same start touch, so their order does not matter.
-            return isAfter(startA, startB);
-        }
-
-        /** @inheritDoc */
-        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
-        {
+            var gap:CoreGap = out.cores;
             var axes:SegmentPair = _axes;
             var capsuleA:Capsule = a as Capsule;
             var capsuleB:Capsule = b as Capsule;
@@ -30,16 +22,15 @@ package starlogo.intersection
             axes.setTo(capsuleA, capsuleB);
             axes.move(motion);
             axes.findClosest();
-            out.x = axes.x;
-            out.y = axes.y;
-            out.z = axes.z;
+            gap.x = axes.x;
+            gap.y = axes.y;
+            gap.z = axes.z;
             out.measure(motion);
-            out.pointX = start.x + axes.shareOfU * axes.uX;
-            out.pointY = start.y + axes.shareOfU * axes.uY;
-            out.pointZ = start.z + axes.shareOfU * axes.uZ;
-            out.movePoint(motion);
-            out.radiusA = capsuleA.radius;
-            out.radiusB = capsuleB.radius;
+            gap.pointX = start.x + axes.shareOfU * axes.uX;
+            gap.pointY = start.y + axes.shareOfU * axes.uY;
+            gap.pointZ = start.z + axes.shareOfU * axes.uZ;
+            gap.radiusA = capsuleA.radius;
+            gap.radiusB = capsuleB.radius;
             out.extent = Math.abs(axes.uX) + Math.abs(axes.uY) + Math.abs(axes.uZ) + (Math.abs(axes.vX) + Math.abs(axes.vY) + Math.abs(axes.vZ))
                 + (capsuleA.radius + capsuleB.radius);
         }

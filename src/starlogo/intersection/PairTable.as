@@ -10,8 +10,8 @@ package starlogo.intersection
 
     /**
      * Says how two structures meet: whether they touch, when a moving one first touches the other, how they overlap, and how far apart they are.
-     * Here alone it is decided what answers for two kinds: a function tests whether they touch, and a kernel finds the rest. The package is made of
-     * these, a TriangleKernel for a shape and triangles, and the tests of moving boxes (<code>sweep</code>) and of rays (<code>ray</code>). Read
+     * This class alone chooses what answers for two kinds: a function tests whether they touch, and a kernel finds the rest. The package is made of
+     * these, a TriangleKernel for a shape and triangles, and the tests of two boxes (<code>boxes</code>) and of rays (<code>ray</code>). Read
      * PairKernel next, which explains the questions, then RoundKernel and SphereBoxGapFinder.
      *
      * <p>Spheres, capsules and boxes have kernels of their own, because the package convex takes two to eleven times as long. That package decides

@@ -1,9 +1,9 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Capsule;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
 
@@ -27,8 +27,7 @@ package starlogo.intersection
         private var _finder:GapFinder;
         private var _convex:ConvexPairKernel;
 
-        // The gap at the motion's time.
-        private var _gap:CoreGap = new CoreGap();
+        private var _gap:RoundGap = new RoundGap();
 
         /**
          * @param finder finds the gap of the kernel's pairs
@@ -49,10 +48,10 @@ package starlogo.intersection
          */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            var gap:CoreGap = _gap;
+            var gap:RoundGap = _gap;
             motion.time = 0;
             _finder.find(a, b, motion, gap);
-            var radii:Number = gap.radiusA + gap.radiusB;
+            var radii:Number = gap.cores.radiusA + gap.cores.radiusB;
             var margins:Number = motion.margin;
             var touchingDistance:Number = radii * Tolerances.TOUCHING + margins;
             if (gap.squaredLength <= touchingDistance * touchingDistance)
@@ -100,13 +99,14 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            var gap:CoreGap = _gap;
+            var gap:RoundGap = _gap;
             _finder.find(a, b, motion, gap);
             // If the gap is longer than this, it has a direction in spite of rounding.
             var least:Number = Tolerances.DIRECTION * gap.extent;
             if (gap.squaredLength > least * least)
             {
-                out.setFromGap(gap);
+                gap.cores.movePoint(motion);
+                out.setFromGap(gap.cores);
             }
             else
             {
@@ -117,9 +117,11 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
-            var areSwapped:Boolean = _finder.areSwapped(a, b);
+            // Two of one kind are capsules. They have one order for (a, b) and (b, a), so that rounding is the same. Capsules with the same start touch, so
+            // their order does not matter.
+            var areSwapped:Boolean = a.kind == b.kind && isAfter((a as Capsule).start, (b as Capsule).start);
             _finder.find(areSwapped ? b : a, areSwapped ? a : b, RelativeMotion.NONE, _gap);
-            out.setFromGap(_gap);
+            out.setFromGap(_gap.cores);
             if (areSwapped)
             {
                 out.swap();

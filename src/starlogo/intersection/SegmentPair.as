@@ -11,7 +11,7 @@ package starlogo.intersection
         /** For <code>capsuleCapsule()</code>. */
         public static const STANDING:SegmentPair = new SegmentPair();
 
-        /** The axis of a, u, and that of b, v, each from its start to its end. Read only, like all fields. */
+        /** u is the axis of a, and v the axis of b, each from its start to its end. All fields are read only. */
         public var uX:Number = 0;
         public var uY:Number = 0;
         public var uZ:Number = 0;

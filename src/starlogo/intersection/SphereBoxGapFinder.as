@@ -11,8 +11,9 @@ package starlogo.intersection
     internal final class SphereBoxGapFinder extends GapFinder
     {
         /** @inheritDoc */
-        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
+        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
         {
+            var gap:CoreGap = out.cores;
             var sphere:Sphere = a as Sphere;
             var box:Box = b as Box;
             var center:Vector3D = sphere.center;
@@ -22,18 +23,17 @@ package starlogo.intersection
             var z:Number = center.z - middle.z + motion.startZ;
             var time:Number = motion.time;
             var axis:Vector3D = box.axisX;
-            out.x = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            gap.x = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisY;
-            out.y = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            gap.y = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisZ;
-            out.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            gap.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             measureToBox(box, motion, out);
-            out.pointX = center.x;
-            out.pointY = center.y;
-            out.pointZ = center.z;
-            out.movePoint(motion);
-            out.radiusA = sphere.radius;
-            out.radiusB = 0;
+            gap.pointX = center.x;
+            gap.pointY = center.y;
+            gap.pointZ = center.z;
+            gap.radiusA = sphere.radius;
+            gap.radiusB = 0;
             out.extent = box.halfX + box.halfY + box.halfZ + sphere.radius;
         }
     }

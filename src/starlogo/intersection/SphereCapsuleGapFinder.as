@@ -11,8 +11,9 @@ package starlogo.intersection
     internal final class SphereCapsuleGapFinder extends GapFinder
     {
         /** @inheritDoc */
-        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
+        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
         {
+            var gap:CoreGap = out.cores;
             var sphere:Sphere = a as Sphere;
             var capsule:Capsule = b as Capsule;
             var center:Vector3D = sphere.center;
@@ -26,16 +27,15 @@ package starlogo.intersection
             var y:Number = center.y - start.y + motion.startY + time * motion.y;
             var z:Number = center.z - start.z + motion.startZ + time * motion.z;
             include "../geometry/pointToSegment.inc";
-            out.x = x;
-            out.y = y;
-            out.z = z;
+            gap.x = x;
+            gap.y = y;
+            gap.z = z;
             out.measure(motion);
-            out.pointX = center.x;
-            out.pointY = center.y;
-            out.pointZ = center.z;
-            out.movePoint(motion);
-            out.radiusA = sphere.radius;
-            out.radiusB = capsule.radius;
+            gap.pointX = center.x;
+            gap.pointY = center.y;
+            gap.pointZ = center.z;
+            gap.radiusA = sphere.radius;
+            gap.radiusB = capsule.radius;
             out.extent = Math.abs(axisX) + Math.abs(axisY) + Math.abs(axisZ) + (sphere.radius + capsule.radius);
         }
     }

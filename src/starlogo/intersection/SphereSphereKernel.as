@@ -34,12 +34,6 @@ package starlogo.intersection
             gap.y += motion.time * motion.y;
             gap.z += motion.time * motion.z;
             gap.movePoint(motion);
-            // The difference of two points has a direction. Below about 1e-162 its square is 0, and the spheres count as concentric.
-            if (!(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > 0))
-            {
-                gap.x = gap.y = 0;
-                gap.z = 1e-150;
-            }
             out.setFromGap(gap);
         }
 

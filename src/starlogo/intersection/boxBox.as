@@ -1,6 +1,7 @@
 package starlogo.intersection
 {
     import starlogo.bounding.Box;
+    import starlogo.intersection.boxes.BoxSeparation;
 
     /**
      * Whether two boxes touch or overlap, by separating axes (thesis §3.6.4; Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996;
@@ -15,6 +16,6 @@ package starlogo.intersection
      */
     public function boxBox(a:Box, b:Box):Boolean
     {
-        return BoxSeparation.STANDING.areTouching(a, b);
+        return BoxSeparation.areTouching(a, b);
     }
 }

@@ -29,14 +29,12 @@ package starlogo.intersection
             return false;
         }
         axis.findNearest(box);
-        var share:Number = axis.nearest > 0 ? axis.nearest : 0;
-        share = share < 1 ? share : 1;
-        // The segment is not outside if a part of it is inside of all slabs that it crosses. Then only slabs parallel to it are tested. For
-        // the others no point is computed, because rounding might put it outside, and a radius of 0 allows no error.
-        var isOutside:Boolean = axis.lastIn > axis.firstOut || axis.lastIn > 1 || axis.firstOut < 0;
-        var x:Number = isOutside || axis.alongX == 0 ? axis.x + share * axis.alongX : 0;
-        var y:Number = isOutside || axis.alongY == 0 ? axis.y + share * axis.alongY : 0;
-        var z:Number = isOutside || axis.alongZ == 0 ? axis.z + share * axis.alongZ : 0;
+        // For slabs that the segment is known to be inside of no point is computed, because rounding might put it outside, and a radius of 0 allows no
+        // error.
+        var share:Number = axis.nearest;
+        var x:Number = axis.isInside && axis.alongX > 0 ? 0 : axis.x + share * axis.alongX;
+        var y:Number = axis.isInside && axis.alongY > 0 ? 0 : axis.y + share * axis.alongY;
+        var z:Number = axis.isInside && axis.alongZ > 0 ? 0 : axis.z + share * axis.alongZ;
         include "squaredToBox.inc";
         return squaredDistance <= radius * radius;
     }

@@ -10,8 +10,8 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.intersection.sweep.AxisMotion;
-    import starlogo.intersection.sweep.ContactInterval;
+    import starlogo.intersection.boxes.AxisMotion;
+    import starlogo.intersection.boxes.ContactInterval;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.RowPlaces;
 

@@ -32,18 +32,17 @@ package starlogo.intersection
 }
 
 import starlogo.bounding.BoundingStructure;
-import starlogo.convex.CoreGap;
 import starlogo.convex.RelativeMotion;
 import starlogo.intersection.GapFinder;
+import starlogo.intersection.RoundGap;
 
 class Halves extends GapFinder
 {
     public var length:Number = 0;
     public var count:int = 0;
 
-    override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
+    override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
     {
-        out.x = length;
         out.squaredLength = length * length;
         out.closing = count == 0 ? length : 1e3 * out.squaredLength;
         out.extent = 0;

@@ -10,9 +10,6 @@ package starlogo.intersection.ray
         /** The distance of the place, as the ray counts distances. */
         public var distance:Number = 0;
 
-        /** The distance at which the line of the ray leaves a sphere or a capsule. Tests of other shapes do not write it. */
-        public var end:Number = 0;
-
         /** The unit normal of the surface there, against the ray. If the ray begins inside, it is the opposite of the ray's direction. */
         public var normalX:Number = 0;
         public var normalY:Number = 0;

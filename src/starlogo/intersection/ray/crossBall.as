@@ -3,14 +3,16 @@ package starlogo.intersection.ray
     import flash.geom.Vector3D;
 
     /**
-     * Finds where a ray's line enters and leaves a ball. The distance of the centre is computed perpendicular to the line, so that no digits cancel.
+     * Finds where a ray's line enters a ball, or where it leaves the ball. The distance of the centre is computed perpendicular to the line, so that
+     * no digits cancel.
      *
-     * @param out receives both distances
+     * @param side -1 for where the line enters, 1 for where it leaves
+     * @param out receives the distance
      * @return whether the line meets the ball
      *
      * @private
      */
-    internal function crossBall(ray:Ray, center:Vector3D, radius:Number, out:RayEntry):Boolean
+    internal function crossBall(ray:Ray, center:Vector3D, radius:Number, side:int, out:RayEntry):Boolean
     {
         var x:Number = center.x - ray.x;
         var y:Number = center.y - ray.y;
@@ -19,14 +21,12 @@ package starlogo.intersection.ray
         x -= closest * ray.directionX;
         y -= closest * ray.directionY;
         z -= closest * ray.directionZ;
-        var half:Number = radius * radius - (x * x + y * y + z * z);
-        if (!(half >= 0))
+        var halfSquared:Number = radius * radius - (x * x + y * y + z * z);
+        if (!(halfSquared >= 0))
         {
             return false;
         }
-        half = Math.sqrt(half);
-        out.distance = closest - half;
-        out.end = closest + half;
+        out.distance = closest + side * Math.sqrt(halfSquared);
         return true;
     }
 }

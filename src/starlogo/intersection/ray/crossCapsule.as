@@ -5,16 +5,18 @@ package starlogo.intersection.ray
     import starlogo.geometry.Tolerances;
 
     /**
-     * Finds where a ray's line enters and leaves a capsule: the infinite cylinder around the axis or, where that is beyond an end of the axis, the ball
-     * around that end. Distances are computed perpendicular to the line and to the axis, so that no digits cancel.
+     * Finds where a ray's line enters a capsule, or where it leaves the capsule. That place is on the infinite cylinder around the axis or, where the
+     * cylinder is beyond an end of the axis, on the ball around that end. Distances are computed perpendicular to the line and to the axis, so that no
+     * digits cancel.
      *
      * @param radius takes the place of the capsule's
-     * @param out receives both distances
+     * @param side -1 for where the line enters, 1 for where it leaves
+     * @param out receives the distance
      * @return whether the line meets the capsule
      *
      * @private
      */
-    internal function crossCapsule(ray:Ray, capsule:Capsule, radius:Number, out:RayEntry):Boolean
+    internal function crossCapsule(ray:Ray, capsule:Capsule, radius:Number, side:int, out:RayEntry):Boolean
     {
         var start:Vector3D = capsule.start;
         var end:Vector3D = capsule.end;
@@ -32,8 +34,7 @@ package starlogo.intersection.ray
         var acrossY:Number = ray.directionY - speed * axisY;
         var acrossZ:Number = ray.directionZ - speed * axisZ;
         var acrossSquared:Number = acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ;
-        var near:Number = -Infinity;
-        var far:Number = Infinity;
+        var distance:Number = side * Infinity;
         if (acrossSquared > Tolerances.PARALLEL)
         {
             x -= share * axisX;
@@ -43,35 +44,19 @@ package starlogo.intersection.ray
             x += closest * acrossX;
             y += closest * acrossY;
             z += closest * acrossZ;
-            var half:Number = radius * radius - (x * x + y * y + z * z);
-            if (!(half >= 0))
+            var halfSquared:Number = radius * radius - (x * x + y * y + z * z);
+            if (!(halfSquared >= 0))
             {
                 return false;
             }
-            half = Math.sqrt(half / acrossSquared);
-            near = closest - half;
-            far = closest + half;
+            distance = closest + side * Math.sqrt(halfSquared / acrossSquared);
         }
-        var atNear:Number = share + near * speed;
-        if (!(atNear >= 0 && atNear <= 1))
+        var place:Number = share + distance * speed;
+        if (!(place >= 0 && place <= 1))
         {
-            if (!crossBall(ray, atNear > 1 ? end : start, radius, out))
-            {
-                return false;
-            }
-            near = out.distance;
+            return crossBall(ray, place > 1 ? end : start, radius, side, out);
         }
-        var atFar:Number = share + far * speed;
-        if (!(atFar >= 0 && atFar <= 1))
-        {
-            if (!crossBall(ray, atFar > 1 ? end : start, radius, out))
-            {
-                return false;
-            }
-            far = out.end;
-        }
-        out.distance = near;
-        out.end = far;
+        out.distance = distance;
         return true;
     }
 }

@@ -14,11 +14,17 @@ package starlogo.intersection.ray
      */
     public function rayCapsule(ray:Ray, capsule:Capsule, out:RayEntry):Boolean
     {
-        if (!crossCapsule(ray, capsule, capsule.radius * ray.touchingFactor, out))
+        var radius:Number = capsule.radius * ray.touchingFactor;
+        if (!crossCapsule(ray, capsule, radius, -1, out))
         {
             return false;
         }
         var near:Number = out.distance;
+        // a ray that does not begin before it enters begins inside of the capsule or beyond it
+        if (!(near > ray.from) && !(crossCapsule(ray, capsule, radius, 1, out) && ray.from <= out.distance))
+        {
+            return false;
+        }
         out.begin(ray);
         if (near > ray.from)
         {
@@ -38,6 +44,6 @@ package starlogo.intersection.ray
                 out.setOutwards(x, y, z);
             }
         }
-        return out.distance <= out.end && out.distance <= ray.to;
+        return out.distance <= ray.to;
     }
 }

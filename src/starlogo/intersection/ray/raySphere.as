@@ -16,11 +16,16 @@ package starlogo.intersection.ray
     {
         var center:Vector3D = sphere.center;
         var radius:Number = sphere.radius * ray.touchingFactor;
-        if (!crossBall(ray, center, radius, out))
+        if (!crossBall(ray, center, radius, -1, out))
         {
             return false;
         }
         var near:Number = out.distance;
+        // a ray that does not begin before it enters begins inside of the sphere or beyond it
+        if (!(near > ray.from) && !(crossBall(ray, center, radius, 1, out) && ray.from <= out.distance))
+        {
+            return false;
+        }
         out.begin(ray);
         if (near > ray.from)
         {
@@ -30,6 +35,6 @@ package starlogo.intersection.ray
                 out.setOutwards(ray.x + near * ray.directionX - center.x, ray.y + near * ray.directionY - center.y, ray.z + near * ray.directionZ - center.z);
             }
         }
-        return out.distance <= out.end && out.distance <= ray.to;
+        return out.distance <= ray.to;
     }
 }

@@ -2,7 +2,7 @@ package starlogo.search.pairs
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -26,7 +26,9 @@ package starlogo.search.pairs
         // The nodes still to visit, the next one last, and an upper bound of the support of each. Trees may be too deep for recursion.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _upperBounds:Vector.<Number> = new Vector.<Number>();
-        private var _box:Box = BoxTree.newBox();
+
+        // A structure that is no tree.
+        private var _shape:ConvexShape = new ConvexShape();
 
         // The direction in the model's space.
         private var _direction:Vector3D = new Vector3D();
@@ -109,7 +111,7 @@ package starlogo.search.pairs
         {
             if (body.shape.hierarchy == null)
             {
-                out.support = body.shape.structure.supportAlong(direction);
+                findOfStructure(body.shape.structure, direction, out);
                 return;
             }
             var tree:BoxTree = body.shape.hierarchy.boxTree;
@@ -121,7 +123,7 @@ package starlogo.search.pairs
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
-                var upperBound:Number = Math.min(_upperBounds[top], tree.writeBox(node, _box).supportAlong(direction));
+                var upperBound:Number = Math.min(_upperBounds[top], supportOfNode(tree.boxes, 6 * node, direction));
                 if (upperBound <= out.support)
                 {
                     continue;
@@ -147,6 +149,23 @@ package starlogo.search.pairs
             }
         }
 
+        // Finds how far a structure reaches, and sets _shape to it.
+        private function findOfStructure(structure:BoundingStructure, direction:Vector3D, out:SupportPoint):void
+        {
+            structure.shapeInto(_shape);
+            var p:Vector.<Number> = _shape.points;
+            var i:int = _shape.support(direction, 1);
+            out.support = (_shape.x + p[i]) * direction.x + (_shape.y + p[int(i + 1)]) * direction.y + (_shape.z + p[int(i + 2)]) * direction.z
+                + _shape.radius;
+        }
+
+        // How far a node's box reaches. Its numbers begin at an index: the middle, and the half-extents.
+        private static function supportOfNode(boxes:Vector.<Number>, at:int, direction:Vector3D):Number
+        {
+            return boxes[at] * direction.x + boxes[int(at + 1)] * direction.y + boxes[int(at + 2)] * direction.z
+                + boxes[int(at + 3)] * Math.abs(direction.x) + boxes[int(at + 4)] * Math.abs(direction.y) + boxes[int(at + 5)] * Math.abs(direction.z);
+        }
+
         private static function findOfCorners(corners:Vector.<Number>, first:int, end:int, direction:Vector3D, out:SupportPoint):void
         {
             var farthest:Number = out.support;
@@ -164,7 +183,7 @@ package starlogo.search.pairs
             _high.setTo(-Infinity, -Infinity, -Infinity);
             if (body.shape.hierarchy == null)
             {
-                addFarthestOf(body.shape.structure, direction, least);
+                addFarthestOfStructure(direction, least);
                 return;
             }
             var tree:BoxTree = body.shape.hierarchy.boxTree;
@@ -174,7 +193,7 @@ package starlogo.search.pairs
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
-                if (tree.writeBox(node, _box).supportAlong(direction) < least.support)
+                if (supportOfNode(tree.boxes, 6 * node, direction) < least.support)
                 {
                     continue;
                 }
@@ -186,7 +205,7 @@ package starlogo.search.pairs
                 }
                 else if (corners == null)
                 {
-                    addFarthestOf(_box, direction, least);
+                    addFarthestOfNode(tree.boxes, 6 * node, direction);
                 }
                 else
                 {
@@ -207,11 +226,37 @@ package starlogo.search.pairs
             }
         }
 
-        // Adds the farthest point of a structure, or the middle of several.
-        private function addFarthestOf(structure:BoundingStructure, direction:Vector3D, least:SupportPoint):void
+        // Adds the points of _shape, which findOfStructure() has set.
+        private function addFarthestOfStructure(direction:Vector3D, least:SupportPoint):void
         {
-            structure.farthestPoint(direction, least.support, _added);
+            var p:Vector.<Number> = _shape.points;
+            var x:Number = _shape.x + _shape.radius * direction.x;
+            var y:Number = _shape.y + _shape.radius * direction.y;
+            var z:Number = _shape.z + _shape.radius * direction.z;
+            var leastOfCore:Number = least.support - (x * direction.x + y * direction.y + z * direction.z);
+            for (var i:int = 0; i < _shape.end; i += 3)
+            {
+                if (p[i] * direction.x + p[int(i + 1)] * direction.y + p[int(i + 2)] * direction.z >= leastOfCore)
+                {
+                    _added.setTo(x + p[i], y + p[int(i + 1)], z + p[int(i + 2)]);
+                    addPoint(_added);
+                }
+            }
+        }
+
+        // Adds the farthest point of a node's box. If an edge or a face is across the direction, it is the middle of that.
+        private function addFarthestOfNode(boxes:Vector.<Number>, at:int, direction:Vector3D):void
+        {
+            _added.x = boxes[at] + sideOf(direction.x) * boxes[int(at + 3)];
+            _added.y = boxes[int(at + 1)] + sideOf(direction.y) * boxes[int(at + 4)];
+            _added.z = boxes[int(at + 2)] + sideOf(direction.z) * boxes[int(at + 5)];
             addPoint(_added);
+        }
+
+        // Whether an axis points along the direction (1), against it (-1) or across it (0). The cosine of their angle is given.
+        private static function sideOf(cosine:Number):int
+        {
+            return Math.abs(cosine) <= Tolerances.SEPARATION ? 0 : cosine > 0 ? 1 : -1;
         }
 
         private function addPoint(point:Vector3D):void

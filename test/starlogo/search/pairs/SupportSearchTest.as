@@ -1,10 +1,16 @@
 package starlogo.search.pairs
 {
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.collision.Contact;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
@@ -20,6 +26,7 @@ package starlogo.search.pairs
     import support.ChainOfNodes;
     import support.Effort;
     import support.Fixtures;
+    import support.FurtherCapsule;
     import support.agentAt;
     import support.landOf;
 
@@ -82,6 +89,52 @@ package starlogo.search.pairs
                 assertTrue(farthest.support + " and " + farthest.x, Math.abs(farthest.support - (side > 0 ? count - 1 : 0)) < 1e-3);
                 assertTrue(Math.abs(farthest.x - side * farthest.support) < 1e-3);
             }
+        }
+
+        [Test]
+        public function aStructureReachesAsFarAsItsExtentsAndThePointIsInside():void
+        {
+            var structures:RandomStructures = new RandomStructures(new SeededRandom(4711));
+            var extents:Vector.<Number> = new Vector.<Number>(6, true);
+            var axes:Array = [Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS];
+            for (var i:int = 0; i < 200; i++)
+            {
+                var structure:BoundingStructure = structures.ofKind(i % BoundingStructure.KIND_COUNT, 1, 3);
+                structure.extentsInto(extents);
+                for (var axis:int = 0; axis < 3; axis++)
+                {
+                    var farthest:SupportPoint = farthestOf(structure, axes[axis]);
+                    var point:Vector3D = new Vector3D(farthest.x, farthest.y, farthest.z);
+                    assertTrue(structure + ": " + farthest.support, Math.abs(extents[2 * axis + 1] - farthest.support) < 1e-9);
+                    assertTrue(structure + ": " + point, Math.abs(point.dotProduct(axes[axis]) - farthest.support) < 1e-9);
+                    assertTrue(structure + ": " + point, structure.contains(point));
+                }
+            }
+        }
+
+        [Test]
+        public function thePointIsTheMiddleOfAFaceOrAnEdge():void
+        {
+            assertMiddle(new Box(new Vector3D(1, 2, 3), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 2, 3), 2, 2, 3);
+            assertMiddle(new Capsule(new Vector3D(0, 1, 0), new Vector3D(0, 5, 0), 0.5), 0.5, 3, 0);
+            assertMiddle(new FurtherCapsule(new Capsule(new Vector3D(0, 1, 0), new Vector3D(0, 5, 0), 0.5)), 0.5, 3, 0);
+            assertMiddle(new Hull(new <Number>[0, 0, 0, 1, 0, 0, 1, 2, 0, 0, 2, 0]), 1, 1, 0);
+        }
+
+        private static function assertMiddle(structure:BoundingStructure, x:Number, y:Number, z:Number):void
+        {
+            var farthest:SupportPoint = farthestOf(structure, Vector3D.X_AXIS);
+            var difference:Vector3D = new Vector3D(farthest.x - x, farthest.y - y, farthest.z - z);
+            assertTrue(structure + ": " + difference, difference.length < 1e-12);
+        }
+
+        private static function farthestOf(structure:BoundingStructure, direction:Vector3D):SupportPoint
+        {
+            var body:Body = new Body();
+            var farthest:SupportPoint = new SupportPoint();
+            body.readStructure(structure);
+            new SupportSearch().findPoint(body, new TreeLimits(), direction, 1, farthest);
+            return farthest;
         }
 
         private static function ask(land:GreatLand, agent:Agent, isDistance:Boolean):String

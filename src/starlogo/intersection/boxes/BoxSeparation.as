@@ -1,27 +1,22 @@
-package starlogo.intersection
+package starlogo.intersection.boxes
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.sweep.BoxAxes;
-    import starlogo.intersection.sweep.BoxPair;
-    import starlogo.intersection.sweep.BoxSweep;
+    import starlogo.intersection.isAfter;
 
     /**
-     * Tests whether two boxes that stand touch: see boxBox. BoxSweep tries the same axes, and a motion of no length gives the same answer. This
-     * class has arithmetic of its own, because the sweep is slower. KernelsAgreeTest checks that both agree.
+     * Tests whether two boxes that stand touch: see boxBox.
      *
      * @private
      */
     public final class BoxSeparation
     {
-        /** For <code>boxBox()</code>. */
-        internal static const STANDING:BoxSeparation = new BoxSeparation();
+        // The pair of two boxes that are given as structures.
+        private static const BOXES:BoxPair = new BoxPair();
 
-        private var _pair:BoxPair = new BoxPair();
-
-        /** See boxBox. */
-        public function areTouching(a:Box, b:Box):Boolean
+        /** Whether two boxes touch: see boxBox. */
+        public static function areTouching(a:Box, b:Box):Boolean
         {
             var centerA:Vector3D = a.center;
             var centerB:Vector3D = b.center;
@@ -52,7 +47,7 @@ package starlogo.intersection
             var bY:Number = b.halfY;
             var bZ:Number = b.halfZ;
             // the squared distance of b's centre from a, to compare with the two spheres of b
-            include "squaredToBox.inc";
+            include "../squaredToBox.inc";
             if (squaredDistance > bX * bX + bY * bY + bZ * bZ)
             {
                 return false;
@@ -63,7 +58,7 @@ package starlogo.intersection
             {
                 return true;
             }
-            var pair:BoxPair = _pair;
+            var pair:BoxPair = BOXES;
             pair.x = x;
             pair.y = y;
             pair.z = z;
@@ -74,7 +69,7 @@ package starlogo.intersection
             pair.bY = bY;
             pair.bZ = bZ;
             pair.axes.setTo(a, b);
-            if (!overlapAlongAxes(pair))
+            if (!overlapAlongFaces(pair))
             {
                 return false;
             }
@@ -86,7 +81,7 @@ package starlogo.intersection
         }
 
         // Whether two boxes overlap along the normals of their faces: first those of a, then those of b.
-        private function overlapAlongAxes(pair:BoxPair):Boolean
+        private static function overlapAlongFaces(pair:BoxPair):Boolean
         {
             var b:BoxAxes = pair.axes;
             var x:Number = pair.x;
@@ -116,7 +111,7 @@ package starlogo.intersection
         }
 
         // Whether edges of two boxes are so nearly parallel that their cross product would cancel.
-        private function haveParallelEdges(b:BoxAxes):Boolean
+        private static function haveParallelEdges(b:BoxAxes):Boolean
         {
             var near:Number = 1 - Tolerances.NEARLY_PARALLEL / 2;
             return b.abs22 > near || b.abs21 > near || b.abs20 > near
@@ -125,7 +120,7 @@ package starlogo.intersection
         }
 
         // Whether the z axes of two boxes are parallel. Then their faces are enough: the cross products of other edges are along z or across it.
-        private function areUpright(b:BoxAxes):Boolean
+        private static function areUpright(b:BoxAxes):Boolean
         {
             return b.m02 * b.m02 + b.m12 * b.m12 <= Tolerances.PARALLEL;
         }

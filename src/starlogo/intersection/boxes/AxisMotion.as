@@ -1,4 +1,4 @@
-package starlogo.intersection.sweep
+package starlogo.intersection.boxes
 {
     /**
      * The projections of two moving shapes on an axis, as a record. The axis may have any length.
@@ -13,7 +13,7 @@ package starlogo.intersection.sweep
         /** How far the second shape moves until time 1. */
         public var travel:Number = 0;
 
-        /** Half of what the first shape extends, plus half of what the second does. */
+        /** The half-extents of both shapes along the axis, added. */
         public var halfExtents:Number = 0;
 
         /** The gap across which the shapes still touch. */

@@ -1,4 +1,4 @@
-package starlogo.intersection.sweep
+package starlogo.intersection.boxes
 {
     import starlogo.convex.RelativeMotion;
 
@@ -6,6 +6,20 @@ package starlogo.intersection.sweep
      * Two boxes, as a record: where box b is at time 0 as seen from box a, how it moves until time 1, and the time of impact that BoxSweep writes. All
      * numbers are in the axes of a. Many pairs of boxes may have the same axes and motion. Then these are set once for all of them. Tests of boxes
      * that stand use no more than the axes, the vector and the half-extents.
+     *
+     * <p>This package decides about two boxes by separating axes: the three of a, the three of b, and the nine across an edge of each (Gottschalk, Lin
+     * and Manocha, "OBBTree", SIGGRAPH 1996). Boxes are apart if one of these axes separates them. Two classes project the boxes on them, because
+     * they need different arithmetic. KernelsAgreeTest checks that both agree.</p>
+     *
+     * <ul>
+     * <li>BoxSeparation is for boxes that stand. Two spheres decide most pairs before any axis is tried. An axis across edges takes a few products, which
+     *     cancel if the edges are nearly parallel. Then it asks BoxSweep</li>
+     * <li>BoxSweep is for boxes that move. Each axis gives an interval of time. It projects the boxes in full on the axes across edges, so nothing
+     *     cancels, but that takes longer</li>
+     * </ul>
+     *
+     * <p>OverlapTraversal projects pairs of nodes on the faces itself, in its loop, because a call for each pair would take a tenth more time. It
+     * asks BoxSeparation about the edges. The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all convex shapes.</p>
      *
      * @private
      */

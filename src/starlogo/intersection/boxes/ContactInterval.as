@@ -1,4 +1,4 @@
-package starlogo.intersection.sweep
+package starlogo.intersection.boxes
 {
     import starlogo.geometry.Tolerances;
 

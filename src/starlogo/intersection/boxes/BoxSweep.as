@@ -1,4 +1,4 @@
-package starlogo.intersection.sweep
+package starlogo.intersection.boxes
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
@@ -17,6 +17,9 @@ package starlogo.intersection.sweep
         // Below this length a cross product is only rounding, because the edges are parallel (Tolerances.PARALLEL).
         private static const SHORTEST:Number = Math.sqrt(Tolerances.PARALLEL);
 
+        // For areTouching().
+        private static const STANDING:BoxSweep = new BoxSweep();
+
         // The directions of b's edges, and half of each edge as a vector: along axisX, axisY, axisZ.
         private var _edges:Vector.<Number> = new Vector.<Number>(9, true);
         private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
@@ -26,9 +29,6 @@ package starlogo.intersection.sweep
 
         // The pair of two boxes that are given as structures.
         private var _boxes:BoxPair = new BoxPair();
-
-        // For boxes that stand.
-        private static const STANDING:BoxSweep = new BoxSweep();
 
         /**
          * Whether two boxes touch where they stand. It takes longer than <code>boxBox()</code>, but its axes across edges do not cancel if the edges

@@ -1,0 +1,33 @@
+package starlogo.intersection
+{
+    import starlogo.convex.CoreGap;
+    import starlogo.convex.RelativeMotion;
+
+    /**
+     * The gap between the cores of two structures of which the first moves, as a record. A GapFinder writes it for RoundKernel.
+     *
+     * @private
+     */
+    public final class RoundGap
+    {
+        /** The gap and the radii. The closest point is where the first structure is stored, without its motion. */
+        public var cores:CoreGap = new CoreGap();
+
+        /** The squared length of the gap. At a box it is more precise than its vector. */
+        public var squaredLength:Number = 0;
+
+        /** How fast the motion closes the gap, times the length of the gap. */
+        public var closing:Number = 0;
+
+        /** The extent of both structures together, which the rounding error of the gap is relative to. */
+        public var extent:Number = 0;
+
+        /** Computes the squared length, and how a motion closes the gap. */
+        public function measure(motion:RelativeMotion):void
+        {
+            var vector:CoreGap = cores;
+            squaredLength = vector.x * vector.x + vector.y * vector.y + vector.z * vector.z;
+            closing = -(vector.x * motion.x + vector.y * motion.y + vector.z * motion.z);
+        }
+    }
+}

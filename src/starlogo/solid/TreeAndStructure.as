@@ -91,9 +91,8 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function isOneInside():Boolean
+        override internal function isOneInside():Boolean
         {
-            relate();
             return findInside(null);
         }
 

@@ -48,6 +48,13 @@ package starlogo.solid
             }
         }
 
+        /** Does what <code>findImpact()</code> does, and says whether one of the two is inside of the other where the motion begins. */
+        public function findEntry(motion:RelativeMotion, out:ContactPoint):Boolean
+        {
+            findImpact(motion, out);
+            return motion.time > 0 && _pair.isOneInside();
+        }
+
         /**
          * It is the contact of two triangles that touch there, or of two nodes that decide. If one model is inside of the other, it is the contact of
          * the boxes of their roots.

@@ -43,12 +43,6 @@ package starlogo.solid
             return overlapInPose();
         }
 
-        /** Whether one of the two, whose surfaces do not touch where they stand, is inside of the other. */
-        public function isOneInside():Boolean
-        {
-            throw new IllegalOperationError(this + " does not implement isOneInside");
-        }
-
         /**
          * Finds the distance and the closest points of the two where they stand.
          *
@@ -90,6 +84,12 @@ package starlogo.solid
         internal function overlapInPose():Boolean
         {
             throw new IllegalOperationError(this + " does not implement overlapInPose");
+        }
+
+        /** Whether one of the two, whose surfaces do not touch in their pose, is inside of the other. */
+        internal function isOneInside():Boolean
+        {
+            throw new IllegalOperationError(this + " does not implement isOneInside");
         }
 
         /**

@@ -88,10 +88,10 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function isOneInside():Boolean
+        override internal function isOneInside():Boolean
         {
             // only the traversal knows whether the roots overlap
-            return areOverlapping();
+            return overlapInPose();
         }
 
         /** @inheritDoc */

@@ -6,6 +6,7 @@ package starlogo.queries.motion
     import starlogo.engine;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.pairs.PairTests;
 
     use namespace engine;
 
@@ -32,15 +33,16 @@ package starlogo.queries.motion
          *
          * @param from where the motion begins
          * @param out receives the answer, without the time of the touch
+         * @param countsInside as in findStop
          * @return whether anything is met
          */
-        public function findFirst(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        public function findFirst(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact, countsInside:Boolean = false):Boolean
         {
             out.row = -1;
             out.time = out.comparedTime = RelativeMotion.NEVER;
             for (var i:int = 0; i < body.obstacles.count && out.comparedTime > 0; i++)
             {
-                if (findStop(body, body.obstacles.numbers[i], from, motion, _met) && _met.comparedTime < out.comparedTime)
+                if (findStop(body, body.obstacles.numbers[i], from, motion, _met, countsInside) && _met.comparedTime < out.comparedTime)
                 {
                     out.copyFrom(_met);
                 }
@@ -59,27 +61,19 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds what stops the core first, if it overlaps nothing where the motion begins. That is so if no surfaces touch there, because the first touch is
-         * later, and the core is not inside of an obstacle either. Flat bodies and one-way obstacles are not decided here.
+         * Finds what stops the core first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies and one-way
+         * obstacles are not decided here.
          *
          * @param out receives the answer of <code>findFirst()</code>
          * @return whether the core certainly overlaps nothing
          */
         public function findFirstIfFree(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            if (body.core.isFlat || findFirst(body, from, motion, out) && out.time == 0)
+            if (body.core.isFlat || body.hasOneWayObstacle())
             {
                 return false;
             }
-            for (var i:int = 0; i < body.obstacles.count; i++)
-            {
-                var row:int = body.obstacles.numbers[i];
-                if (body.isOneWay(row) || body.isCoreInside(row, from))
-                {
-                    return false;
-                }
-            }
-            return true;
+            return !findFirst(body, from, motion, out, true) || out.time > 0;
         }
 
         /** Finds what stops the core first, as <code>findFirst()</code> does. One-way rows that the body passes are no obstacles from then on. */
@@ -129,13 +123,14 @@ package starlogo.queries.motion
          * a sheet there, so it is not swept again.
          *
          * @param out receives the answer, without the time of the touch
+         * @param countsInside whether the row stops the core at the beginning if it is inside of the row there, or has the row inside
          * @return whether the row stops it
          */
-        public function findStop(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        public function findStop(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact, countsInside:Boolean = false):Boolean
         {
             var end:Vector3D = endOf(from, motion);
             _sweep.endAfter(motion.x, motion.y, motion.z);
-            if (!sweepCore(body, row, from, end, _sweep, out.contact))
+            if (!sweepCore(body, row, from, end, _sweep, out.contact, countsInside))
             {
                 return false;
             }
@@ -149,7 +144,7 @@ package starlogo.queries.motion
                 var rest:Number = 1 - part;
                 _beyond.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
                 _sweep.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-                if (!sweepCore(body, row, _beyond, end, _sweep, out.contact))
+                if (!sweepCore(body, row, _beyond, end, _sweep, out.contact, false))
                 {
                     return false;
                 }
@@ -163,18 +158,31 @@ package starlogo.queries.motion
         }
 
         // Finds when and how the core first meets a row on a motion, which receives the time. Returns whether it meets the row.
-        private static function sweepCore(body:MovingBody, row:int, from:Vector3D, end:Vector3D, motion:RelativeMotion, out:ContactPoint):Boolean
+        private static function sweepCore(body:MovingBody, row:int, from:Vector3D, end:Vector3D, motion:RelativeMotion, out:ContactPoint,
+                countsInside:Boolean):Boolean
         {
             var core:Body = body.core.at(end);
             var other:Body = body.bodyOf(row);
+            var tests:PairTests = body.pairTestsFor(core, other);
+            var isInside:Boolean = false;
             motion.time = RelativeMotion.NEVER;
             if (body.isNear(core, other, motion))
             {
-                body.pairTestsFor(core, other).findImpact(core, other, motion, out);
+                if (countsInside)
+                {
+                    isInside = tests.findEntry(core, other, motion, out);
+                }
+                else
+                {
+                    tests.findImpact(core, other, motion, out);
+                }
             }
-            // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-            if (motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND
-                    && body.pairTestsFor(core, other).areTouching(body.core.at(from), other))
+            if (!countsInside && motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND)
+            {
+                // a sheet may be wholly under the ground at the beginning, and then it touches no surface
+                isInside = tests.areTouching(body.core.at(from), other);
+            }
+            if (isInside)
             {
                 motion.time = 0;
                 out.setNormal(0, 0, 0);

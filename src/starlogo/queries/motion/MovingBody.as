@@ -234,23 +234,23 @@ package starlogo.queries.motion
             return touches(row, place) && _seen.narrowPhase.areTouching(core.at(place), bodyOf(row));
         }
 
-        /** Whether one of the core and a row is inside of the other when the body stands at a place. Their surfaces must not touch there. */
-        public function isCoreInside(row:int, place:Vector3D):Boolean
-        {
-            var other:Body = bodyOf(row);
-            // the whole body first, because mostly it is not near either
-            if (!isNear(wholeAt(place), other, RelativeMotion.NONE))
-            {
-                return false;
-            }
-            var inner:Body = core.at(place);
-            return pairTestsFor(inner, other).isOneInside(inner, other);
-        }
-
         /** Whether a row stops only what comes from above. See Agent.isOneWay. */
         public function isOneWay(row:int):Boolean
         {
             return agents[row].isOneWay;
+        }
+
+        /** Whether one of the obstacles is one-way. */
+        public function hasOneWayObstacle():Boolean
+        {
+            for (var i:int = 0; i < obstacles.count; i++)
+            {
+                if (isOneWay(obstacles.numbers[i]))
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         /** Whether a row is one-way, and the body, which meets it with a contact, does not come from above. Then the body goes on through the row. */

@@ -62,14 +62,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            _extents.x = a.x;
-            _extents.y = a.y;
-            _extents.z = a.z;
-            _extents.halfX = a.halfX;
-            _extents.halfY = a.halfY;
-            _extents.halfZ = a.halfZ;
-            var found:int = _earlyOut.decide(gridOf(b), _extents, a.form);
-            return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).overlapsAt(RelativeMotion.NONE, 0) : found == GroundEarlyOut.TOUCHING;
+            return touchesAtBeginning(a, b, RelativeMotion.NONE);
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */
@@ -106,6 +99,13 @@ package starlogo.search.pairs
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             queryOf(a, b).findImpact(motion, out);
+        }
+
+        /** A model may be wholly under the surface. @inheritDoc */
+        override public function findEntry(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
+        {
+            findImpact(a, b, motion, out);
+            return motion.time > 0 && touchesAtBeginning(a, b, motion);
         }
 
         /** @inheritDoc */
@@ -161,6 +161,19 @@ package starlogo.search.pairs
         private static function gridOf(ground:Body):HeightGrid
         {
             return ground.shape.grid;
+        }
+
+        // Whether a body touches the ground where a motion begins that ends where it stands.
+        private function touchesAtBeginning(a:Body, b:Body, motion:RelativeMotion):Boolean
+        {
+            _extents.x = a.x + motion.startX;
+            _extents.y = a.y + motion.startY;
+            _extents.z = a.z + motion.startZ;
+            _extents.halfX = a.halfX;
+            _extents.halfY = a.halfY;
+            _extents.halfZ = a.halfZ;
+            var found:int = _earlyOut.decide(gridOf(b), _extents, a.form);
+            return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).overlapsAt(motion, 0) : found == GroundEarlyOut.TOUCHING;
         }
 
         // The query of the ground, set to a body.

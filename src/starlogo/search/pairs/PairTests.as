@@ -30,15 +30,6 @@ package starlogo.search.pairs
         }
 
         /**
-         * Whether one of two bodies is inside of the other. The surfaces of the two must not touch. Solid bodies have no inside of their own: they
-         * touch, or do not.
-         */
-        public function isOneInside(a:Body, b:Body):Boolean
-        {
-            return areTouching(a, b);
-        }
-
-        /**
          * Finds the time at which two bodies first touch, while the first one moves, and their contact then. It is the first moment at which
          * <code>areTouching()</code> would be true.
          *
@@ -83,6 +74,18 @@ package starlogo.search.pairs
         public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             findFirst(a, b, motion, out);
+        }
+
+        /**
+         * Finds what <code>findImpact()</code> does, and whether one of the two is inside of the other where the motion begins. Bodies without surfaces
+         * of their own never are: they touch there, or do not.
+         *
+         * @return whether one is inside of the other and their surfaces do not touch there
+         */
+        public function findEntry(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
+        {
+            findImpact(a, b, motion, out);
+            return false;
         }
 
         /** Finds the contact of the structures around two bodies, where they are. Its normal points from b to a. Only trees and the ground need it. */

@@ -66,16 +66,6 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function isOneInside(a:Body, b:Body):Boolean
-        {
-            if (NarrowPhase.isReversed(a, b))
-            {
-                return isOneInside(b, a);
-            }
-            return pairOf(a, b, _limits.exact).isOneInside();
-        }
-
-        /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), _limits.exact);
@@ -97,6 +87,16 @@ package starlogo.search.pairs
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             findTreeImpact(a, b, motion, _limits.exact, out);
+        }
+
+        /** @inheritDoc */
+        override public function findEntry(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
+        {
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), _limits.exact);
+            _testCount++;
+            var isInside:Boolean = _impacts.findEntry(own, out);
+            finish(own, motion, out);
+            return isInside;
         }
 
         /** @inheritDoc */

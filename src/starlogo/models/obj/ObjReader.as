@@ -110,8 +110,7 @@ package starlogo.models.obj
             else if (corners.length > 3)
             {
                 _polygons.push(corners);
-                var next:int = data.triangles.length / 3;
-                _polygonLabels.push(data.materials.numberOf(next), data.meshes.numberOf(next));
+                _polygonLabels.push(data.materials.next, data.meshes.next);
                 _polygonTriangles += corners.length - 2;
             }
         }

@@ -71,7 +71,7 @@ package starlogo.models.gltf
             }
             text = TextWords.withoutByteOrderMark(text);
             limits = new FileLimits(name, text.length);
-            addSteps(new JsonMeter(text, limits));
+            addSteps(new JsonScanner(text, limits));
         }
 
         /** Reads a file at once. @param buffers the content of each other file, by its address; null if there are none */
@@ -86,11 +86,11 @@ package starlogo.models.gltf
             return file;
         }
 
-        private function addSteps(meter:JsonMeter):void
+        private function addSteps(scanner:JsonScanner):void
         {
-            add(meter).call(function():void
+            add(scanner).call(function():void
                 {
-                    parse(meter.marked);
+                    parse(scanner.marked);
                 });
         }
 

@@ -12,7 +12,7 @@ package starlogo.models.collada
      * Reads a COLLADA document. ColladaModel says which parts.
      *
      * <p>An XmlReader makes ColladaElements of the text. A ColladaScene finds the geometries and where nodes place them. Each geometry is
-     * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place is a ColladaInstance, whose
+     * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place is a ColladaPlace, whose
      * mesh is added to the model.</p>
      *
      * @private
@@ -56,7 +56,7 @@ package starlogo.models.collada
                 });
         }
 
-        private function readingInstances(instances:Vector.<ColladaInstance>):Steps
+        private function readingInstances(instances:Vector.<ColladaPlace>):Steps
         {
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
@@ -72,7 +72,7 @@ package starlogo.models.collada
         }
 
         // The work that adds a mesh at an instance's place. If the instance's transform mirrors, the triangles' corner order is reversed.
-        private function placing(instance:ColladaInstance):Steps
+        private function placing(instance:ColladaPlace):Steps
         {
             var mesh:ColladaMesh = instance.mesh;
             var out:Vector.<Number> = verticesFor(mesh.hasSurfaces);
@@ -96,7 +96,7 @@ package starlogo.models.collada
         }
 
         // An instance is a mesh with the name of its node. Its materials are those that it binds to the symbols of its geometry.
-        private function addLabels(instance:ColladaInstance, firstTriangle:int):void
+        private function addLabels(instance:ColladaPlace, firstTriangle:int):void
         {
             var element:ColladaElement = instance.element;
             var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.mesh.geometry);

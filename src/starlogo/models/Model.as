@@ -257,8 +257,7 @@ package starlogo.models
                     labels.beginRun(numbers[i], i);
                 }
             }
-            labels.fillTo(count);
-            labels.close();
+            labels.close(count);
             return labels;
         }
     }

@@ -17,7 +17,7 @@ package starlogo.models
         private static const LINE_RATIO:Number = 1e-6;
 
         private static const VERTICES_PER_STEP:int = 4000;
-        private static const CORNERS_PER_STEP:int = 18000;
+        private static const CORNERS_PER_STEP:int = 20000;
 
         private var _data:ModelData;
 
@@ -185,8 +185,6 @@ package starlogo.models
         {
             var problem:String = VertexData.triangleProblem(_data.triangles, _data.vertices.length / 3, first, end);
             refuseIf(problem != null, _data.name, problem);
-            _data.materials.fillTo(end / 3);
-            _data.meshes.fillTo(end / 3);
         }
 
         // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.
@@ -195,7 +193,7 @@ package starlogo.models
             var isMirror:Boolean = factors.x * factors.y * factors.z < 0;
             for each (var labels:TriangleLabels in [_data.materials, _data.meshes])
             {
-                labels.close();
+                labels.close(_data.triangles.length / 3);
                 if (isMirror && labels.numbers != null)
                 {
                     labels.numbers.reverse();

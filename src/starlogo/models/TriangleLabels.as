@@ -10,11 +10,15 @@ package starlogo.models
         /** The name of each number, or null for a number without a name. Null if nothing gives names. */
         public var names:Vector.<String>;
 
-        /** The number of each triangle, -1 for none. Null after <code>close()</code> if no triangle has one. */
-        public var numbers:Vector.<int> = new Vector.<int>();
+        /** The number of each triangle, -1 for none; after <code>close()</code>. Null if no triangle has one. */
+        public var numbers:Vector.<int> = null;
 
-        /** The number of the triangles that come after those in the list. */
+        /** The number of the triangles that come next. */
         public var next:int = -1;
+
+        // Until close(): the first triangle of each run of triangles with the same number, and the number.
+        private var _starts:Vector.<int> = new <int>[0];
+        private var _runs:Vector.<int> = new <int>[-1];
 
         // The number of each key. A "#" stands before a key, so that none is the name of a property that every Object has.
         private var _known:Object = {};
@@ -41,38 +45,36 @@ package starlogo.models
             return names.push(name) - 1;
         }
 
-        /** Gives a number to all triangles from one on. Those before it keep the number that they have. */
+        /** Gives a number to all triangles from one on. It must not be before the last run. */
         public function beginRun(number:int, triangle:int):void
         {
             if (number != next)
             {
-                fill(triangle);
                 next = number;
+                _starts.push(triangle);
+                _runs.push(number);
             }
         }
 
-        /** Adds triangles to the list, up to one. While no triangle has a number, the list stays empty. */
-        public function fillTo(end:int):void
+        /** Lists the numbers, when all triangles are known. If none has a number, there are no names either. @param count the number of triangles */
+        public function close(count:int):void
         {
-            if (next >= 0 || numbers.length > 0)
+            var list:Vector.<int> = _runs.length == 1 ? null : new Vector.<int>(count, true);
+            var isUsed:Boolean = false;
+            _starts.push(count);
+            for (var run:int = 0; run < _runs.length && list != null; run++)
             {
-                fill(end);
-            }
-        }
-
-        /** Ends the list. If no triangle has a number, it becomes null, and so do the names. */
-        public function close():void
-        {
-            for each (var number:int in numbers)
-            {
-                if (number >= 0)
+                var number:int = _runs[run];
+                var end:int = _starts[run + 1];
+                isUsed ||= number >= 0 && _starts[run] < end;
+                for (var i:int = _starts[run]; i < end; i++)
                 {
-                    numbers.fixed = true;
-                    return;
+                    list[i] = number;
                 }
             }
-            numbers = null;
-            names = null;
+            numbers = isUsed ? list : null;
+            names = isUsed ? names : null;
+            _starts = _runs = null;
         }
 
         /** The number of a triangle; -1 if it has none. */
@@ -85,14 +87,6 @@ package starlogo.models
         public function nameOf(number:int):String
         {
             return names == null || number < 0 || number >= names.length ? null : names[number];
-        }
-
-        private function fill(end:int):void
-        {
-            for (var i:int = numbers.length; i < end; i++)
-            {
-                numbers[i] = next;
-            }
         }
     }
 }

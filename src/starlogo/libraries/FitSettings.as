@@ -1,5 +1,6 @@
 package starlogo.libraries
 {
+    import flash.utils.ByteArray;
     import starlogo.data.Fingerprint;
     import starlogo.engine;
     import starlogo.fitting.Fitter;
@@ -67,8 +68,26 @@ package starlogo.libraries
             return fingerprintOfText((hull == null ? all : all.concat(hull)).join()).toString();
         }
 
-        /** @private The fingerprint of the settings of a section of a cooked file; null if its results are not wanted, or cannot be kept. */
-        engine function fingerprintOf(section:int):Fingerprint
+        /** @private A section of a cooked file; null if it is empty, has other settings, or is not wanted. */
+        engine function sectionOf(file:CookedFile, section:int):ByteArray
+        {
+            var wanted:Fingerprint = fingerprintOf(section);
+            return wanted == null ? null : file.section(section, wanted);
+        }
+
+        /** @private The fingerprints for all sections of a cooked file. @param modelKey see <code>CookedFile.MODEL</code> */
+        engine function fingerprintsWith(modelKey:Fingerprint):Vector.<Fingerprint>
+        {
+            var all:Vector.<Fingerprint> = new <Fingerprint>[modelKey];
+            for (var section:int = CookedFile.MODEL + 1; section < CookedFile.SECTIONS; section++)
+            {
+                all.push(fingerprintOf(section));
+            }
+            return all;
+        }
+
+        // The fingerprint of a section's settings; null if its results are not wanted, or cannot be kept.
+        private function fingerprintOf(section:int):Fingerprint
         {
             return _texts[section] == null ? null : fingerprintOfText(_texts[section]);
         }

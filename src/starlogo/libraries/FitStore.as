@@ -37,8 +37,8 @@ package starlogo.libraries
         private var _storage:FitStorage;
         private var _capacity:Number;
 
-        // The storage has refused an entry of so many bytes, so no entry of this length or more is tried again.
-        private var _refusedLength:Number = Infinity;
+        // The most bytes that are tried: at first the capacity.
+        private var _room:Number;
 
         /**
          * Creates a store of a given size.
@@ -53,7 +53,7 @@ package starlogo.libraries
             {
                 throw new RangeError("the capacity must be 0 bytes or more, not " + capacity);
             }
-            _capacity = capacity;
+            _capacity = _room = capacity;
             _storage = storage || new SharedFitStorage();
         }
 
@@ -133,12 +133,12 @@ package starlogo.libraries
         engine function hasRoomFor(model:Model, hasTree:Boolean):Boolean
         {
             var itemCount:int = (model.triangles == null ? model.vertices.length : model.triangles.length) / 3;
-            return isSmallEnough(hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0);
+            return (hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0) < _room;
         }
 
         /**
-         * Stores the file of a geometry. It removes the least recently used entries until there is room. If the storage refuses the file
-         * even without them, it puts them back.
+         * Stores the file of a geometry. It removes the least recently used entries until there is room. A storage that refuses the file has
+         * less room than the store was told. It has room for the entries that are there, and perhaps for smaller ones than this.
          *
          * @param geometry the fingerprint of the model's vertices and triangles
          * @return whether it is stored
@@ -147,53 +147,24 @@ package starlogo.libraries
          */
         engine function keep(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
-            if (!isSmallEnough(bytes.length))
-            {
-                return false;
-            }
             var name:String = nameOf(geometry, settings);
             var entries:Array = entriesBut(name);
-            // of the first entries, which make room
-            var removed:Vector.<ByteArray> = new Vector.<ByteArray>();
-            while (!writeBeside(entries.slice(removed.length), name, bytes))
+            var isStored:Boolean = false;
+            while (!isStored && bytes.length <= _room)
             {
-                if (removed.length == entries.length)
+                while (lengthOf(entries) + bytes.length > _room)
                 {
-                    putBack(entries, removed);
-                    // if even the list is refused, the storage is switched off
-                    _refusedLength = writeList(entries) ? bytes.length : 0;
-                    return false;
+                    _storage.remove(nameIn(entries.shift()));
                 }
-                var oldest:String = nameIn(entries[removed.length]);
-                removed.push(_storage.read(oldest));
-                _storage.remove(oldest);
-            }
-            writeList(entries.slice(removed.length).concat(entryOf(name, bytes)));
-            return true;
-        }
-
-        // Whether an entry of some bytes may be stored, if others are removed for it.
-        private function isSmallEnough(length:Number):Boolean
-        {
-            return length <= _capacity && length < _refusedLength;
-        }
-
-        // Writes an entry if there is room for it beside others.
-        private function writeBeside(others:Array, name:String, bytes:ByteArray):Boolean
-        {
-            return lengthOf(others) + bytes.length <= _capacity && _storage.write(name, bytes);
-        }
-
-        // Writes the first entries of a list again.
-        private function putBack(entries:Array, contents:Vector.<ByteArray>):void
-        {
-            for (var i:int = 0; i < contents.length; i++)
-            {
-                if (contents[i] != null)
+                isStored = _storage.write(name, bytes);
+                var isListed:Boolean = writeList(isStored ? entries.concat(entryOf(name, bytes)) : entries);
+                if (!isStored)
                 {
-                    _storage.write(nameIn(entries[i]), contents[i]);
+                    // a storage that refuses even the list is switched off
+                    _room = isListed ? Math.max(lengthOf(entries), bytes.length - 1) : 0;
                 }
             }
+            return isStored;
         }
 
         // Makes an entry the most recently used one. Returns a copy of its bytes; null if there is none.

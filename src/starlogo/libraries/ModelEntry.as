@@ -1,5 +1,5 @@
 // This room has what was computed for each model. A ModelTable has a ModelEntry for each name, and the two libraries show clients a part of it;
-// ModelPreparation takes the results from a cooked file or a FitStore (CookedResults), or has a StructuresBuilder and a BoxTreeBuilder compute
+// ModelPreparation takes the results from a cooked file or a FitStore (CookedStructures, CookedTree), or has a StructuresBuilder and a BoxTreeBuilder compute
 // them. Read this file first, then BoundingStructuresLibrary and ModelPreparation.
 package starlogo.libraries
 {

@@ -1,15 +1,18 @@
 package starlogo.libraries
 {
     import flash.utils.ByteArray;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.data.Fingerprint;
     import starlogo.engine;
+    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.libraries.cooked.CookedResults;
+    import starlogo.libraries.cooked.CookedStructures;
     import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedWriter;
     import starlogo.solid.ModelTree;
+    import starlogo.solid.interior.SurfaceTopology;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -81,7 +84,7 @@ package starlogo.libraries
                 modelTree.finishBuilding();
                 modelTree.prepareExact();
             }
-            return CookedResults.write(structures, modelTree, _settings, modelKey, CookedWriter.of(_model));
+            return fileOf(modelKey, CookedWriter.of(_model));
         }
 
         // Whether all results that are wanted are there, or stored.
@@ -107,7 +110,7 @@ package starlogo.libraries
                     }
                     return isComplete || !store.hasRoomFor(_model, modelTree != null) ? computing(false) : computing(true).call(function():void
                         {
-                            store.keep(geometry, _settings, CookedResults.write(structures, modelTree, _settings, geometry, null));
+                            store.keep(geometry, _settings, fileOf(geometry, null));
                         });
                 });
         }
@@ -133,17 +136,56 @@ package starlogo.libraries
         // Takes the results that are missing from a file of the model.
         private function takeFrom(file:CookedFile):void
         {
-            var stored:CookedResults = CookedResults.read(file, _settings, _model);
-            structures ||= stored.structures;
-            if (stored.division != null && _cookedTree == null)
+            var size:Number = VertexBounds.of(_model.vertices).largest;
+            // no fitter accepts a larger model, so its file is wrong
+            if (size > VertexBounds.LARGEST_VERTEX)
             {
-                _cookedTree = new CookedTree(stored.division, modelTree.boxTree, _settings.maxDepth);
+                return;
+            }
+            structures ||= structuresIn(file, size);
+            var division:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
+            if (division != null && _cookedTree == null)
+            {
+                _cookedTree = new CookedTree(division, modelTree.boxTree, _settings.maxDepth);
                 modelTree.restoreFirst(_cookedTree);
             }
-            if (stored.surface != null)
+            var surface:ByteArray = division == null || _model.triangles == null ? null : _settings.sectionOf(file, CookedFile.SURFACE);
+            var topology:SurfaceTopology = surface == null ? null : SurfaceTopology.read(surface, _model.triangles.length / 3);
+            if (topology != null)
             {
-                modelTree.surface = stored.surface;
+                modelTree.surface = topology;
             }
+        }
+
+        // The structures in a file; null if it does not have all that are wanted. The smallest sphere may be in the hull's place.
+        private function structuresIn(file:CookedFile, size:Number):ModelStructures
+        {
+            var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
+            var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, size);
+            var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
+            return found == null || hulls == null && _settings.wantsHull ? null : new ModelStructures(found, hull, _settings.keepsAll);
+        }
+
+        // The bytes of a file with the results. It has the surface if that is prepared. @param model the bytes of the model; null for none
+        private function fileOf(modelKey:Fingerprint, model:ByteArray):ByteArray
+        {
+            var sections:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTIONS, true);
+            sections[CookedFile.MODEL] = model;
+            if (structures != null)
+            {
+                sections[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
+                sections[CookedFile.HULL] = structures.hullOrSphere == null ? null : CookedStructures.write(new <BoundingStructure>[structures.hullOrSphere]);
+            }
+            if (modelTree != null)
+            {
+                sections[CookedFile.HIERARCHY] = CookedTree.write(modelTree.boxTree);
+                if (modelTree.isExactPrepared)
+                {
+                    sections[CookedFile.SURFACE] = CookedFile.newBytes();
+                    modelTree.surface.writeTo(sections[CookedFile.SURFACE]);
+                }
+            }
+            return CookedFile.write(_settings.fingerprintsWith(modelKey), sections);
         }
     }
 }

@@ -107,7 +107,7 @@ package starlogo.models
         /** The number of each triangle's material, -1 for none; null if no triangle has one. This is the model's own vector: do not change it. */
         public function get materials():Vector.<int>
         {
-            return _data.materials.list(triangleCount);
+            return _data.materials.numbers;
         }
 
         /** The name of each material, by its number; null for a material without a name. Null if nothing gave names. Do not change it. */
@@ -119,7 +119,7 @@ package starlogo.models
         /** The number of the mesh that each triangle belongs to, -1 for none; null if the model has no meshes. Do not change it. */
         public function get meshes():Vector.<int>
         {
-            return _data.meshes.list(triangleCount);
+            return _data.meshes.numbers;
         }
 
         /** The name of each mesh, by its number; null for a mesh without a name. Null if nothing gave names. Do not change it. */
@@ -257,7 +257,7 @@ package starlogo.models
                     labels.beginRun(numbers[i], i);
                 }
             }
-            labels.trim(count);
+            labels.close(count);
             return labels;
         }
     }

@@ -44,9 +44,7 @@ package starlogo.models
 
         private function addParts():void
         {
-            var unit:Number = _data.scaling == Model.AS_GIVEN ? _data.unit : 1;
-            var factors:Vector3D = _data.transform == null ? new Vector3D(unit, unit, unit) : _data.transform.scale;
-            addMeasuring();
+            begin(measuring);
             // data that have a frame are normalised already
             if (_data.frame != null)
             {
@@ -55,61 +53,29 @@ package starlogo.models
             else
             {
                 _data.frame = new SourceFrame();
-                addPlacing(factors);
+                addPlacing();
             }
-            slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners).call(function():void
-                {
-                    close(factors.x * factors.y * factors.z < 0);
-                });
+            slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners).call(close);
         }
 
-        private function addPlacing(factors:Vector3D):void
+        private function addPlacing():void
         {
             switch (_data.scaling)
             {
                 case Model.FOOTPRINT:
-                    addTurning().addScaling(factors).begin(placingFootprint);
+                    begin(turning).begin(stretching).begin(standing);
                     break;
                 case Model.VOLUME:
-                    addCentring().addTurning().addCentring().addScaling(factors).begin(translating);
+                    begin(centring).begin(turning).begin(centring).begin(stretching).begin(translating);
                     break;
                 default:
-                    addTurning().addScaling(factors).begin(translating);
+                    begin(turning).begin(stretching).begin(translating);
             }
         }
 
-        private function addMeasuring():Normalisation
+        private function measuring():Steps
         {
-            slices(_data.vertices.length / 3, VERTICES_PER_STEP, measure);
-            return this;
-        }
-
-        private function addCentring():Normalisation
-        {
-            begin(placingVolume);
-            return addMeasuring();
-        }
-
-        private function addTurning():Normalisation
-        {
-            var transform:ModelTransform = _data.transform;
-            return transform == null || transform.rotation.lengthSquared == 0 ? this : addTransforming(transform.rotationTransform(), 1);
-        }
-
-        private function addScaling(f:Vector3D):Normalisation
-        {
-            return f.x == 1 && f.y == 1 && f.z == 1 ? this : addTransforming(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
-                    cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
-        }
-
-        // Adds steps that turn or scale. The factor says how much larger this makes the model.
-        private function addTransforming(transform:AffineTransform, factor:Number):Normalisation
-        {
-            call(function():void
-                {
-                    _data.frame.addTransform(transform, factor);
-                }).add(transform.transformingPoints(_data.vertices));
-            return addMeasuring();
+            return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, measure);
         }
 
         private function measure(first:int, end:int):void
@@ -122,7 +88,34 @@ package starlogo.models
             }
         }
 
-        private function placingFootprint():Steps
+        private function turning():Steps
+        {
+            var transform:ModelTransform = _data.transform;
+            return transform == null || transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
+        }
+
+        private function stretching():Steps
+        {
+            var f:Vector3D = factors;
+            return f.x == 1 && f.y == 1 && f.z == 1 ? null : transforming(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
+                    cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
+        }
+
+        private function get factors():Vector3D
+        {
+            var unit:Number = _data.scaling == Model.AS_GIVEN ? _data.unit : 1;
+            return _data.transform == null ? new Vector3D(unit, unit, unit) : _data.transform.scale;
+        }
+
+        // The steps that turn or scale. The factor says how much larger this makes the model.
+        private function transforming(transform:AffineTransform, factor:Number):Steps
+        {
+            _data.frame.addTransform(transform, factor);
+            return new StepSequence().add(transform.transformingPoints(_data.vertices)).begin(measuring);
+        }
+
+        // Puts the middle of the lowest face of the box at the origin, and makes the box as wide as the scaling FOOTPRINT says.
+        private function standing():Steps
         {
             var unit:Number = Math.max(_bounds.extentX, _bounds.extentY);
             if (unit <= _bounds.extentZ * LINE_RATIO)
@@ -132,13 +125,14 @@ package starlogo.models
             return placingBox(0, unit);
         }
 
-        private function placingVolume():Steps
+        // Puts the middle of the box at the origin, and makes its volume 1.
+        private function centring():Steps
         {
-            return placingBox(_bounds.extentZ / 2, rootOf(_bounds.extentX) * rootOf(_bounds.extentY) * rootOf(_bounds.extentZ));
+            return placingBox(_bounds.extentZ / 2, rootOf(_bounds.extentX) * rootOf(_bounds.extentY) * rootOf(_bounds.extentZ)).begin(measuring);
         }
 
         // The steps that put a point of the box at the origin, the middle in x and y, at a height above the floor; and divide by a divisor.
-        private function placingBox(height:Number, divisor:Number):Steps
+        private function placingBox(height:Number, divisor:Number):StepSequence
         {
             // 0 - 0 is 0, but -0 would be negative
             return placing(new Vector3D(_bounds.minX, _bounds.minY, _bounds.minZ), new Vector3D(0 - _bounds.extentX / 2, 0 - _bounds.extentY / 2, 0 - height), divisor);
@@ -152,7 +146,7 @@ package starlogo.models
 
         // The steps that put a low corner at the origin, move, and divide by a divisor. The differences from the corner come first and the division
         // last. So the bounds are exact, and the smallest and largest numbers work.
-        private function placing(low:Vector3D, move:Vector3D, divisor:Number):Steps
+        private function placing(low:Vector3D, move:Vector3D, divisor:Number):StepSequence
         {
             checkExtent();
             _data.frame.addMove(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
@@ -194,15 +188,15 @@ package starlogo.models
         }
 
         // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.
-        private function close(isMirror:Boolean):void
+        private function close():void
         {
-            var count:int = _data.triangles.length / 3;
+            var isMirror:Boolean = factors.x * factors.y * factors.z < 0;
             for each (var labels:TriangleLabels in [_data.materials, _data.meshes])
             {
-                labels.trim(count);
-                if (isMirror)
+                labels.close(_data.triangles.length / 3);
+                if (isMirror && labels.numbers != null)
                 {
-                    labels.reverse(count);
+                    labels.numbers.reverse();
                 }
             }
             if (isMirror)

@@ -1,8 +1,7 @@
 package starlogo.models
 {
     /**
-     * The material or the mesh of each triangle: a number, which may have a name. Triangles that follow one another and have the same
-     * number are a run.
+     * The material or the mesh of each triangle: a number, which may have a name. A reader says where triangles with another number begin.
      *
      * @private
      */
@@ -11,19 +10,20 @@ package starlogo.models
         /** The name of each number, or null for a number without a name. Null if nothing gives names. */
         public var names:Vector.<String>;
 
-        /** The first triangle of each run. Triangles before the first run have the number -1. */
-        public var starts:Vector.<int> = new Vector.<int>();
+        /** The number of each triangle, -1 for none; after <code>close()</code>. Null if no triangle has one. */
+        public var numbers:Vector.<int> = null;
 
-        /** The number of each run; -1 for none. */
-        public var numbers:Vector.<int> = new Vector.<int>();
+        /** The number of the triangles that come next. */
+        public var next:int = -1;
+
+        // Until close(): the first triangle of each run of triangles with the same number, and the number.
+        private var _starts:Vector.<int> = new <int>[0];
+        private var _runs:Vector.<int> = new <int>[-1];
 
         // The number of each key. A "#" stands before a key, so that none is the name of a property that every Object has.
         private var _known:Object = {};
 
-        // The number of each triangle, after it was first needed.
-        private var _list:Vector.<int> = null;
-
-        /** Labels without runs. @param names the name of each number so far; kept; null if nothing will give names */
+        /** Labels without triangles. @param names the name of each number so far; kept; null if nothing will give names */
         public function TriangleLabels(names:Vector.<String>)
         {
             this.names = names;
@@ -48,95 +48,39 @@ package starlogo.models
         /** Gives a number to all triangles from one on. It must not be before the last run. */
         public function beginRun(number:int, triangle:int):void
         {
-            var last:int = starts.length - 1;
-            if (last >= 0 && starts[last] == triangle)
+            if (number != next)
             {
-                numbers[last] = number;
-            }
-            else if (number != (last < 0 ? -1 : numbers[last]))
-            {
-                starts.push(triangle);
-                numbers.push(number);
+                next = number;
+                _starts.push(triangle);
+                _runs.push(number);
             }
         }
 
-        /** Drops runs beyond the last triangle, and the names if then no triangle has a number. @param count the number of triangles */
-        public function trim(count:int):void
+        /** Lists the numbers, when all triangles are known. If none has a number, there are no names either. @param count the number of triangles */
+        public function close(count:int):void
         {
-            while (starts.length > 0 && starts[starts.length - 1] >= count)
+            var list:Vector.<int> = _runs.length == 1 ? null : new Vector.<int>(count, true);
+            var isUsed:Boolean = false;
+            _starts.push(count);
+            for (var run:int = 0; run < _runs.length && list != null; run++)
             {
-                starts.pop();
-                numbers.pop();
-            }
-            for each (var number:int in numbers)
-            {
-                if (number >= 0)
+                var number:int = _runs[run];
+                var end:int = _starts[run + 1];
+                isUsed ||= number >= 0 && _starts[run] < end;
+                for (var i:int = _starts[run]; i < end; i++)
                 {
-                    return;
+                    list[i] = number;
                 }
             }
-            starts.length = numbers.length = 0;
-            names = null;
-        }
-
-        /** Whether no triangle has a number. Of trimmed labels. */
-        public function get isEmpty():Boolean
-        {
-            return starts.length == 0;
-        }
-
-        /** Reverses the order of the triangles. Of trimmed labels. @param count the number of triangles */
-        public function reverse(count:int):void
-        {
-            var oldStarts:Vector.<int> = starts;
-            var oldNumbers:Vector.<int> = numbers;
-            starts = new Vector.<int>();
-            numbers = new Vector.<int>();
-            var end:int = count;
-            for (var i:int = oldStarts.length - 1; i >= 0; i--)
-            {
-                beginRun(oldNumbers[i], count - end);
-                end = oldStarts[i];
-            }
-            if (end > 0)
-            {
-                beginRun(-1, count - end);
-            }
-        }
-
-        /** The number of each triangle, as a list. Always the same list. Null if no triangle has a number. @param count the number of triangles */
-        public function list(count:int):Vector.<int>
-        {
-            if (_list == null && !isEmpty)
-            {
-                _list = new Vector.<int>(count, true);
-                for (var i:int = 0; i < count; i++)
-                {
-                    _list[i] = numberOf(i);
-                }
-            }
-            return _list;
+            numbers = isUsed ? list : null;
+            names = isUsed ? names : null;
+            _starts = _runs = null;
         }
 
         /** The number of a triangle; -1 if it has none. */
         public function numberOf(triangle:int):int
         {
-            var low:int = -1;
-            var high:int = starts.length;
-            // the last run that does not begin after the triangle
-            while (low + 1 < high)
-            {
-                var middle:int = (low + high) >> 1;
-                if (starts[middle] <= triangle)
-                {
-                    low = middle;
-                }
-                else
-                {
-                    high = middle;
-                }
-            }
-            return low < 0 ? -1 : numbers[low];
+            return numbers == null ? -1 : numbers[triangle];
         }
 
         /** The name of a number; null if it has none. */

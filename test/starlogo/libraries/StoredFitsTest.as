@@ -19,7 +19,7 @@ package starlogo.libraries
     import starlogo.fitting.Fitter;
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
-    import starlogo.libraries.cooked.CookedResults;
+    import starlogo.libraries.cooked.CookedStructures;
     import starlogo.models.BuiltInModel;
     import starlogo.models.CookedModel;
     import starlogo.models.Model;
@@ -300,13 +300,11 @@ package starlogo.libraries
             finish(file);
             var settings:FitSettings = new FitSettings(_greatLand.boundingStructures, _greatLand.hierarchies);
             var sections:Vector.<ByteArray> = new Vector.<ByteArray>();
-            var fingerprints:Vector.<Fingerprint> = new Vector.<Fingerprint>();
             for (var i:int = 0; i < CookedFile.SECTIONS; i++)
             {
-                fingerprints.push(i == CookedFile.MODEL ? new Fingerprint() : settings.fingerprintOf(i));
                 sections.push(change(i, file.section(i, null) || CookedFile.newBytes()));
             }
-            return CookedFile.write(fingerprints, sections);
+            return CookedFile.write(settings.fingerprintsWith(new Fingerprint()), sections);
         }
 
         // Agents of a model that was forged much larger would be, or would be moved, beyond the largest coordinate, as those of any such model.
@@ -381,7 +379,7 @@ package starlogo.libraries
                 var land:GreatLand = new GreatLand();
                 take(land, model, rewritten(model, function(index:int, section:ByteArray):ByteArray
                         {
-                            return index == CookedFile.STRUCTURES ? CookedResults.writeStructures(new <BoundingStructure>[box]) : section;
+                            return index == CookedFile.STRUCTURES ? CookedStructures.write(new <BoundingStructure>[box]) : section;
                         }));
                 assertEquals(LibraryContents.of(_greatLand, "bear"), LibraryContents.of(land, "bear"));
             }

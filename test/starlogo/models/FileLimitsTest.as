@@ -149,6 +149,21 @@ package starlogo.models
                 });
         }
 
+        [Test(timeout="600000")]
+        public function symbolsOfMaterialsCountForEachPlace():void
+        {
+            var parts:String = Collada.triangles("0 1 2");
+            for (var i:int = 0; i < 1500; i++)
+            {
+                parts += '<triangles material="' + i + '"><input semantic="VERTEX" source="#v"/><p></p></triangles>';
+            }
+            var places:String = new Array(1501).join('<instance_geometry url="#a"/>');
+            refuses("each counted as often as it is placed", function():void
+                {
+                    new ColladaModel("a", Collada.scene(Collada.geometry("a", CORNER.join(" "), parts), "<node>" + places + "</node>"));
+                });
+        }
+
         private static function refusesDeclared(primitive:Object):void
         {
             var file:Gltf = new Gltf();

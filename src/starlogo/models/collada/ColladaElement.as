@@ -36,7 +36,8 @@ package starlogo.models.collada
         // the key is "@" and the name, which differs from every property that each Object has
         private var _attributes:Object = {};
 
-        // The first child of each name, of each name and id, and the first input of each semantic. It is made when it is first needed.
+        // The first child of each name, of each name and id, the first input of each semantic, and the first bound material of each symbol. It is made
+        // when it is first needed.
         private var _first:Object = null;
 
         // for an element that is a transform: the transform, after it was first needed
@@ -117,6 +118,12 @@ package starlogo.models.collada
             return first("@" + semantic);
         }
 
+        /** The first child element "instance_material" with a symbol, or null. */
+        public function boundMaterial(symbol:String):ColladaElement
+        {
+            return first("$" + symbol);
+        }
+
         private function first(key:String):ColladaElement
         {
             if (_first == null)
@@ -124,8 +131,8 @@ package starlogo.models.collada
                 _first = {};
                 for each (var child:ColladaElement in children)
                 {
-                    var keys:Array = ["<" + child.name, "<" + child.name + "#" + child.id, child.name == "input" ? "@" + child.attribute("semantic") : ""];
-                    for each (var each:String in keys)
+                    var keys:Array = ["<" + child.name, "<" + child.name + "#" + child.id, "@" + child.attribute("semantic"), "$" + child.attribute("symbol")];
+                    for each (var each:String in keys.slice(0, child.name == "input" ? 3 : (child.name == "instance_material" ? 4 : 2)))
                     {
                         _first[each] ||= child;
                     }

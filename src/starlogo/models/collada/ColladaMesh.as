@@ -1,6 +1,5 @@
 package starlogo.models.collada
 {
-    import starlogo.models.TriangleLabels;
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.steps.StepSequence;
@@ -21,8 +20,11 @@ package starlogo.models.collada
         /** When all is read: whether there are surfaces. They may have no area. */
         public var hasSurfaces:Boolean = false;
 
-        /** When all is read: the symbol of the material of each triangle. */
-        public var symbols:TriangleLabels = new TriangleLabels(new Vector.<String>());
+        /** When all is read: the symbol of each primitive's material; "" for none. */
+        public var symbols:Vector.<String> = new Vector.<String>();
+
+        /** When all is read: the first triangle of each primitive. */
+        public var starts:Vector.<int> = new Vector.<int>();
 
         private var _mesh:ColladaElement;
         private var _points:Object = {}; // of positions; the key is "#" and the source's id
@@ -63,8 +65,8 @@ package starlogo.models.collada
         {
             begin(function():Steps
                 {
-                    var symbol:String = element.attribute("material");
-                    symbols.beginRun(symbol == "" ? -1 : symbols.addKey(symbol, symbol), triangles.length / 3);
+                    symbols.push(element.attribute("material"));
+                    starts.push(triangles.length / 3);
                     var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
                     return new StepSequence().add(points).call(function():void
                         {

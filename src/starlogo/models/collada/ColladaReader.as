@@ -2,7 +2,6 @@ package starlogo.models.collada
 {
     import starlogo.models.FileLimits;
     import starlogo.models.ModelReader;
-    import starlogo.models.TriangleLabels;
     import starlogo.models.refuseIf;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
@@ -13,7 +12,7 @@ package starlogo.models.collada
      * Reads a COLLADA document. ColladaModel says which parts.
      *
      * <p>An XmlReader makes ColladaElements of the text. A ColladaScene finds the geometries and where nodes place them. Each geometry is
-     * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place is a ColladaInstance, whose
+     * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place is a ColladaPlace, whose
      * mesh is added to the model.</p>
      *
      * @private
@@ -57,7 +56,7 @@ package starlogo.models.collada
                 });
         }
 
-        private function readingInstances(instances:Vector.<ColladaInstance>):Steps
+        private function readingInstances(instances:Vector.<ColladaPlace>):Steps
         {
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
@@ -73,7 +72,7 @@ package starlogo.models.collada
         }
 
         // The work that adds a mesh at an instance's place. If the instance's transform mirrors, the triangles' corner order is reversed.
-        private function placing(instance:ColladaInstance):Steps
+        private function placing(instance:ColladaPlace):Steps
         {
             var mesh:ColladaMesh = instance.mesh;
             var out:Vector.<Number> = verticesFor(mesh.hasSurfaces);
@@ -97,25 +96,28 @@ package starlogo.models.collada
         }
 
         // An instance is a mesh with the name of its node. Its materials are those that it binds to the symbols of its geometry.
-        private function addLabels(instance:ColladaInstance, firstTriangle:int):void
+        private function addLabels(instance:ColladaPlace, firstTriangle:int):void
         {
             var element:ColladaElement = instance.element;
-            var symbols:TriangleLabels = instance.mesh.symbols;
             var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.mesh.geometry);
+            element.limits.count(FileLimits.THINGS, instance.mesh.symbols.length, element);
             data.meshes.beginRun(data.meshes.addName(label), firstTriangle);
-            data.materials.beginRun(-1, firstTriangle);
-            var bound:Vector.<int> = new Vector.<int>();
-            for each (var symbol:String in symbols.names)
+            for (var i:int = 0; i < instance.mesh.symbols.length; i++)
             {
-                var material:ColladaElement = materialOf(symbol, element);
-                // A symbol may be equal to another material's id.
-                bound.push(material == null ? data.materials.addKey("symbol " + symbol, symbol) :
-                        data.materials.addKey("material " + material.id, nameOf(material)));
+                data.materials.beginRun(numberOf(instance.mesh.symbols[i], element), firstTriangle + instance.mesh.starts[i]);
             }
-            for (var i:int = 0; i < symbols.starts.length; i++)
+        }
+
+        // The number of the material that an instance of a geometry binds to a symbol. A symbol that is not bound counts as a material. -1 for no symbol.
+        private function numberOf(symbol:String, instance:ColladaElement):int
+        {
+            if (symbol == "")
             {
-                data.materials.beginRun(symbols.numbers[i] < 0 ? -1 : bound[symbols.numbers[i]], firstTriangle + symbols.starts[i]);
+                return -1;
             }
+            var material:ColladaElement = materialOf(symbol, instance);
+            // A symbol may be equal to another material's id.
+            return material == null ? data.materials.addKey("symbol " + symbol, symbol) : data.materials.addKey("material " + material.id, nameOf(material));
         }
 
         // The material that an instance of a geometry binds to a symbol; null if it binds none, or one that is not in this file.
@@ -123,14 +125,8 @@ package starlogo.models.collada
         {
             var binding:ColladaElement = instance.child("bind_material");
             var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
-            for each (var bound:ColladaElement in technique == null ? null : technique.childrenNamed("instance_material"))
-            {
-                if (bound.attribute("symbol") == symbol)
-                {
-                    return instance.elementsById["material" + bound.attribute("target")];
-                }
-            }
-            return null;
+            var bound:ColladaElement = technique == null ? null : technique.boundMaterial(symbol);
+            return bound == null ? null : instance.elementsById["material" + bound.attribute("target")];
         }
 
         private static function nameOf(element:ColladaElement):String

@@ -16,13 +16,13 @@ package starlogo.models.collada
         private static const THINGS_PER_ELEMENT:int = 2;
 
         /** The geometries in the document's order, when no step is left. */
-        public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
+        public var instances:Vector.<ColladaPlace> = new Vector.<ColladaPlace>();
 
         private var _meshes:Object = {}; // of geometries in the scene; the key is "#" and the geometry's id
 
         // The elements that are to be visited, the next one last, and the node that each is in.
         private var _pending:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-        private var _nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
+        private var _nodes:Vector.<ColladaPlace> = new Vector.<ColladaPlace>();
 
         /**
          * @param root the document's root element
@@ -34,7 +34,7 @@ package starlogo.models.collada
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
             {
-                enter(new ColladaNode(instance.target("url", ["visual_scene"]), null, up));
+                enter(new ColladaPlace(instance.target("url", ["visual_scene"]), null, up));
                 repeat(visitSome);
             }
             else
@@ -58,13 +58,13 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, new ColladaMesh(geometry), up));
+                    instances.push(new ColladaPlace(geometry, null, up, new ColladaMesh(geometry)));
                 }
             }
         }
 
         // All elements of a node are visited next.
-        private function enter(node:ColladaNode):void
+        private function enter(node:ColladaPlace):void
         {
             var children:Vector.<ColladaElement> = node.element.children;
             node.element.refuseIf(node.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
@@ -76,32 +76,29 @@ package starlogo.models.collada
             }
         }
 
-        private function visit(element:ColladaElement, node:ColladaNode):void
+        private function visit(element:ColladaElement, node:ColladaPlace):void
         {
             switch (element.name)
             {
                 case "instance_geometry":
-                    addInstance(element, element.target("url", ["geometry"]), node.transform);
+                    addInstance(element, element.target("url", ["geometry"]), node, node.transform);
                     break;
                 case "instance_controller":
-                    addController(element, node.transform);
+                    addController(element, node);
                     break;
                 case "instance_node":
-                    enter(new ColladaNode(instanced(element, node), node, node.transform));
+                    enter(new ColladaPlace(instanced(element, node), node, node.transform));
                     break;
                 case "node":
-                    enter(new ColladaNode(element, node, node.transform));
+                    enter(new ColladaPlace(element, node, node.transform));
                     break;
                 default:
                     var local:AffineTransform = element.toTransform();
-                    if (local != null)
-                    {
-                        node.addTransform(local);
-                    }
+                    node.transform = local == null ? node.transform : node.transform.after(local);
             }
         }
 
-        private function instanced(element:ColladaElement, node:ColladaNode):ColladaElement
+        private function instanced(element:ColladaElement, node:ColladaPlace):ColladaElement
         {
             var target:ColladaElement = element.target("url", ["node"]);
             element.refuseIf(node.isWithin(target), "recursive instance_node: it places the node \"" + TextWords.shorten(target.id) + "\" within itself");
@@ -109,8 +106,9 @@ package starlogo.models.collada
         }
 
         // Follows controllers down to the geometry. A skin stays where its bind shape matrix puts it. A morph is its base shape.
-        private function addController(element:ColladaElement, transform:AffineTransform):void
+        private function addController(element:ColladaElement, node:ColladaPlace):void
         {
+            var transform:AffineTransform = node.transform;
             var target:ColladaElement = element.target("url", ["controller"]);
             for (var i:int = 0; target.name == "controller"; i++)
             {
@@ -123,14 +121,14 @@ package starlogo.models.collada
                 element.refuseIf(i == MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
                         " controllers follow one another, or they refer to each other in a circle");
             }
-            addInstance(element, target, transform);
+            addInstance(element, target, node, transform);
         }
 
         // Each geometry is read once, even if it is in the scene many times.
-        private function addInstance(element:ColladaElement, geometry:ColladaElement, transform:AffineTransform):void
+        private function addInstance(element:ColladaElement, geometry:ColladaElement, node:ColladaPlace, transform:AffineTransform):void
         {
             var mesh:ColladaMesh = _meshes["#" + geometry.id] ||= new ColladaMesh(geometry);
-            instances.push(new ColladaInstance(element, mesh, transform));
+            instances.push(new ColladaPlace(element, node, transform, mesh));
         }
     }
 }

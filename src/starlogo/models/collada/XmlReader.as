@@ -7,7 +7,8 @@ package starlogo.models.collada
 
     /**
      * Reads XML, in steps: elements, attributes, texts and CDATA. Comments, processing instructions and declarations are skipped. It
-     * expands XML's own entities and numeric character references, and no others.
+     * expands XML's own entities and numeric character references, and no others. The player's own XML class would parse a whole document in
+     * one step, without limits, and the ES module has none.
      */
     internal final class XmlReader implements Steps
     {

@@ -116,10 +116,10 @@ package starlogo.models.cooked
             }
             var labels:TriangleLabels = new TriangleLabels(nameCount < 0 ? null : names);
             var runCount:int = readCount(int.MAX_VALUE);
-            var start:int = 0;
+            var start:Number = 0;
             for (i = 0; i < runCount; i++)
             {
-                start += readCount(int.MAX_VALUE);
+                start = Math.min(start + readCount(int.MAX_VALUE), data.triangles.length / 3);
                 var number:int = VarInt.read(_bytes);
                 refuseIf(number < -1 || nameCount >= 0 && number >= nameCount, name, "the cooked file has a wrong number: " + number);
                 labels.beginRun(number, start);

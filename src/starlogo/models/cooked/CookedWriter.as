@@ -111,7 +111,7 @@ package starlogo.models.cooked
             {
                 VarInt.write(triangles[i] - (i == 0 ? 0 : triangles[i - 1]), out);
             }
-            if (!data.materials.isEmpty || !data.meshes.isEmpty)
+            if (data.materials.numbers != null || data.meshes.numbers != null)
             {
                 writeLabels(data.materials, out);
                 writeLabels(data.meshes, out);
@@ -158,11 +158,22 @@ package starlogo.models.cooked
                 VarInt.write(label == null ? -1 : bytes.length, out);
                 out.writeBytes(bytes);
             }
-            VarInt.write(labels.starts.length, out);
-            for (var i:int = 0; i < labels.starts.length; i++)
+            var runs:Vector.<int> = new Vector.<int>();
+            var last:int = -1;
+            var start:int = 0;
+            for (var i:int = 0; labels.numbers != null && i < labels.numbers.length; i++)
             {
-                VarInt.write(labels.starts[i] - (i == 0 ? 0 : labels.starts[i - 1]), out);
-                VarInt.write(labels.numbers[i], out);
+                if (labels.numbers[i] != last)
+                {
+                    runs.push(i - start, labels.numbers[i]);
+                    last = labels.numbers[i];
+                    start = i;
+                }
+            }
+            VarInt.write(runs.length / 2, out);
+            for each (var number:int in runs)
+            {
+                VarInt.write(number, out);
             }
         }
     }

@@ -5,7 +5,7 @@ package starlogo.models.gltf
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** Decodes base64 text (RFC 4648). */
+    /** Decodes base64 text (RFC 4648), in steps. The player has no decoder of its own. */
     internal final class Base64
     {
         private static const CHARACTERS_PER_STEP:int = 16000;

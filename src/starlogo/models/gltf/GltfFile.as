@@ -12,8 +12,7 @@ package starlogo.models.gltf
     import starlogo.steps.finish;
 
     /**
-     * A glTF 2.0 file, binary or JSON. Its steps read the JSON and the buffers inside the file. Call setOtherFile for each of the
-     * other files.
+     * A glTF 2.0 file, binary or JSON. Its steps read the JSON, and the buffers inside the file and in other files.
      *
      * @private
      */
@@ -35,16 +34,17 @@ package starlogo.models.gltf
         private static const MESHOPT_PROBLEM:String = "compressed with meshopt, which is not read: " +
             "save the model without compression (gltfpack without -c, or \"gltf-transform copy\")";
 
-        /** The addresses of the other files that have buffers, as the JSON has them, when no step is left. */
-        public var otherFiles:Vector.<String> = new Vector.<String>();
-
         /** The JSON, when no step is left. */
         internal var json:GltfJson = null;
 
         /** What the file may have and cost. It grows with the buffers in other files. */
         internal var limits:FileLimits;
 
-        // the buffers in each of the other files, by their indices
+        // gives the content of another file
+        private var _fetch:Function;
+
+        // The addresses of the other files that have buffers, as the JSON has them, and the indices of the buffers in each of them.
+        private var _otherFiles:Vector.<String> = new Vector.<String>();
         private var _buffersIn:Vector.<Vector.<int>> = new Vector.<Vector.<int>>();
 
         // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
@@ -58,38 +58,39 @@ package starlogo.models.gltf
          * @param name the model's name
          * @param bytes a binary file, or the bytes of the text; their endianness is set; null if there is only text
          * @param text the text; null to use the bytes
+         * @param fetch <code>function(uri:String, take:Function):void</code>; is asked for each other file. It calls <code>take(bytes, problem)</code>,
+         * at once or before the next step. The bytes' endianness is set. If the file is missing they are null, and the problem says why
          * @throws ModelError if there is no JSON
          */
-        public function GltfFile(name:String, bytes:ByteArray, text:String)
+        public function GltfFile(name:String, bytes:ByteArray, text:String, fetch:Function)
         {
+            _fetch = fetch;
             if (text == null)
             {
                 text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : FileText.decode(name, bytes, "glTF");
             }
             text = TextWords.withoutByteOrderMark(text);
             limits = new FileLimits(name, text.length);
-            addSteps(new JsonMeter(text, limits));
+            addSteps(new JsonScanner(text, limits));
         }
 
         /** Reads a file at once. @param buffers the content of each other file, by its address; null if there are none */
         public static function of(name:String, bytes:ByteArray, buffers:Object):GltfFile
         {
-            var file:GltfFile = new GltfFile(name, bytes, null);
+            var file:GltfFile = new GltfFile(name, bytes, null, function(uri:String, take:Function):void
+                {
+                    take(buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
+                            "\"" + TextWords.shorten(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
+                });
             finish(file);
-            for (var i:int = 0; i < file.otherFiles.length; i++)
-            {
-                var uri:String = file.otherFiles[i];
-                file.setOtherFile(i, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
-                        "\"" + TextWords.shorten(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
-            }
             return file;
         }
 
-        private function addSteps(meter:JsonMeter):void
+        private function addSteps(scanner:JsonScanner):void
         {
-            add(meter).call(function():void
+            add(scanner).call(function():void
                 {
-                    parse(meter.marked);
+                    parse(scanner.marked);
                 });
         }
 
@@ -115,24 +116,6 @@ package starlogo.models.gltf
         public function renewLimits():void
         {
             limits = limits.renewed();
-        }
-
-        /**
-         * Gives the content of one of the other files.
-         *
-         * @param file its index among them
-         * @param bytes its content; the endianness is set; null if it is missing
-         * @param problem why it is missing
-         * @throws ModelError if it is missing, or shorter than the file says
-         */
-        public function setOtherFile(file:int, bytes:ByteArray, problem:String):void
-        {
-            for each (var index:int in _buffersIn[file])
-            {
-                json.refuseIf(bytes == null, problem, "buffers[" + index + "].uri");
-                keep(index, bytes);
-            }
-            limits.addBytes(bytes.length);
         }
 
         /**
@@ -260,6 +243,33 @@ package starlogo.models.gltf
                 _buffers.push(null);
                 readBuffer(i, json.fileEntry("buffers", i));
             }
+            if (end == json.count("buffers"))
+            {
+                // after the steps that decode
+                call(fetchOthers);
+            }
+        }
+
+        private function fetchOthers():void
+        {
+            for (var i:int = 0; i < _otherFiles.length; i++)
+            {
+                _fetch(_otherFiles[i], takerOf(_buffersIn[i]));
+            }
+        }
+
+        // The function that takes the content of a file with some of the buffers.
+        private function takerOf(indices:Vector.<int>):Function
+        {
+            return function(bytes:ByteArray, problem:String):void
+            {
+                for each (var index:int in indices)
+                {
+                    json.refuseIf(bytes == null, problem, "buffers[" + index + "].uri");
+                    keep(index, bytes);
+                }
+                limits.addBytes(bytes.length);
+            };
         }
 
         private function readBuffer(index:int, buffer:GltfJson):void
@@ -290,11 +300,11 @@ package starlogo.models.gltf
             }
             buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
                     TextWords.shorten(uri) + "\"", "uri");
-            var file:int = otherFiles.indexOf(uri);
+            var file:int = _otherFiles.indexOf(uri);
             if (file < 0)
             {
                 limits.count(FileLimits.FILES, 1, buffer.place + ".uri");
-                file = otherFiles.push(uri) - 1;
+                file = _otherFiles.push(uri) - 1;
                 _buffersIn.push(new Vector.<int>());
             }
             _buffersIn[file].push(index);

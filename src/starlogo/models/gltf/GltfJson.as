@@ -116,7 +116,7 @@ package starlogo.models.gltf
         private function checkedIndex(index:*, key:String, list:String):int
         {
             var most:int = _root.count(list);
-            index = JsonMeter.restored(index);
+            index = JsonScanner.restored(index);
             if (!isWhole(index, most - 1))
             {
                 throw error("expected the number of one of " + most + " " + list + ", but found " + shown(index), key);
@@ -127,7 +127,7 @@ package starlogo.models.gltf
         /** An integer property from 0 to a maximum. @param preset the value if there is none; -1 if there must be one */
         public function whole(key:String, most:int, preset:int = -1):int
         {
-            var found:* = JsonMeter.restored(value[key]);
+            var found:* = JsonScanner.restored(value[key]);
             if (found === undefined && preset >= 0)
             {
                 return preset;
@@ -148,7 +148,7 @@ package starlogo.models.gltf
             var all:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < found.length; i++)
             {
-                var number:* = JsonMeter.restored(found[i]);
+                var number:* = JsonScanner.restored(found[i]);
                 refuseIf(!(number is Number) || number - number != 0, "expected a finite number, but found " + shown(number), key + "[" + i + "]");
                 all.push(number);
             }
@@ -180,7 +180,7 @@ package starlogo.models.gltf
         /** A value of the JSON, as errors show it. */
         public static function shown(value:*):String
         {
-            value = JsonMeter.restored(value);
+            value = JsonScanner.restored(value);
             if (value === undefined || value === null)
             {
                 return value === null ? "null" : "nothing";

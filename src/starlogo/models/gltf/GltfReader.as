@@ -20,7 +20,7 @@ package starlogo.models.gltf
         private var _scene:GltfScene;
 
         /**
-         * @param file the file; all its steps must be done and all buffers set
+         * @param file the file; its steps may be done
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor
          * @param animation moves the scene. The vertices are not normalised then. If it is null, they are read at rest, and normalised
@@ -30,8 +30,15 @@ package starlogo.models.gltf
         {
             super(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
-            _scene = new GltfScene(file, turnToZUp(), animation, time);
-            add(_scene).begin(readingNodes).begin(droppingUnused);
+            addSteps(animation, time);
+        }
+
+        private function addSteps(animation:GltfAnimation, time:Number):void
+        {
+            add(_file).begin(function():Steps
+                {
+                    return _scene = new GltfScene(_file, turnToZUp(), animation, time);
+                }).begin(readingNodes).begin(droppingUnused);
             if (animation == null)
             {
                 begin(normalising);

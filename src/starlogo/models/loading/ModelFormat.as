@@ -7,6 +7,7 @@ package starlogo.models.loading
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
     import starlogo.models.gltf.GltfFile;
+    import starlogo.models.gltf.GltfReader;
     import starlogo.models.obj.ObjReader;
     import starlogo.models.stl.StlReader;
     import starlogo.models.text.TextWords;
@@ -18,12 +19,10 @@ package starlogo.models.loading
      */
     public final class ModelFormat
     {
-        /** The format glTF. Its files are opened before they are read, because they may name other files. */
-        public static const GLTF:String = "gltf";
-
         private static const COOKED:String = "cooked";
         private static const OBJ:String = "obj";
         private static const COLLADA:String = "dae";
+        private static const GLTF:String = "gltf";
         private static const STL:String = "stl";
 
         private static const HEAD_LENGTH:int = 10000;
@@ -37,14 +36,8 @@ package starlogo.models.loading
             return CookedFile.isCookedFile(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
         }
 
-        /**
-         * The format of a file.
-         *
-         * @param bytes the file in a binary form, if there is no text
-         * @param text the file's text
-         * @param url the file's address; null if it has none
-         */
-        public static function of(bytes:ByteArray, text:String, url:String):String
+        // The format of a file. @param bytes the file in a binary form, if there is no text
+        private static function of(bytes:ByteArray, text:String, url:String):String
         {
             if (text == null)
             {
@@ -68,18 +61,19 @@ package starlogo.models.loading
         }
 
         /**
-         * The reader of a file. A format other than glTF.
+         * The reader of a file.
          *
-         * @param format the file's format
          * @param name the model's name
          * @param bytes the file in a binary form, if there is no text
          * @param text the file's text
+         * @param url the file's address; null if it has none
          * @param upAxis the axis that points up, if the file does not say it; or a ModelTransform
          * @param scaling as for Model's constructor
+         * @param fetch gives the other files that a glTF file names: see GltfFile
          */
-        public static function newReader(format:String, name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String):ModelReader
+        public static function newReader(name:String, bytes:ByteArray, text:String, url:String, upAxis:Object, scaling:String, fetch:Function):ModelReader
         {
-            switch (format)
+            switch (of(bytes, text, url))
             {
                 case COOKED:
                     return new CookedReader(name, bytes);
@@ -87,6 +81,8 @@ package starlogo.models.loading
                     return new StlReader(name, bytes, text, upAxis, scaling);
                 case COLLADA:
                     return new ColladaReader(name, text, upAxis as ModelTransform, scaling);
+                case GLTF:
+                    return new GltfReader(new GltfFile(name, bytes, text, fetch), upAxis as ModelTransform, scaling);
                 default:
                     return new ObjReader(name, text, upAxis, scaling);
             }

@@ -8,8 +8,6 @@ package starlogo.models.loading
     import starlogo.models.ModelTransform;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
-    import starlogo.models.gltf.GltfFile;
-    import starlogo.models.gltf.GltfReader;
     import starlogo.models.refuseIf;
     import starlogo.models.text.FileAddress;
     import starlogo.models.text.FileText;
@@ -23,8 +21,8 @@ package starlogo.models.loading
      *
      * <p>Each method adds the steps that come after it. <code>fetch</code> fetches the list of cooked files, if there is one. Then
      * <code>fetchCooked</code> and <code>readCooked</code> try the cooked file. If that gives no model, <code>fetchFile</code> fetches the model's own
-     * file and its transform file. <code>setFile</code> decodes the file, <code>read</code> finds its format, and <code>fetchBuffers</code> fetches the
-     * other files of a glTF file. <code>setMaker</code> makes the model, and <code>keepModel</code> gives it to the receiver.</p>
+     * file and its transform file. <code>setFile</code> decodes the file. <code>setMaker</code> has its reader make the model, which may fetch other
+     * files (<code>fetchBeside</code>), and <code>keepModel</code> gives it to the receiver.</p>
      *
      * @private
      */
@@ -57,9 +55,9 @@ package starlogo.models.loading
         private var _usesTransforms:Boolean = false;
         private var _manifest:CookedManifest = null;
 
-        // The file, or its cooked file, and then the files that belong to it: its transform file, or the buffers of a glTF file. Empty before
-        // they are fetched, and after they are read.
+        // The file and its transform file, or its cooked file. Then the other files that its reader asks for, and the function that takes each.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
+        private var _takers:Vector.<Function> = new Vector.<Function>();
 
         // what reads the file, or makes the model instead; null before the file has come, and after the model is made
         private var _maker:ModelMaker = null;
@@ -134,7 +132,7 @@ package starlogo.models.loading
                     }
                     else
                     {
-                        read(bytes, text);
+                        setMaker(ModelFormat.newReader(name, bytes, text, _url, _upAxis, _scaling, fetchBeside));
                     }
                 });
         }
@@ -144,7 +142,7 @@ package starlogo.models.loading
         {
             _downloads.length = 0;
             _maker = maker;
-            add(maker).call(keepModel);
+            repeat(stepMaker).call(keepModel);
         }
 
         /** Stops fetching. */
@@ -230,46 +228,25 @@ package starlogo.models.loading
             setFile(file.bytes, null);
         }
 
-        // Reads the text, or bytes in a binary form. A glTF file is opened first, because it may name other files.
-        private function read(bytes:ByteArray, text:String):void
+        // Starts to fetch a file that the model's file names. The maker's next step is done when it has come.
+        private function fetchBeside(uri:String, take:Function):void
         {
-            var format:String = ModelFormat.of(bytes, text, _url);
-            if (format != ModelFormat.GLTF)
+            if (!FileAddress.hasFolder(_url))
             {
-                setMaker(ModelFormat.newReader(format, name, bytes, text, _upAxis, _scaling));
-                return;
+                take(null, "it is in another file, and the address of this file is not known: load() fetches both");
             }
-            var gltf:GltfFile = new GltfFile(name, bytes, text);
-            add(gltf).call(function():void
-                {
-                    fetchBuffers(gltf);
-                });
+            download(FileAddress.folderOf(_url) + uri);
+            _takers.push(take);
         }
 
-        private function fetchBuffers(gltf:GltfFile):void
+        private function stepMaker():Boolean
         {
-            var buffers:Vector.<FileDownload> = new Vector.<FileDownload>();
-            for (var i:int = 0; i < gltf.otherFiles.length; i++)
+            for (var i:int = 0; i < _takers.length; i++)
             {
-                if (!FileAddress.hasFolder(_url))
-                {
-                    gltf.setOtherFile(i, null, "it is in another file, and the address of this file is not known: load() fetches both");
-                }
-                buffers.push(download(FileAddress.folderOf(_url) + gltf.otherFiles[i]));
+                _takers[i](_downloads[i].bytes, _downloads[i].problem);
             }
-            call(function():void
-                {
-                    readGltf(gltf, buffers);
-                });
-        }
-
-        private function readGltf(gltf:GltfFile, buffers:Vector.<FileDownload>):void
-        {
-            for (var i:int = 0; i < buffers.length; i++)
-            {
-                gltf.setOtherFile(i, buffers[i].bytes, buffers[i].problem);
-            }
-            setMaker(new GltfReader(gltf, _upAxis as ModelTransform, _scaling));
+            _takers.length = _downloads.length = 0;
+            return _maker.step();
         }
 
         private function keepModel():void

@@ -10,7 +10,6 @@ package starlogo.models.obj
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
     import starlogo.models.text.TextWords;
-    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -29,6 +28,11 @@ package starlogo.models.obj
 
         // The material and the mesh of each polygon.
         private var _polygonLabels:Vector.<int> = new Vector.<int>();
+
+        private var _triangulator:Triangulator;
+
+        // A number for each vertex: 1 if a polygon has it as a corner.
+        private var _isCorner:Vector.<uint>;
 
         // The highest index of a vertex in a face, and its line.
         private var _highestIndex:int = -1;
@@ -49,7 +53,8 @@ package starlogo.models.obj
             refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && TextWords.shorten(tag[1])) + "\". A ColladaModel reads COLLADA");
             _lines = new LineReader(name, text);
             _limits = new FileLimits(name, text.length);
-            repeat(readSome).call(checkIndices).begin(cutting).begin(turningToZUp).begin(normalising);
+            _triangulator = new Triangulator(_limits, data.vertices, data.triangles);
+            repeat(readSome).call(checkIndices).begin(cutting).begin(droppingUnused).begin(turningToZUp).begin(normalising);
         }
 
         private function readSome():Boolean
@@ -110,8 +115,7 @@ package starlogo.models.obj
             else if (corners.length > 3)
             {
                 _polygons.push(corners);
-                var next:int = data.triangles.length / 3;
-                _polygonLabels.push(data.materials.numberOf(next), data.meshes.numberOf(next));
+                _polygonLabels.push(data.materials.next, data.meshes.next);
                 _polygonTriangles += corners.length - 2;
             }
         }
@@ -148,30 +152,28 @@ package starlogo.models.obj
             refuseIf(_highestIndex >= vertexCount, name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
         }
 
-        // The work that cuts the polygons into triangles. Then, if there are faces, it removes the vertices that no face uses.
         private function cutting():Steps
         {
-            var triangulator:Triangulator = new Triangulator(_limits, data.vertices, data.triangles);
-            var isUsed:Vector.<uint> = new Vector.<uint>(data.vertices.length / 3);
-            return new StepSequence().add(triangulator.addingEach(_polygons.length, function(index:int):Steps
-                    {
-                        return cuttingPolygon(index, triangulator, isUsed);
-                    })).begin(function():Steps
-                {
-                    return data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, isUsed);
-                });
+            _isCorner = new Vector.<uint>(data.vertices.length / 3);
+            return _triangulator.addingEach(_polygons.length, cuttingPolygon);
         }
 
-        // Cuts a polygon, and marks its vertices as used. Returns the work that is left; null for none.
-        private function cuttingPolygon(index:int, triangulator:Triangulator, isUsed:Vector.<uint>):Steps
+        // If there are faces, vertices of no face are removed.
+        private function droppingUnused():Steps
+        {
+            return data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, _isCorner);
+        }
+
+        // Cuts a polygon into triangles, and marks its vertices. Returns the work that is left; null for none.
+        private function cuttingPolygon(index:int):Steps
         {
             data.materials.beginRun(_polygonLabels[2 * index], data.triangles.length / 3);
             data.meshes.beginRun(_polygonLabels[2 * index + 1], data.triangles.length / 3);
             for each (var corner:uint in _polygons[index])
             {
-                isUsed[corner] = 1; // also if the polygon has no triangle
+                _isCorner[corner] = 1; // also if the polygon has no triangle
             }
-            return triangulator.addPolygon(_polygons[index]);
+            return _triangulator.addPolygon(_polygons[index]);
         }
     }
 }

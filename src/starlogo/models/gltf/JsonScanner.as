@@ -11,7 +11,7 @@ package starlogo.models.gltf
      * could overflow the stack, and because they create an object for every value. It also marks the numbers that players parse differently: they
      * become strings, and restored() gives their values.
      */
-    internal final class JsonMeter implements Steps
+    internal final class JsonScanner implements Steps
     {
         internal static const MAX_DEPTH:int = 100;
 
@@ -45,7 +45,7 @@ package starlogo.models.gltf
          * @param text possible JSON
          * @param limits limit the values
          */
-        public function JsonMeter(text:String, limits:FileLimits)
+        public function JsonScanner(text:String, limits:FileLimits)
         {
             _limits = limits;
             _text = text;

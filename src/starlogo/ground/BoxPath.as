@@ -50,7 +50,7 @@ package starlogo.ground
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
-            latest = search.latest;
+            latest = search.motion.latest;
             alongX.corner = grid.x - search.origin.x - border;
             alongY.corner = grid.y - search.origin.y - border;
             zeroHeight = -search.origin.z;

@@ -52,7 +52,7 @@ package starlogo.ground
             {
                 if (testTriangle())
                 {
-                    _search.latest = _test.distance;
+                    _search.motion.latest = _test.distance;
                     _test.writeHit(out);
                 }
             }
@@ -100,11 +100,11 @@ package starlogo.ground
             _search.motion.x = ray.directionX;
             _search.motion.y = ray.directionY;
             _search.motion.z = ray.directionZ;
-            _search.latest = FARTHEST;
+            _search.motion.latest = FARTHEST;
             _search.grid = grid;
             _triangles.begin(_search);
             // only now, so that the distance does not depend on where the ray ends
-            _search.latest = Math.min(ray.to, FARTHEST);
+            _search.motion.latest = Math.min(ray.to, FARTHEST);
             grid.pyramid.findWhole(_whole);
             _largest = 3 * grid.cellWidth + _whole.greatest - _whole.least;
             _test.begin(ray, _triangles.triangle.corners, _largest, all);

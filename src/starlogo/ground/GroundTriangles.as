@@ -47,7 +47,7 @@ package starlogo.ground
                 level++;
             }
             _passage.from = 0;
-            _passage.to = search.latest;
+            _passage.to = search.motion.latest;
             addSquares(level, 0, 0, int.MAX_VALUE);
         }
 
@@ -103,7 +103,7 @@ package starlogo.ground
             var column:int = _squares[int(_top + 1)];
             var row:int = _squares[int(_top + 2)];
             _passage.from = 0;
-            _passage.to = _path.search.latest;
+            _passage.to = _path.search.motion.latest;
             _path.findPassage(level, column, row, _passage);
             if (_passage.from > _passage.to)
             {

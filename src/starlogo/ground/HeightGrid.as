@@ -1,7 +1,7 @@
-// This room says how shapes and rays meet a grid of heights. HeightGrid has the heights, and HeightPyramid bounds of them. GroundTriangles finds the
-// triangles that a GroundSearch asks for, cell by cell (BoxPath, CellTriangles). GroundModelQuery tests a model with them, piece by piece
-// (PieceTrianglePairs), and GroundRayQuery a ray; GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch,
-// GroundTriangles and GroundModelQuery.
+// This room says how shapes and rays meet the ground, a solid whose surface is triangles. HeightGrid has its heights, and HeightPyramid bounds of them.
+// GroundTriangles finds the triangles that a GroundSearch asks for, cell by cell (BoxPath, CellTriangles). GroundModelQuery tests a model with them:
+// each of its convex pieces (ModelPieces) with each triangle near it (PieceTrianglePairs), by a SurfaceKernel. GroundRayQuery tests a ray.
+// GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground
 {
     /**

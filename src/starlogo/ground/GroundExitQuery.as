@@ -16,16 +16,12 @@ package starlogo.ground
         // Two exits have nearly the same direction if the cosine of their angle is larger.
         private static const SAME_EXIT:Number = 0.98;
 
-        // The triangle of a contact counts as behind a plane if it is in front of it by at most this many margins of the plane's triangle, which are
-        // rounding.
-        private static const IN_FRONT:Number = 10;
-
         // The most exits that are found.
         private static const MOST_EXITS:int = 12;
 
         private var _pairs:PieceTrianglePairs;
 
-        // The exit in front of a triangle that is tried.
+        // The way out in front of the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
 
         /** @param pairs of the model, where it stands */
@@ -35,13 +31,14 @@ package starlogo.ground
         }
 
         /**
-         * Finds the planes of triangles that the standing structure around the model is behind: of planes with nearly the same direction, the one
-         * that it is least behind. If the contact has a triangle of the ground, only planes that this triangle is not in front of count.
+         * Finds ways out in front of the planes of triangles. The standing structure around the model is behind these planes or touches them. Of ways in
+         * nearly the same direction, the shortest counts. If the contact has a triangle of the ground, only planes count that this triangle is not in
+         * front of.
          *
          * @param contact of the model and the ground, here or near here
-         * @param maxDistance how far away triangles may be
-         * @param exits receives the contacts that lead out of the planes
-         * @return their number
+         * @param maxDistance how far away from the structure triangles may be
+         * @param exits receives a contact for each way, in the world; made longer if needed
+         * @return how many ways there are
          */
         public function find(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
@@ -63,14 +60,14 @@ package starlogo.ground
             return count;
         }
 
-        // Whether the triangle of a contact is not in front of the plane of an exit, which is that of the current triangle.
+        // Whether the triangle of a contact is not in front of the current triangle's plane, up to rounding.
         private function isBehind(exit:ContactPoint, proof:DepthProof):Boolean
         {
             var origin:Placement = _pairs.origin;
             var x:Number = origin.x - proof.x;
             var y:Number = origin.y - proof.y;
             var z:Number = origin.z - proof.z;
-            var slack:Number = IN_FRONT * _pairs.triangle.margin + x * exit.normalX + y * exit.normalY + z * exit.normalZ;
+            var slack:Number = GroundTriangle.MARGINS_OF_ROUNDING * _pairs.triangle.margin + x * exit.normalX + y * exit.normalY + z * exit.normalZ;
             if (x != 0 || y != 0 || z != 0)
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);

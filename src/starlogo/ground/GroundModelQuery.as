@@ -159,8 +159,8 @@ package starlogo.ground
             out.place(origin);
         }
 
-        // An upper bound of the distance: that of the model from one point of the ground, the nearest one to its middle as seen from above. For a tree it
-        // is the distance of the farthest corner of the box around it from there.
+        // An upper bound of the distance. A structure's is its distance from one point of the ground, the nearest one to its middle as seen from above. A
+        // tree's is the distance from there to the farthest corner of the box around it.
         private function boundDistance():Number
         {
             var origin:Placement = _pairs.origin;

@@ -9,19 +9,20 @@ package starlogo.ground
     /**
      * Finds how deep a standing model is in the ground. GroundModelQuery sets the model.
      *
+     * <p>What is behind the plane of a triangle may be outside of the ground, because the plane goes on where the ground is lower. So the depth behind a
+     * triangle counts if bounds of the heights around prove that no way out is much shorter. If no depth is proven, the triangle counts that a piece
+     * overlaps most.</p>
+     *
      * @private
      */
     public final class GroundPenetrationQuery
     {
-        // The rounding errors of a depth behind a triangle are at most this many of its margins.
-        private static const MARGINS_OF_ROUNDING:Number = 10;
-
-        // A contact is taken at once if the least length of an exit is at least this fraction of its depth.
+        // A depth is proven if the least length of an exit is at least this fraction of it.
         private static const LEAST_SHARE_PROVEN:Number = 0.8;
 
         private var _pairs:PieceTrianglePairs;
 
-        // The contact with a triangle that is tried.
+        // The contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
 
         // Bounds of the heights around a place.
@@ -103,8 +104,8 @@ package starlogo.ground
             return false;
         }
 
-        // Finds the contact with the triangle that the model is deepest behind, of those that the deepest point of a piece is behind. Only depths
-        // count that are known to be about as deep in the ground. Returns whether there is one.
+        // Finds the contact with the triangle that the model is deepest behind. Only triangles count that the way out from a piece's deepest point passes
+        // through, and only depths that are proven. Returns whether there is one.
         private function findDeepestBehind(out:ContactPoint):Boolean
         {
             var deepest:Number = 0;
@@ -152,11 +153,11 @@ package starlogo.ground
             return out.proof.hasTriangle;
         }
 
-        // How far two shapes that touch here may be apart by rounding.
+        // How much a depth behind the current triangle may be off by rounding.
         private function roundingHere():Number
         {
             var origin:Placement = _pairs.origin;
-            return MARGINS_OF_ROUNDING * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            return GroundTriangle.MARGINS_OF_ROUNDING * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
         // Whether a contact is the first one, or deeper than the deepest one so far by more than rounding.

@@ -80,21 +80,15 @@ package starlogo.ground
         /** The first column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function firstOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            return squareAt(axis.middle - axis.firstCell + Math.min(passage.from * axis.travel, passage.to * axis.travel)
-                    - (axis.half + search.maxDistance), level);
+            var least:Number = axis.middle - axis.firstCell + Math.min(passage.from * axis.travel, passage.to * axis.travel);
+            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor((least - (axis.half + search.maxDistance)) / widthAt(level))));
         }
 
         /** The last column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function lastOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            return squareAt(axis.middle - axis.firstCell + Math.max(passage.from * axis.travel, passage.to * axis.travel)
-                    + (axis.half + search.maxDistance), level);
-        }
-
-        // The column or row of a level at a distance from where the first one begins; -1 for all before it.
-        private function squareAt(distance:Number, level:int):int
-        {
-            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor(distance / widthAt(level))));
+            var greatest:Number = axis.middle - axis.firstCell + Math.max(passage.from * axis.travel, passage.to * axis.travel);
+            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor((greatest + (axis.half + search.maxDistance)) / widthAt(level))));
         }
 
         /**

@@ -163,7 +163,9 @@ package starlogo.ground
             }
             fitBoxTo(_nodeBox);
             shapeInBox = null;
-            point.setTo(box.x, box.y, box.z);
+            point.x = box.x;
+            point.y = box.y;
+            point.z = box.z;
             _node = node;
             if (!isAbovePieces)
             {
@@ -188,7 +190,9 @@ package starlogo.ground
         {
             var shape:ConvexShape = kernel.shape;
             shape.margin += _margin;
-            point.setTo(shape.x, shape.y, shape.z);
+            point.x = shape.x;
+            point.y = shape.y;
+            point.z = shape.z;
         }
 
         // Puts the box around a structure of the model.

@@ -59,7 +59,7 @@ package starlogo.ground
         /** @inheritDoc */
         override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
-            _pairs.moveModelTo(motion, time);
+            _pairs.pieces.moveTo(motion, time);
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
@@ -85,7 +85,7 @@ package starlogo.ground
             _sweep.copyVector(motion);
             _sweep.earliest = motion.earliest;
             _sweep.latest = motion.latest;
-            _pairs.moveModelTo(motion, 0);
+            _pairs.pieces.moveTo(motion, 0);
             _pairs.begin(_sweep, 0);
             while (motion.time > 0 && _pairs.next())
             {
@@ -125,7 +125,7 @@ package starlogo.ground
                     return;
                 }
             }
-            _pairs.moveModelTo(motion, time);
+            _pairs.pieces.moveTo(motion, time);
             penetration.findContact(out);
         }
 
@@ -164,7 +164,7 @@ package starlogo.ground
         private function boundDistance():Number
         {
             var origin:Placement = _pairs.origin;
-            var box:GroundBox = _pairs.wholeBox();
+            var box:GroundBox = _pairs.pieces.wholeBox();
             _nearest.x = box.x + origin.x;
             _nearest.y = box.y + origin.y;
             _pairs.grid.findNearest(_nearest);
@@ -176,7 +176,7 @@ package starlogo.ground
             var farZ:Number = Math.abs(z - box.z) + box.halfZ;
             _bound.distance = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
             // without ground it is infinite
-            if (!_pairs.isTree && _bound.distance < Infinity)
+            if (!_pairs.pieces.isTree && _bound.distance < Infinity)
             {
                 _pairs.begin(RelativeMotion.NONE, 0);
                 _pairs.nextPiece();

@@ -65,7 +65,7 @@ package starlogo.ground
         public function findOuterContact(out:ContactPoint):void
         {
             var origin:Placement = _pairs.origin;
-            var box:GroundBox = _pairs.wholeBox();
+            var box:GroundBox = _pairs.pieces.wholeBox();
             var low:Number = box.z - box.halfZ;
             _pairs.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
             out.setNormal(0, 0, 1);
@@ -96,7 +96,7 @@ package starlogo.ground
                     }
                 }
                 // the point of a flat piece of a tree may be on the surface
-                if ((isApart || !_pairs.isTree) && _pairs.isUnder(depth))
+                if ((isApart || !_pairs.pieces.isTree) && _pairs.isUnder(depth))
                 {
                     return true;
                 }

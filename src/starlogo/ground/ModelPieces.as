@@ -27,8 +27,11 @@ package starlogo.ground
         // In the list of nodes: the structure around the whole model.
         private static const WHOLE:int = -1;
 
-        /** Its shape is the current piece, with a margin for the rounding of the model's place and surface. It is relative to the origin. */
+        /** Its shape is the current piece, relative to the origin. */
         public var kernel:TriangleKernel = new TriangleKernel();
+
+        /** The margin of the current piece, with the margins of the model's place and surface. Read only. */
+        public var margin:Number = 0;
 
         /** The box around the current piece or node; around the node of a piece that is a triangle. Relative to the origin. Read only. */
         public var box:GroundBox = new GroundBox();
@@ -189,7 +192,7 @@ package starlogo.ground
         private function takeShape():void
         {
             var shape:ConvexShape = kernel.shape;
-            shape.margin += _margin;
+            margin = shape.margin + _margin;
             point.x = shape.x;
             point.y = shape.y;
             point.z = shape.z;

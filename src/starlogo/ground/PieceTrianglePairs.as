@@ -21,22 +21,21 @@ package starlogo.ground
         /** Decides about the current piece and the current triangle. Both are relative to the origin. */
         public var kernel:SurfaceKernel;
 
-        private var _pieces:ModelPieces = new ModelPieces();
+        /** The pieces. A query may move the model before it begins. */
+        public var pieces:ModelPieces = new ModelPieces();
+
         private var _triangles:GroundTriangles = new GroundTriangles();
 
         // The search for triangles near the current piece.
         private var _search:GroundSearch = new GroundSearch();
-
-        // The margin of the current piece, to which each triangle adds its own.
-        private var _pieceMargin:Number = 0;
 
         // The place of the current piece's point, and the ground there.
         private var _ground:GroundPoint = new GroundPoint();
 
         public function PieceTrianglePairs()
         {
-            kernel = new SurfaceKernel(_pieces.kernel);
-            _search.box = _pieces.box;
+            kernel = new SurfaceKernel(pieces.kernel);
+            _search.box = pieces.box;
         }
 
         /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
@@ -46,7 +45,7 @@ package starlogo.ground
             origin.x = placement.x;
             origin.y = placement.y;
             origin.z = placement.z;
-            _pieces.setTo(tree, structure, placement, depth, exact);
+            pieces.setTo(tree, structure, placement, depth, exact);
         }
 
         /** The ground. */
@@ -61,22 +60,10 @@ package starlogo.ground
             return _search.origin;
         }
 
-        /** Whether the model is a tree; otherwise it is a structure. */
-        public function get isTree():Boolean
-        {
-            return _pieces.isTree;
-        }
-
         /** The current triangle of the ground. Read only. */
         public function get triangle():GroundTriangle
         {
             return _triangles.triangle;
-        }
-
-        /** Moves the model to where a motion has brought it at a time. Then a search begins. */
-        public function moveModelTo(motion:RelativeMotion, time:Number):void
-        {
-            _pieces.moveTo(motion, time);
         }
 
         /**
@@ -99,7 +86,7 @@ package starlogo.ground
         private function beginWith(asWhole:Boolean, motion:RelativeMotion, maxDistance:Number):void
         {
             _triangles.stop();
-            _pieces.begin(asWhole);
+            pieces.begin(asWhole);
             _search.motion = motion;
             _search.maxDistance = maxDistance;
             _search.minHeight = -Infinity;
@@ -133,16 +120,15 @@ package starlogo.ground
         /** Goes on to the next piece. Returns false if there is none. */
         public function nextPiece():Boolean
         {
-            while (_pieces.next())
+            while (pieces.next())
             {
-                _search.shape = _pieces.shapeInBox;
+                _search.shape = pieces.shapeInBox;
                 _triangles.begin(_search);
-                _pieceMargin = _pieces.kernel.shape.margin;
-                if (!_pieces.isAbovePieces || !_triangles.next())
+                if (!pieces.isAbovePieces || !_triangles.next())
                 {
                     return true;
                 }
-                _pieces.divide();
+                pieces.divide();
             }
             return false;
         }
@@ -154,7 +140,7 @@ package starlogo.ground
             {
                 return false;
             }
-            _pieces.kernel.shape.margin = _pieceMargin + triangle.margin;
+            pieces.kernel.shape.margin = pieces.margin + triangle.margin;
             kernel.setTriangle(triangle.corners);
             return true;
         }
@@ -162,16 +148,10 @@ package starlogo.ground
         /** Whether a point of the piece is at least this deep under the ground. */
         public function isUnder(depth:Number):Boolean
         {
-            _ground.x = _pieces.point.x + origin.x;
-            _ground.y = _pieces.point.y + origin.y;
+            _ground.x = pieces.point.x + origin.x;
+            _ground.y = pieces.point.y + origin.y;
             grid.findHeight(_ground);
-            return _ground.height - depth >= _pieces.point.z + origin.z;
-        }
-
-        /** The box around the whole model. It is valid until the next piece. */
-        public function wholeBox():GroundBox
-        {
-            return _pieces.wholeBox();
+            return _ground.height - depth >= pieces.point.z + origin.z;
         }
 
         /** Moves a contact of the piece and the triangle into the world. */

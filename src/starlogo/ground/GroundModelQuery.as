@@ -60,6 +60,12 @@ package starlogo.ground
         override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
             _pairs.pieces.moveTo(motion, time);
+            return overlaps();
+        }
+
+        // Whether the two overlap where the model is. overlapsAt() is short so that V8 inlines it and allocates no object for the time.
+        private function overlaps():Boolean
+        {
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
@@ -69,7 +75,7 @@ package starlogo.ground
                 }
                 while (_pairs.nextTriangle())
                 {
-                    if (_pairs.kernel.areTouching())
+                    if (!_pairs.kernel.stayApart(RelativeMotion.NONE) && _pairs.kernel.areTouching())
                     {
                         return true;
                     }
@@ -89,7 +95,11 @@ package starlogo.ground
             _pairs.begin(_sweep, 0);
             while (motion.time > 0 && _pairs.next())
             {
-                _pairs.kernel.findTime(_sweep);
+                _sweep.time = RelativeMotion.NEVER;
+                if (!_pairs.kernel.stayApart(_sweep))
+                {
+                    _pairs.kernel.findTime(_sweep);
+                }
                 if (_sweep.time < motion.time)
                 {
                     motion.time = _sweep.latest = _sweep.time;

@@ -49,7 +49,7 @@ package starlogo.ground
         /** Whether the shape touches the triangle. */
         public function areTouching():Boolean
         {
-            return !stayApart(RelativeMotion.NONE) && _kernel.areTouching(_corners, 0);
+            return _kernel.areTouching(_corners, 0);
         }
 
         /**
@@ -59,11 +59,7 @@ package starlogo.ground
          */
         public function findTime(motion:RelativeMotion):void
         {
-            motion.time = RelativeMotion.NEVER;
-            if (!stayApart(motion))
-            {
-                _kernel.findTime(_corners, 0, motion);
-            }
+            _kernel.findTime(_corners, 0, motion);
         }
 
         /**
@@ -106,8 +102,13 @@ package starlogo.ground
             return _kernel.findCloser(_corners, 0, out);
         }
 
-        // Whether the shape is known to be apart from the triangle until the motion's latest time. A quick test, by the triangle's plane.
-        private function stayApart(motion:RelativeMotion):Boolean
+        /**
+         * Whether the shape is known to be apart from the triangle until the motion's latest time. A quick test, by the triangle's plane. Make it before
+         * the others; they do not, because V8 would then make objects for its Numbers.
+         *
+         * @param motion of the shape; its start must be 0
+         */
+        public function stayApart(motion:RelativeMotion):Boolean
         {
             preparePlane();
             var size:Number = _shape.extent + Math.abs(_shape.x) + Math.abs(_shape.y) + Math.abs(_shape.z) + Math.abs(_plane.offset)

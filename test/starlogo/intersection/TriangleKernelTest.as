@@ -148,7 +148,11 @@ package starlogo.intersection
             sweep.setStructure(structure, new Placement());
             var surface:SurfaceKernel = new SurfaceKernel(sweep);
             surface.setTriangle(corners);
-            surface.findTime(motion);
+            motion.time = RelativeMotion.NEVER;
+            if (!surface.stayApart(motion))
+            {
+                surface.findTime(motion);
+            }
             return motion.time;
         }
 

@@ -17,7 +17,7 @@ package starlogo.fitting
      */
     public final class HullFitter extends Fitter
     {
-        /** The smallest number of corners that may be asked for: those of a box. */
+        /** The smallest number of corners that may be asked for: a box has as many. */
         public static const LEAST_CORNERS:int = 8;
 
         private var _maxCorners:int;

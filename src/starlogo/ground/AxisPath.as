@@ -1,16 +1,18 @@
 package starlogo.ground
 {
-    /** How the box of a GroundSearch moves along x or along y, as a record. */
+    /** How the box of a GroundSearch moves along x or along y, as a record. All is relative to the search's origin. */
     internal final class AxisPath
     {
-        /** The box's middle at time 0, relative to the search's origin; and half its length, with a margin for rounding. */
-        public var at:Number = 0;
+        /** The box's middle at time 0. */
+        public var middle:Number = 0;
+
+        /** Half of the box's length, with a margin for rounding. */
         public var half:Number = 0;
 
-        /** How far it moves from time 0 to time 1. */
-        public var speed:Number = 0;
+        /** How far the box moves from time 0 to time 1. */
+        public var travel:Number = 0;
 
-        /** Where the first cell begins, relative to the search's origin. */
-        public var corner:Number = 0;
+        /** Where the first cell of the ground begins. */
+        public var firstCell:Number = 0;
     }
 }

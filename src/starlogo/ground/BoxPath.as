@@ -14,10 +14,10 @@ package starlogo.ground
      */
     internal final class BoxPath
     {
-        // How much farther than rounding errors a structure is from squares that are left out.
+        // A shape is farther from a square that is left out than rounding errors may be, by this factor.
         private static const FARTHER:Number = 4;
 
-        /** Where the height 0 is, relative to the search's origin. Read only. */
+        /** The height 0 of the ground, relative to the search's origin. Read only. */
         public var zeroHeight:Number = 0;
 
         /** The longer side of the rectangle over which the box passes, with the search's <code>maxDistance</code> at both ends. Read only. */
@@ -27,15 +27,17 @@ package starlogo.ground
         public var search:GroundSearch;
         public var grid:HeightGrid;
 
-        /** The latest time at the beginning of the search. The search's own may have become earlier since. Read only. */
+        /** The latest time of the motion when the search began. It may have become earlier since. Read only. */
         public var latest:Number = 0;
 
-        /** Its parts along x and along y. Read only. */
+        /** How the box moves along x and along y. Read only. */
         public var alongX:AxisPath = new AxisPath();
         public var alongY:AxisPath = new AxisPath();
 
-        // Half the box's height, with a margin for rounding; and the distance that rounding errors may hide.
+        // Half the box's height, with a margin for rounding.
         private var _halfZ:Number = 0;
+
+        // What counts only beyond this distance counts in spite of rounding errors.
         private var _slack:Number = 0;
 
         private var _separation:SquareSeparation = new SquareSeparation();
@@ -50,21 +52,21 @@ package starlogo.ground
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
-            latest = search.latest;
-            alongX.corner = grid.x - search.origin.x - border;
-            alongY.corner = grid.y - search.origin.y - border;
+            latest = search.motion.latest;
+            alongX.firstCell = grid.x - search.origin.x - border;
+            alongY.firstCell = grid.y - search.origin.y - border;
             zeroHeight = -search.origin.z;
             var pathX:Number = latest * Math.abs(motion.x);
             var pathY:Number = latest * Math.abs(motion.y);
-            var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.corner) + Math.abs(box.y) + Math.abs(alongY.corner) + Math.abs(box.z)
+            var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.firstCell) + Math.abs(box.y) + Math.abs(alongY.firstCell) + Math.abs(box.z)
                     + Math.abs(zeroHeight) + grid.cellWidth + pathX + pathY + latest * Math.abs(motion.z));
             _slack = FARTHER * rounding;
-            alongX.at = box.x;
+            alongX.middle = box.x;
             alongX.half = box.halfX + rounding;
-            alongX.speed = motion.x;
-            alongY.at = box.y;
+            alongX.travel = motion.x;
+            alongY.middle = box.y;
             alongY.half = box.halfY + rounding;
-            alongY.speed = motion.y;
+            alongY.travel = motion.y;
             _halfZ = box.halfZ + rounding;
             length = Math.max(2 * alongX.half + pathX, 2 * alongY.half + pathY) + 2 * search.maxDistance;
         }
@@ -78,17 +80,15 @@ package starlogo.ground
         /** The first column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function firstOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            var start:Number = axis.at - axis.corner + passage.from * axis.speed;
-            var end:Number = axis.at - axis.corner + passage.to * axis.speed;
-            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor((Math.min(start, end) - (axis.half + search.maxDistance)) / widthAt(level))));
+            var least:Number = axis.middle - axis.firstCell + Math.min(passage.from * axis.travel, passage.to * axis.travel);
+            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor((least - (axis.half + search.maxDistance)) / widthAt(level))));
         }
 
-        /** The last one. */
+        /** The last column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function lastOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            var start:Number = axis.at - axis.corner + passage.from * axis.speed;
-            var end:Number = axis.at - axis.corner + passage.to * axis.speed;
-            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor((Math.max(start, end) + (axis.half + search.maxDistance)) / widthAt(level))));
+            var greatest:Number = axis.middle - axis.firstCell + Math.max(passage.from * axis.travel, passage.to * axis.travel);
+            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor((greatest + (axis.half + search.maxDistance)) / widthAt(level))));
         }
 
         /**
@@ -110,21 +110,21 @@ package starlogo.ground
             passage.high = Math.max(start, end) + _halfZ + up;
         }
 
-        // Narrows a passage to the part in which the box is over a column or a row. If it does not move along x or y, it is
-        // over the column or row all the time or never.
+        // Narrows a passage to the part in which the box is over a column or a row. If the box does not move along this axis, it is near enough to the
+        // column or row all the time or never.
         private function narrowAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):void
         {
             var width:Number = widthAt(level);
-            var speed:Number = axis.speed;
+            var speed:Number = axis.travel;
             if (speed == 0)
             {
-                var beside:Number = Math.max(0, Math.abs(axis.at - axis.corner - (square + 0.5) * width) - width / 2 - axis.half);
+                var beside:Number = Math.max(0, Math.abs(axis.middle - axis.firstCell - (square + 0.5) * width) - width / 2 - axis.half);
                 passage.besideSquared += beside * beside;
                 passage.to = beside > search.maxDistance ? -1 : passage.to;
                 return;
             }
-            var low:Number = (axis.corner + square * width - (axis.at + axis.half)) / speed;
-            var high:Number = (axis.corner + (square + 1) * width - (axis.at - axis.half)) / speed;
+            var low:Number = (axis.firstCell + square * width - (axis.middle + axis.half)) / speed;
+            var high:Number = (axis.firstCell + (square + 1) * width - (axis.middle - axis.half)) / speed;
             passage.from = Math.max(passage.from, Math.min(low, high));
             passage.to = Math.min(passage.to, Math.max(low, high));
         }
@@ -151,8 +151,8 @@ package starlogo.ground
                 return false;
             }
             var width:Number = widthAt(level);
-            var x:Number = alongX.corner + column * width;
-            var y:Number = alongY.corner + row * width;
+            var x:Number = alongX.firstCell + column * width;
+            var y:Number = alongY.firstCell + row * width;
             _least.setTo(x - _slack, y - _slack, heights.least - _slack);
             _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
             return _separation.stayApart(search, _least, _greatest);

@@ -19,13 +19,15 @@ package starlogo.ground
         private var _row:int = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
 
-        // The index of the next triangle among those of a cell, two on top and then two on each side; and the index after the last one.
+        // The index of the cell's next triangle, and the index after its last one. The first two are on top, then come two for each side.
         private var _next:int = 0;
         private var _end:int = 0;
 
-        // How the box passes over the cell. Tall walls are cut where it passes until the latest time at the beginning of the search, so no corner
-        // depends on what the latest time has become.
+        // How the box passes over the cell within the present limits of the search. Triangles above and below it are left out.
         private var _passage:SquarePassage;
+
+        // How the box passes over the cell until the latest time at the beginning of the search. Tall walls are cut above and below it, so no corner
+        // depends on what the latest time has become.
         private var _wholePassage:SquarePassage = new SquarePassage();
 
         /** @param path of the boxes over the ground */
@@ -166,8 +168,8 @@ package starlogo.ground
         private function writeCorner(corner:int, out:Vector.<Number>, to:int):void
         {
             var width:Number = _path.grid.cellWidth;
-            out[to] = _path.alongX.corner + (_column + ((corner + 1) >> 1 & 1)) * width;
-            out[int(to + 1)] = _path.alongY.corner + (_row + (corner >> 1)) * width;
+            out[to] = _path.alongX.firstCell + (_column + ((corner + 1) >> 1 & 1)) * width;
+            out[int(to + 1)] = _path.alongY.firstCell + (_row + (corner >> 1)) * width;
             out[int(to + 2)] = _tops[corner];
         }
     }

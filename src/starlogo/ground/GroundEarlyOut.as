@@ -28,7 +28,7 @@ package starlogo.ground
         /** No answer. Only a test of the agent's shape decides. */
         public static const UNKNOWN:int = 2;
 
-        // The place under the agent's middle, and the heights around it.
+        // The place under the agent's middle, and bounds of the heights: of all, then of those around it.
         private var _under:GroundPoint = new GroundPoint();
         private var _around:HeightRange = new HeightRange();
 
@@ -49,27 +49,23 @@ package starlogo.ground
                 return UNKNOWN;
             }
             var isSphere:Boolean = form == BoundingStructure.SPHERE;
+            // a ball with this radius around the middle is in the agent
+            var inner:Number = isSphere ? extents.halfX : 0;
             _under.x = extents.x;
             _under.y = extents.y;
             grid.findHeight(_under);
             var above:Number = extents.z - _under.height;
-            var inner:Number = isSphere ? extents.halfX : 0;
-            if (above <= inner)
-            {
-                // the middle of a hull's extents may be outside of the hull
-                return form == BoundingStructure.HULL ? UNKNOWN : TOUCHING;
-            }
-            // without ground below the middle it is NaN
             if (!(above > inner))
             {
-                return UNKNOWN;
+                // the middle of a hull's extents may be outside of the hull; without ground below, the height is NaN
+                return above <= inner && form != BoundingStructure.HULL ? TOUCHING : UNKNOWN;
             }
             grid.pyramid.findWhole(_around);
-            var slope:Number = grid.isBlocky ? Infinity : _around.stepX / grid.cellWidth;
             // agents that are this close may touch, because of rounding
             var tolerance:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
                     + Math.abs(_around.least) + Math.abs(_around.greatest));
-            // the root of 1 + 2 s² is at most 1 + s²
+            var slope:Number = grid.isBlocky ? Infinity : _around.stepX / grid.cellWidth;
+            // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
             if (above > height * Tolerances.OUTER + tolerance || isFar(grid, extents, isSphere, above, tolerance))
             {
@@ -78,7 +74,7 @@ package starlogo.ground
             return isSphere && !grid.isBlocky && touchesSphere(grid, extents) ? TOUCHING : UNKNOWN;
         }
 
-        // Whether the agent is above all heights near it, or higher than the slopes between them allow. Few heights are read.
+        // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
         private function isFar(grid:HeightGrid, extents:GroundBox, isSphere:Boolean, above:Number, tolerance:Number):Boolean
         {
             var width:Number = grid.cellWidth;
@@ -96,7 +92,7 @@ package starlogo.ground
             return !grid.isBlocky && above > height;
         }
 
-        // Whether sloping ground is as high as the point of a sphere that is nearest to the plane under its middle.
+        // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane under its middle.
         private function touchesSphere(grid:HeightGrid, extents:GroundBox):Boolean
         {
             var width:Number = grid.cellWidth;

@@ -30,11 +30,16 @@ package starlogo.ground
         /** Finds how deep the model is in the ground. */
         public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
 
+        /** Finds ways out of the ground for the model. */
+        public var exits:GroundExitQuery = new GroundExitQuery(_pairs);
+
         // The motion of the search for the first touch. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
 
-        // The point of the ground from which a search for the distance begins.
+        // For the upper bound of a distance: a point of the ground, the same point as the corners of a triangle, and the distance.
         private var _nearest:GroundPoint = new GroundPoint();
+        private var _point:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _bound:ClosestPoints = new ClosestPoints();
 
         /**
          * Sets the model and the ground. Call it before each question, because a question may leave the model where its motion has brought it.
@@ -54,7 +59,13 @@ package starlogo.ground
         /** @inheritDoc */
         override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
-            _pairs.moveModelTo(motion, time);
+            _pairs.pieces.moveTo(motion, time);
+            return overlaps();
+        }
+
+        // Whether the two overlap where the model is. overlapsAt() is short so that V8 inlines it and allocates no object for the time.
+        private function overlaps():Boolean
+        {
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
@@ -64,7 +75,7 @@ package starlogo.ground
                 }
                 while (_pairs.nextTriangle())
                 {
-                    if (!_pairs.side.stayApart(RelativeMotion.NONE) && _pairs.kernel.areTouching(_pairs.triangle.corners, 0))
+                    if (!_pairs.kernel.stayApart(RelativeMotion.NONE) && _pairs.kernel.areTouching())
                     {
                         return true;
                     }
@@ -76,31 +87,28 @@ package starlogo.ground
         /** @inheritDoc */
         override public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            var first:Number = RelativeMotion.NEVER;
+            motion.time = RelativeMotion.NEVER;
             _sweep.copyVector(motion);
             _sweep.earliest = motion.earliest;
             _sweep.latest = motion.latest;
-            _pairs.moveModelTo(motion, 0);
-            _pairs.begin(motion, 0);
-            while (first > 0 && _pairs.next())
+            _pairs.pieces.moveTo(motion, 0);
+            _pairs.begin(_sweep, 0);
+            while (motion.time > 0 && _pairs.next())
             {
                 _sweep.time = RelativeMotion.NEVER;
-                if (!_pairs.side.stayApart(_sweep))
+                if (!_pairs.kernel.stayApart(_sweep))
                 {
-                    _pairs.kernel.findTime(_pairs.triangle.corners, 0, _sweep);
+                    _pairs.kernel.findTime(_sweep);
                 }
-                if (_sweep.time < first)
+                if (_sweep.time < motion.time)
                 {
-                    first = _sweep.latest = _sweep.time;
-                    _pairs.search.latest = first;
+                    motion.time = _sweep.latest = _sweep.time;
                     if (out != null)
                     {
-                        _pairs.kernel.findContact(_pairs.triangle.corners, 0, _sweep, out);
-                        _pairs.side.leadOutside(_sweep, out);
+                        _pairs.kernel.findContact(_sweep, out);
                     }
                 }
             }
-            motion.time = first;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 out.resetProof();
@@ -127,7 +135,7 @@ package starlogo.ground
                     return;
                 }
             }
-            _pairs.moveModelTo(motion, time);
+            _pairs.pieces.moveTo(motion, time);
             penetration.findContact(out);
         }
 
@@ -139,21 +147,20 @@ package starlogo.ground
          */
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            var origin:Placement = _pairs.search.origin;
-            findNearest(out);
-            if (!_pairs.hasTree)
-            {
-                _pairs.begin(RelativeMotion.NONE, 0);
-                _pairs.nextPiece();
-                _pairs.narrowTo(_nearest);
-                keepCloser(out);
-            }
+            var origin:Placement = _pairs.origin;
+            out.distance = boundDistance();
             _pairs.begin(RelativeMotion.NONE, out.distance);
-            keepCloser(out);
+            while (_pairs.next())
+            {
+                if (_pairs.kernel.findCloser(out))
+                {
+                    _pairs.leaveOutFarther(out.distance);
+                }
+            }
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = _pairs.search.grid.heightAt(out.aX + origin.x, out.aY + origin.y) - origin.z >= out.aZ;
+                var isUnder:Boolean = _pairs.grid.heightAt(out.aX + origin.x, out.aY + origin.y) - origin.z >= out.aZ;
                 out.aX = out.bX = isUnder ? out.aX : out.bX;
                 out.aY = out.bY = isUnder ? out.aY : out.bY;
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
@@ -162,31 +169,42 @@ package starlogo.ground
             out.place(origin);
         }
 
-        // Finds the point of the grid that is nearest to the model's middle, seen from above. The model is at most as far as its farthest point is
-        // from there, so the distance begins with that.
-        private function findNearest(out:ClosestPoints):void
+        // An upper bound of the distance. A structure's is its distance from one point of the ground, the nearest one to its middle as seen from above. A
+        // tree's is the distance from there to the farthest corner of the box around it.
+        private function boundDistance():Number
         {
-            var origin:Placement = _pairs.search.origin;
-            var box:GroundBox = _pairs.wholeBox();
+            var origin:Placement = _pairs.origin;
+            var box:GroundBox = _pairs.pieces.wholeBox();
             _nearest.x = box.x + origin.x;
             _nearest.y = box.y + origin.y;
-            _pairs.search.grid.findNearest(_nearest);
-            var x:Number = Math.abs(_nearest.x - origin.x - box.x) + box.halfX;
-            var y:Number = Math.abs(_nearest.y - origin.y - box.y) + box.halfY;
-            var z:Number = Math.abs(_nearest.height - origin.z - box.z) + box.halfZ;
-            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * _pairs.search.grid.cellWidth;
+            _pairs.grid.findNearest(_nearest);
+            var x:Number = _nearest.x - origin.x;
+            var y:Number = _nearest.y - origin.y;
+            var z:Number = _nearest.height - origin.z;
+            var farX:Number = Math.abs(x - box.x) + box.halfX;
+            var farY:Number = Math.abs(y - box.y) + box.halfY;
+            var farZ:Number = Math.abs(z - box.z) + box.halfZ;
+            _bound.distance = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
+            // without ground it is infinite
+            if (!_pairs.pieces.isTree && _bound.distance < Infinity)
+            {
+                _pairs.begin(RelativeMotion.NONE, 0);
+                _pairs.nextPiece();
+                _pairs.kernel.setTriangle(pointAsTriangle(x, y, z));
+                _pairs.kernel.findCloser(_bound);
+            }
+            return _bound.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.grid.cellWidth;
         }
 
-        // Finds the closest points of all pairs.
-        private function keepCloser(out:ClosestPoints):void
+        private function pointAsTriangle(x:Number, y:Number, z:Number):Vector.<Number>
         {
-            while (_pairs.next())
+            for (var i:int = 0; i < 9; i += 3)
             {
-                if (_pairs.kernel.findCloser(_pairs.triangle.corners, 0, out))
-                {
-                    _pairs.search.maxDistance = out.distance;
-                }
+                _point[i] = x;
+                _point[int(i + 1)] = y;
+                _point[int(i + 2)] = z;
             }
+            return _point;
         }
     }
 }

@@ -3,35 +3,26 @@ package starlogo.ground
     import starlogo.convex.ContactPoint;
     import starlogo.convex.DepthProof;
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
 
-    use namespace engine;
-
     /**
-     * Finds how deep a standing model is in the ground, and the planes behind which it is. GroundModelQuery sets the model.
+     * Finds how deep a standing model is in the ground. GroundModelQuery sets the model.
+     *
+     * <p>What is behind the plane of a triangle may be outside of the ground, because the plane goes on where the ground is lower. So the depth behind a
+     * triangle counts if bounds of the heights around prove that no way out is much shorter. If no depth is proven, the triangle counts that a piece
+     * overlaps most.</p>
      *
      * @private
      */
     public final class GroundPenetrationQuery
     {
-        // Two exits have nearly the same direction if the cosine of their angle is larger.
-        private static const SAME_EXIT:Number = 0.98;
-
-        // The triangle of a contact counts as behind a plane if it is in front of it by at most this many margins of the plane's triangle, which are
-        // rounding.
-        private static const IN_FRONT:Number = 10;
-
-        // The most exits that are found.
-        private static const MOST_EXITS:int = 12;
-
-        // A contact is taken at once if the least length of an exit is at least this fraction of its depth.
+        // A depth is proven if the least length of an exit is at least this fraction of it.
         private static const LEAST_SHARE_PROVEN:Number = 0.8;
 
         private var _pairs:PieceTrianglePairs;
 
-        // The contact with a triangle that is tried.
+        // The contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
 
         // Bounds of the heights around a place.
@@ -73,10 +64,10 @@ package starlogo.ground
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
         public function findOuterContact(out:ContactPoint):void
         {
-            var origin:Placement = _pairs.search.origin;
-            var box:GroundBox = _pairs.wholeBox();
+            var origin:Placement = _pairs.origin;
+            var box:GroundBox = _pairs.pieces.wholeBox();
             var low:Number = box.z - box.halfZ;
-            _pairs.search.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
+            _pairs.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
             out.setNormal(0, 0, 1);
             out.depth = Math.max(0, _around.greatest - origin.z - low);
             out.x = box.x;
@@ -95,7 +86,7 @@ package starlogo.ground
                 var isApart:Boolean = true;
                 while (_pairs.nextTriangle())
                 {
-                    if (findOverlap(_tried))
+                    if (_pairs.kernel.findOverlap(_tried))
                     {
                         if (_tried.depth > depth)
                         {
@@ -105,7 +96,7 @@ package starlogo.ground
                     }
                 }
                 // the point of a flat piece of a tree may be on the surface
-                if ((isApart || !_pairs.hasTree) && _pairs.isUnder(depth))
+                if ((isApart || !_pairs.pieces.isTree) && _pairs.isUnder(depth))
                 {
                     return true;
                 }
@@ -113,48 +104,19 @@ package starlogo.ground
             return false;
         }
 
-        /**
-         * Finds the planes of triangles that the standing structure around the model is behind: of planes with nearly the same direction, the one
-         * that it is least behind. If the contact has a triangle of the ground, only planes that this triangle is not in front of count.
-         *
-         * @param contact of the model and the ground, here or near here
-         * @param maxDistance how far away triangles may be
-         * @param exits receives the contacts that lead out of the planes
-         * @return their number
-         */
-        public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
-        {
-            var proof:DepthProof = contact.proof;
-            var count:int = 0;
-            _pairs.beginWhole(maxDistance);
-            while (_pairs.next())
-            {
-                _pairs.side.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_pairs.triangle.margin && (!proof.hasTriangle || isBehind(_tried, proof)))
-                {
-                    count = addExit(_tried, exits, count);
-                }
-            }
-            for (var i:int = 0; i < count; i++)
-            {
-                _pairs.moveToWorld(exits[i]);
-            }
-            return count;
-        }
-
-        // Finds the contact with the triangle that the model is deepest behind, of those that the deepest point of a piece is behind. Only depths
-        // count that are known to be about as deep in the ground. Returns whether there is one.
+        // Finds the contact with the triangle that the model is deepest behind. Only triangles count that the way out from a piece's deepest point passes
+        // through, and only depths that are proven. Returns whether there is one.
         private function findDeepestBehind(out:ContactPoint):Boolean
         {
             var deepest:Number = 0;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                _pairs.side.findBehind(RelativeMotion.NONE, _tried);
-                if (_pairs.side.isOverTriangle(_tried) && isClearlyDeeper(_tried, deepest, out) && isDepthProven(_tried))
+                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
+                if (_pairs.kernel.isThroughTriangle(_tried) && isClearlyDeeper(_tried, deepest, out) && isDepthProven(_tried))
                 {
                     deepest = _tried.depth;
-                    _pairs.search.minHeight = deepest;
+                    _pairs.leaveOutShallower(deepest);
                     keep(_tried, out);
                 }
             }
@@ -172,12 +134,12 @@ package starlogo.ground
             {
                 var rounding:Number = roundingHere();
                 // no overlap is deeper than the piece is behind the plane
-                _pairs.side.findBehind(RelativeMotion.NONE, _tried);
+                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
                 var isLess:Boolean = deepest > 0 && _tried.depth < deepest - rounding;
-                if (!isLess && findOverlap(_tried))
+                if (!isLess && _pairs.kernel.findOverlap(_tried))
                 {
                     var depth:Number = _tried.depth;
-                    _pairs.side.leadOutside(RelativeMotion.NONE, _tried);
+                    _pairs.kernel.leadOutside(RelativeMotion.NONE, _tried);
                     // with a clearly shorter way out it may be as deep up to rounding, with a clearly longer one it has to be clearly deeper
                     var shorter:Number = out.depth - _tried.depth;
                     var needed:Number = shorter > rounding ? deepest - rounding : (shorter < -rounding ? deepest + rounding : deepest);
@@ -191,11 +153,11 @@ package starlogo.ground
             return out.proof.hasTriangle;
         }
 
-        // How far two shapes that touch here may be apart by rounding.
+        // How much a depth behind the current triangle may be off by rounding.
         private function roundingHere():Number
         {
-            var origin:Placement = _pairs.search.origin;
-            return IN_FRONT * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            var origin:Placement = _pairs.origin;
+            return GroundTriangle.MARGINS_OF_ROUNDING * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
         // Whether a contact is the first one, or deeper than the deepest one so far by more than rounding.
@@ -204,16 +166,10 @@ package starlogo.ground
             return !kept.proof.hasTriangle || (deepest > 0 ? contact.depth >= deepest + _pairs.triangle.margin : contact.depth > 0);
         }
 
-        // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
-        private function findOverlap(out:ContactPoint):Boolean
-        {
-            return _pairs.kernel.tryContact(_pairs.triangle.corners, 0, RelativeMotion.NONE, out);
-        }
-
         // Keeps a contact, with the current triangle.
         private function keep(contact:ContactPoint, out:ContactPoint):void
         {
-            var origin:Placement = _pairs.search.origin;
+            var origin:Placement = _pairs.origin;
             var proof:DepthProof = out.proof;
             out.copyFrom(contact);
             proof.setTriangle(_pairs.triangle.corners, origin.x, origin.y, origin.z);
@@ -227,49 +183,11 @@ package starlogo.ground
             {
                 return false;
             }
-            var origin:Placement = _pairs.search.origin;
+            var origin:Placement = _pairs.origin;
             var x:Number = origin.x + contact.x - depth / 2 * contact.normalX;
             var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || leastExit(_pairs.search.grid, x, y, z, depth, _around) >= LEAST_SHARE_PROVEN * depth;
-        }
-
-        // Whether the triangle of a contact is not in front of the plane of an exit, which is that of the current triangle.
-        private function isBehind(exit:ContactPoint, proof:DepthProof):Boolean
-        {
-            var origin:Placement = _pairs.search.origin;
-            var x:Number = origin.x - proof.x;
-            var y:Number = origin.y - proof.y;
-            var z:Number = origin.z - proof.z;
-            var slack:Number = IN_FRONT * _pairs.triangle.margin + x * exit.normalX + y * exit.normalY + z * exit.normalZ;
-            if (x != 0 || y != 0 || z != 0)
-            {
-                slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
-            }
-            return _pairs.side.isBehindPlane(proof.corners, slack);
-        }
-
-        // Adds an exit to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.
-        private static function addExit(exit:ContactPoint, exits:Vector.<ContactPoint>, count:int):int
-        {
-            var at:int = 0;
-            while (at < count && exit.normalX * exits[at].normalX + exit.normalY * exits[at].normalY + exit.normalZ * exits[at].normalZ <= SAME_EXIT)
-            {
-                at++;
-            }
-            if (at == MOST_EXITS)
-            {
-                return count;
-            }
-            if (at == exits.length)
-            {
-                exits[at] = new ContactPoint();
-            }
-            if (at == count || exit.depth < exits[at].depth)
-            {
-                exits[at].copyFrom(exit);
-            }
-            return Math.max(count, at + 1);
+            return depth == 0 || leastExit(_pairs.grid, x, y, z, depth, _around) >= LEAST_SHARE_PROVEN * depth;
         }
     }
 }

@@ -55,7 +55,7 @@ package starlogo.ground
             {
                 if (_sheared.findFirst(_triangles.triangle.corners, 0, 1, _first))
                 {
-                    _search.latest = _first.distance;
+                    _search.motion.latest = _first.distance;
                     _sheared.writeEntry(_triangles.triangle.corners, _first, -1, out);
                 }
             }
@@ -107,11 +107,11 @@ package starlogo.ground
             _search.motion.x = ray.directionX;
             _search.motion.y = ray.directionY;
             _search.motion.z = ray.directionZ;
-            _search.latest = FARTHEST;
+            _search.motion.latest = FARTHEST;
             _search.grid = grid;
             _triangles.begin(_search);
             // only now, so that the distance does not depend on where the ray ends
-            _search.latest = Math.min(ray.to, FARTHEST);
+            _search.motion.latest = Math.min(ray.to, FARTHEST);
             grid.pyramid.findWhole(_whole);
             _largest = 3 * grid.cellWidth + _whole.greatest - _whole.least;
             _sheared.setTo(ray, _largest);

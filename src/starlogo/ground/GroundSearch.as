@@ -21,7 +21,10 @@ package starlogo.ground
         /** The box at time 0. */
         public var box:GroundBox = new GroundBox();
 
-        /** The box's motion; RelativeMotion.NONE if it stands. Only x, y and z count. */
+        /**
+         * The box's motion; RelativeMotion.NONE if it stands. Of its times, the latest counts. It is a limit: it may become earlier during the search. The
+         * corners of the triangles that are still found do not depend on it.
+         */
         public var motion:RelativeMotion = RelativeMotion.NONE;
 
         /** The shape that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
@@ -29,9 +32,6 @@ package starlogo.ground
 
         /** The lower end, relative to the origin, of walls at the ground's borders and around holes. -Infinity: below the box. */
         public var floor:Number = -Infinity;
-
-        /** A limit: the latest time that counts, as a multiple of the motion. The corners of the triangles that are still found do not depend on it. */
-        public var latest:Number = 1;
 
         /** A limit: how far from the standing box a triangle still counts. */
         public var maxDistance:Number = 0;

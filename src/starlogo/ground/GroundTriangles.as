@@ -47,7 +47,7 @@ package starlogo.ground
                 level++;
             }
             _passage.from = 0;
-            _passage.to = search.latest;
+            _passage.to = search.motion.latest;
             addSquares(level, 0, 0, int.MAX_VALUE);
         }
 
@@ -72,8 +72,8 @@ package starlogo.ground
             _top = 0;
         }
 
-        // Puts squares of a level on the stack: those of the given ones that the box may pass over in the current passage. The nearest
-        // is put last, and visited first.
+        // Puts squares of a level on the stack if the box may pass over them in the current passage. Only a block counts, with a first column and row
+        // and so many columns and rows. The nearest square is put last, and visited first.
         private function addSquares(level:int, firstColumn:int, firstRow:int, most:int):void
         {
             var motion:RelativeMotion = _path.search.motion;
@@ -103,7 +103,7 @@ package starlogo.ground
             var column:int = _squares[int(_top + 1)];
             var row:int = _squares[int(_top + 2)];
             _passage.from = 0;
-            _passage.to = _path.search.latest;
+            _passage.to = _path.search.motion.latest;
             _path.findPassage(level, column, row, _passage);
             if (_passage.from > _passage.to)
             {

@@ -1,7 +1,7 @@
-// This room says how shapes and rays meet a grid of heights. HeightGrid has the heights, and HeightPyramid bounds of them. GroundTriangles finds the
-// triangles that a GroundSearch asks for, cell by cell (BoxPath, CellTriangles). GroundModelQuery tests a model with them, piece by piece
-// (PieceTrianglePairs), and GroundRayQuery a ray; GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch,
-// GroundTriangles and GroundModelQuery.
+// This room says how shapes and rays meet the ground, a solid whose surface is triangles. HeightGrid has its heights, and HeightPyramid bounds of them.
+// GroundTriangles finds the triangles that a GroundSearch asks for, cell by cell (BoxPath, CellTriangles). GroundModelQuery tests a model with them:
+// each of its convex pieces (ModelPieces) with each triangle near it (PieceTrianglePairs), by a SurfaceKernel. GroundRayQuery tests a ray.
+// GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground
 {
     /**
@@ -16,13 +16,13 @@ package starlogo.ground
         /** How many heights there are along x. */
         public var columns:int;
 
-        /** How many there are along y. */
+        /** How many heights there are along y. */
         public var rows:int;
 
-        /** How far neighbours are apart. */
+        /** How far neighbours are apart, in patches. */
         public var cellWidth:Number;
 
-        /** Where the first height is. */
+        /** The place of the first height, in the world. */
         public var x:Number;
         public var y:Number;
 
@@ -263,8 +263,8 @@ package starlogo.ground
             }
         }
 
-        // Moves a point to the last height of a ring that belongs to the ground, if there is one. The ring is the border of a square of heights, with
-        // as many heights on each side of its middle.
+        // Moves a point to the last height of a ring that belongs to the ground, if there is one. The ring is the border of a square of heights around a
+        // height. <code>around</code> is how many columns and rows away from that height the border is.
         private function findOnRing(column:int, row:int, around:int, at:GroundPoint):void
         {
             for (var i:int = Math.max(0, row - around); i <= Math.min(rows - 1, row + around); i++)

@@ -51,7 +51,7 @@ package starlogo.ground
             return ((heights - 1) >> (level * SHIFT)) + 1;
         }
 
-        /** Takes the bounds of another grid with as many columns and rows. */
+        /** Takes the bounds of another grid with the same numbers of columns and rows. */
         public function copyFrom(other:HeightPyramid):void
         {
             for (var i:int = 0; i < _bounds.length; i++)
@@ -184,7 +184,7 @@ package starlogo.ground
             }
         }
 
-        // Computes the bounds of a square from those of the level below, and of some rows and columns around.
+        // Computes the bounds of a square from the bounds of its squares of the level below, and of some rows and columns around these.
         private function updateSquare(level:int, column:int, row:int, around:int):void
         {
             var firstColumn:int = Math.max(0, (column << SHIFT) - around);

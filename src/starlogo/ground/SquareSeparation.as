@@ -36,7 +36,7 @@ package starlogo.ground
                 - Math.max(direction.x * high.x, direction.x * low.x) - Math.max(direction.y * high.y, direction.y * low.y)
                 - Math.max(direction.z * high.z, direction.z * low.z);
             var motion:RelativeMotion = search.motion;
-            var travel:Number = search.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
+            var travel:Number = motion.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
             return distance + Math.min(0, travel) > search.maxDistance;
         }
 

@@ -80,18 +80,6 @@ package starlogo.intersection
             _kernel.findContact(shape, _triangle, motion, out);
         }
 
-        /** Finds what <code>findContact()</code> finds, if the shape touches the triangle. Returns whether it does. */
-        public function tryContact(corners:Vector.<Number>, at:int, motion:RelativeMotion, out:ContactPoint):Boolean
-        {
-            _triangle.setTriangle(corners, at);
-            if (!_kernel.areTouching(shape, _triangle))
-            {
-                return false;
-            }
-            _kernel.findContact(shape, _triangle, motion, out);
-            return true;
-        }
-
         /**
          * Finds the closest points of the shape and a triangle, if they are closer than those of a triangle before.
          *

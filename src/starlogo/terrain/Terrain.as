@@ -182,7 +182,7 @@ package starlogo.terrain
          *
          * @param column the region's first column, from 0 on; row is its first row
          * @param columns how many columns the region has; rows is how many rows
-         * @param heights as many as the region has, row by row
+         * @param heights a height for each place of the region, row by row
          * @throws ArgumentError if heights is null
          * @throws RangeError if the region is not within the terrain, there are too few or too many, or one is not finite or too large
          */

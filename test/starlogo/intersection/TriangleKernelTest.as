@@ -13,7 +13,7 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.ground.TriangleSide;
+    import starlogo.ground.SurfaceKernel;
     import support.Complaints;
     import support.Effort;
     import support.PlainDistance;
@@ -146,12 +146,12 @@ package starlogo.intersection
         private static function timeOf(sweep:TriangleKernel, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
         {
             sweep.setStructure(structure, new Placement());
-            var side:TriangleSide = new TriangleSide(sweep.shape);
-            side.setTriangle(corners);
+            var surface:SurfaceKernel = new SurfaceKernel(sweep);
+            surface.setTriangle(corners);
             motion.time = RelativeMotion.NEVER;
-            if (!side.stayApart(motion))
+            if (!surface.stayApart(motion))
             {
-                sweep.findTime(corners, 0, motion);
+                surface.findTime(motion);
             }
             return motion.time;
         }

@@ -1,19 +1,15 @@
 package starlogo.fitting.hull
 {
     /**
-     * How an edge of a ProgressiveHull can collapse: the new corner, and what changes.
+     * How an edge of a ProgressiveHull can collapse, as a record: the new corner, and what changes.
      *
      * @private
      */
     public final class EdgeCollapse
     {
-        /** x of the new corner. */
+        /** The new corner. */
         public var x:Number = 0;
-
-        /** y of the new corner. */
         public var y:Number = 0;
-
-        /** z of the new corner. */
         public var z:Number = 0;
 
         /** The faces that the corner sees. They are inside of the solid afterwards. More entries than faceCount have no meaning. */

@@ -10,7 +10,7 @@ package starlogo.fitting.hull
         private var _edges:Vector.<int> = new Vector.<int>();
         private var _costs:Vector.<Number> = new Vector.<Number>();
 
-        // by edge: 1 if it is in the queue; edges beyond the end are not
+        // By edge: 1 if it is in the queue, otherwise 0. Edges beyond the end are not in it.
         private var _isQueued:Vector.<int> = new Vector.<int>();
 
         /** Whether there are no edges. */

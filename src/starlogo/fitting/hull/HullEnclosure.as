@@ -61,7 +61,7 @@ package starlogo.fitting.hull
                 });
         }
 
-        // Increases the heights along the normal of each half-space of the hull to those of some vertices.
+        // For each half-space of the hull, raises the height along its normal as far as some vertices are high.
         private function measure(vertices:Vector.<Number>, first:int, end:int, heights:Vector.<Number>):void
         {
             var halfSpaces:Vector.<Number> = hull.halfSpaces;

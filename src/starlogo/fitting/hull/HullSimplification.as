@@ -26,7 +26,7 @@ package starlogo.fitting.hull
         // With this many times the wanted corners or fewer, all edges are queued.
         private static const FEW:Number = 1.5;
 
-        // how far the tips are from the polygon's plane
+        // How far the tips are from the polygon's plane.
         private static const TIP:Number = 0.5;
 
         private var _session:FitSession;
@@ -35,7 +35,7 @@ package starlogo.fitting.hull
         private var _solid:ProgressiveHull = null;
         private var _queue:EdgeQueue = new EdgeQueue();
 
-        // the first tip, and the second one is the next corner; -2 without tips
+        // The first tip; the second one is the next corner. -2 without tips.
         private var _tip:int = -2;
 
         /**
@@ -176,7 +176,7 @@ package starlogo.fitting.hull
             }
         }
 
-        // Whether an edge is queued, by its number or by that of the edge that runs the other way.
+        // Whether an edge is queued, or the edge that runs the other way.
         private function isQueued(edge:int):Boolean
         {
             return _queue.has(edge) || _queue.has(_solid.acrossOf(edge));

@@ -21,19 +21,22 @@ package starlogo.fitting.hull
 
         private var _points:Vector.<Number>;
 
-        // by edge: the corner at which it begins, and the edge that runs the other way
+        // By edge: the corner at which it begins, and the edge that runs the other way.
         private var _corners:Vector.<int> = new Vector.<int>();
         private var _across:Vector.<int> = new Vector.<int>();
 
-        // by face: four numbers of the plane, twice the area, whether the face is inside of the solid by now (1, otherwise 0), and the number of
-        // the search that found the face last
+        // By face: the normal and the offset of its plane, and twice its area.
         private var _planes:Vector.<Number> = new Vector.<Number>();
         private var _areas:Vector.<Number> = new Vector.<Number>();
+
+        // By face: 1 if it is inside of the solid by now, otherwise 0.
         private var _isInside:Vector.<int> = new Vector.<int>();
+
+        // By face: the number of the search that found it last. The present search comes after.
         private var _foundBy:Vector.<int> = new Vector.<int>();
         private var _search:int = 0;
 
-        // the number of faces that are not inside
+        // The number of faces that are not inside.
         private var _presentCount:int = 0;
 
         /**
@@ -84,7 +87,7 @@ package starlogo.fitting.hull
             return result;
         }
 
-        /** Whether a number is that of an edge of the present surface. */
+        /** Whether there is an edge with this number, and it is on the present surface. */
         public function isEdge(number:int):Boolean
         {
             return (number & 3) < 3 && _isInside[number >> 2] == 0;

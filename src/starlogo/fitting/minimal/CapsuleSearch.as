@@ -69,7 +69,7 @@ package starlogo.fitting.minimal
                 });
         }
 
-        // The directions from which to descend: those of the smallest volumes, apart from one another.
+        // The directions from which to descend. They give the smallest volumes, and are apart from one another.
         private static function startsAmong(directions:Vector.<Vector3D>, volumes:Array):Vector.<Vector3D>
         {
             var order:Array = volumes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);

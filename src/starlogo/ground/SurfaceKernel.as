@@ -1,24 +1,27 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
     import starlogo.convex.TrianglePlane;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.TriangleKernel;
 
     /**
-     * On which side of a triangle's plane a convex shape is, and how far behind it. The triangle is of the outside of a solid, so what is behind it
-     * has to go out in front of it. The shape is that of a TriangleKernel, which answers what does not depend on the triangle's sides.
+     * The kernel of a convex shape and a triangle of a solid's surface. The corners of the triangle are counter-clockwise as seen from outside of the
+     * solid. So a contact leads out of the solid, and the kernel says how far the shape is behind the triangle's plane too.
      *
      * @private
      */
-    public final class TriangleSide
+    public final class SurfaceKernel
     {
         // Points of the core are equally deep if their depths differ by less than this fraction of its extent along the normal.
         private static const SAME_DEPTH:Number = 1e-12;
 
+        private var _kernel:TriangleKernel;
         private var _shape:ConvexShape;
 
         // The triangle: nine numbers. Its plane is set at the first question.
@@ -29,21 +32,79 @@ package starlogo.ground
         private var _deepest:Vector3D = new Vector3D();
         private var _ofShape:Interval = new Interval();
 
-        /** @param shape in the triangles' space; kept */
-        public function TriangleSide(shape:ConvexShape)
+        /** @param kernel has the shape, in the triangles' space; kept */
+        public function SurfaceKernel(kernel:TriangleKernel)
         {
-            _shape = shape;
+            _kernel = kernel;
+            _shape = kernel.shape;
         }
 
-        /** Sets the triangle: nine numbers, counter-clockwise seen from outside. The list is kept. */
+        /** Sets the triangle: nine numbers. The list is kept. */
         public function setTriangle(corners:Vector.<Number>):void
         {
             _corners = corners;
             _isPlaneSet = false;
         }
 
+        /** Whether the shape touches the triangle. */
+        public function areTouching():Boolean
+        {
+            return _kernel.areTouching(_corners, 0);
+        }
+
         /**
-         * Whether the shape is known to be apart from the triangle until the motion's latest time. A quick test, by the triangle's plane.
+         * Finds when the shape first touches the triangle while it moves.
+         *
+         * @param motion of the shape; its start must be 0. Receives the time, or RelativeMotion.NEVER
+         */
+        public function findTime(motion:RelativeMotion):void
+        {
+            _kernel.findTime(_corners, 0, motion);
+        }
+
+        /**
+         * Finds the contact that leads the shape, which touches the triangle, out of the solid. It is the shortest way away from the triangle. If that
+         * leads into the solid, it is the way out in front of the triangle's plane.
+         *
+         * @param motion of the shape; the shape is where it is at the motion's time
+         * @param out receives the contact
+         */
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            _kernel.findContact(_corners, 0, motion, out);
+            leadOutside(motion, out);
+        }
+
+        /**
+         * Finds the shortest way of the standing shape away from the triangle, into the solid or out of it, if the two touch.
+         *
+         * @param out receives the contact
+         * @return whether they touch
+         */
+        public function findOverlap(out:ContactPoint):Boolean
+        {
+            if (!_kernel.areTouching(_corners, 0))
+            {
+                return false;
+            }
+            _kernel.findContact(_corners, 0, RelativeMotion.NONE, out);
+            return true;
+        }
+
+        /**
+         * Finds the closest points of the shape and the triangle, if they are closer than those found before.
+         *
+         * @param out the points found before; overwritten if these are closer
+         * @return whether these are closer
+         */
+        public function findCloser(out:ClosestPoints):Boolean
+        {
+            return _kernel.findCloser(_corners, 0, out);
+        }
+
+        /**
+         * Whether the shape is known to be apart from the triangle until the motion's latest time. A quick test, by the triangle's plane. Make it before
+         * the others; they do not, because V8 would then make objects for its Numbers.
          *
          * @param motion of the shape; its start must be 0
          */
@@ -57,10 +118,10 @@ package starlogo.ground
         }
 
         /**
-         * Replaces a contact with the triangle if its normal points into the solid. The new contact leads out of the triangle's plane.
+         * Replaces the shortest way away from the triangle if it leads into the solid. The new contact leads out in front of the triangle's plane.
          *
-         * @param motion the motion of <code>TriangleKernel.findContact()</code>
-         * @param contact the contact that it found
+         * @param motion of the shape; the shape is where it is at the motion's time
+         * @param contact the shortest way then
          */
         public function leadOutside(motion:RelativeMotion, contact:ContactPoint):void
         {
@@ -78,11 +139,12 @@ package starlogo.ground
         }
 
         /**
-         * Finds how far the shape is behind the triangle's plane.
+         * Finds the contact that leads the shape out in front of the triangle's plane. What is behind the plane of a surface's triangle need not touch the
+         * triangle.
          *
          * @param motion of the shape; the shape is where it is at the motion's time
-         * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point. If the triangle is flat,
-         *     the normal is 0, and all else is NaN
+         * @param out receives the depth behind the plane, the triangle's normal, and the middle of the way from the shape's deepest point to the plane.
+         *     The depth is negative if the shape is in front of the plane. If the triangle is flat, the normal is 0, and all else is NaN
          */
         public function findBehind(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -99,8 +161,8 @@ package starlogo.ground
             out.z = deepest.z + out.depth / 2 * out.normalZ;
         }
 
-        /** Whether the point of a contact of <code>findBehind()</code> is over the triangle or behind it. False if the triangle is flat. */
-        public function isOverTriangle(contact:ContactPoint):Boolean
+        /** Whether the way out of a contact of <code>findBehind()</code> passes through the triangle, seen along its normal. False if the triangle is flat. */
+        public function isThroughTriangle(contact:ContactPoint):Boolean
         {
             var p:Vector.<Number> = _corners;
             var from:int = 6;
@@ -122,7 +184,7 @@ package starlogo.ground
         }
 
         /**
-         * Whether another triangle is behind the triangle's plane.
+         * Whether another triangle is wholly behind the triangle's plane.
          *
          * @param corners has nine numbers of the other triangle
          * @param slack how far it may be in front of the plane

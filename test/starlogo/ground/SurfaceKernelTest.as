@@ -12,7 +12,7 @@ package starlogo.ground
     import support.Complaints;
 
     /** Which shapes are behind a triangle, and the contacts that lead out in front of it. */
-    public class TriangleSideTest
+    public class SurfaceKernelTest
     {
         private var _random:SeededRandom = new SeededRandom(3807);
         private var _structures:RandomStructures = new RandomStructures(_random);
@@ -22,7 +22,7 @@ package starlogo.ground
         public function nothingIsBehindATriangleWithoutArea():void
         {
             var kernel:TriangleKernel = new TriangleKernel();
-            var side:TriangleSide = new TriangleSide(kernel.shape);
+            var surface:SurfaceKernel = new SurfaceKernel(kernel);
             var out:ContactPoint = new ContactPoint();
             for (var i:int = 0; i < 300; i++)
             {
@@ -35,9 +35,9 @@ package starlogo.ground
                     corners[3 + k] = _random.between(-5, 5);
                     corners[6 + k] = corners[k] + share * (corners[3 + k] - corners[k]);
                 }
-                side.setTriangle(corners);
-                side.findBehind(new RelativeMotion(0), out);
-                _wrong.addIf(out.depth >= 0 || side.isOverTriangle(out), "behind", "triangle " + corners);
+                surface.setTriangle(corners);
+                surface.findBehind(new RelativeMotion(0), out);
+                _wrong.addIf(out.depth >= 0 || surface.isThroughTriangle(out), "behind", "triangle " + corners);
             }
             _wrong.assertNone();
         }
@@ -47,10 +47,10 @@ package starlogo.ground
         public function whatIsInTheGroundAtFirstIsLedOutside():void
         {
             var kernel:TriangleKernel = new TriangleKernel();
-            var side:TriangleSide = new TriangleSide(kernel.shape);
+            var surface:SurfaceKernel = new SurfaceKernel(kernel);
             var corners:Vector.<Number> = new <Number>[-10, -10, 0, 10, -10, 0, 0, 10, 0];
             kernel.setStructure(new Sphere(new Vector3D(0, 0, -0.5), 1), new Placement());
-            side.setTriangle(corners);
+            surface.setTriangle(corners);
             for (var up:int = -1; up <= 1; up++)
             {
                 var motion:RelativeMotion = new RelativeMotion(0);
@@ -58,7 +58,7 @@ package starlogo.ground
                 var out:ContactPoint = new ContactPoint();
                 kernel.findContact(corners, 0, motion, out);
                 assertEquals(-1, out.normalZ);
-                side.leadOutside(motion, out);
+                surface.leadOutside(motion, out);
                 assertEquals("moves by " + up, "1,1.5", [out.normalZ, out.depth].join());
             }
         }

@@ -1,0 +1,213 @@
+package starlogo.ground
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.intersection.TriangleKernel;
+    import starlogo.solid.ModelTree;
+
+    use namespace engine;
+
+    /**
+     * Goes through the convex pieces of a placed model, one after the other. A structure is one piece. The pieces of a tree are its nodes at the depth
+     * limit, or its triangles.
+     *
+     * <p>Before the pieces of a tree come the nodes above them. Only after <code>divide()</code> does <code>next()</code> go on to what is below such
+     * a node.</p>
+     */
+    internal final class ModelPieces
+    {
+        // In the list of nodes: the structure around the whole model.
+        private static const WHOLE:int = -1;
+
+        /** Its shape is the current piece, relative to the origin. */
+        public var kernel:TriangleKernel = new TriangleKernel();
+
+        /** The margin of the current piece, with the margins of the model's place and surface. Read only. */
+        public var margin:Number = 0;
+
+        /** The box around the current piece or node; around the node of a piece that is a triangle. Relative to the origin. Read only. */
+        public var box:GroundBox = new GroundBox();
+
+        /** The kernel's shape if the box is around it, null otherwise. Read only. */
+        public var shapeInBox:ConvexShape = null;
+
+        /** Whether a node above the pieces is current. Then the kernel has another shape. Read only. */
+        public var isAbovePieces:Boolean = false;
+
+        /** A point of the current piece or node. Read only. */
+        public var point:Vector3D = new Vector3D();
+
+        private var _tree:ModelTree;
+        private var _structure:BoundingStructure;
+        private var _depth:int;
+        private var _isExact:Boolean;
+
+        // The model's placement, relative to the origin, and the margin for its place and surface.
+        private var _placement:Placement = new Placement();
+        private var _margin:Number = 0;
+
+        // What comes next: a range of the tree's triangles, then nodes from the last one on.
+        private var _first:int = 0;
+        private var _end:int = 0;
+        private var _nodes:Vector.<int> = new Vector.<int>();
+        private var _nodeCount:int = 0;
+
+        // The current node, if it is above the pieces.
+        private var _node:int = 0;
+
+        private var _nodeBox:Box = BoxTree.newBox();
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        /** Sets the model, as <code>GroundModelQuery.setTo()</code> takes it. The origin is the place of the placement. */
+        public function setTo(tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        {
+            _tree = tree;
+            _structure = structure;
+            _isExact = isTree && exact && tree.hasTriangles;
+            _depth = _isExact ? BoxTree.EXACT : depth;
+            // Touching.marginOfPlace(), twice: as if another agent stood at the place of the touch. It is written out because V8 makes objects for
+            // Numbers that are passed.
+            _margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
+            if (_isExact)
+            {
+                _margin += Touching.marginOfSurface(tree.boxTree.radius * placement.size);
+            }
+            _placement.copyFrom(placement);
+            moveTo(RelativeMotion.NONE, 0);
+        }
+
+        /** Whether the model is a tree; otherwise it is a structure. */
+        public function get isTree():Boolean
+        {
+            return _tree != null;
+        }
+
+        /** Moves the model to where a motion has brought it at a time. */
+        public function moveTo(motion:RelativeMotion, time:Number):void
+        {
+            _placement.x = motion.startX + time * motion.x;
+            _placement.y = motion.startY + time * motion.y;
+            _placement.z = motion.startZ + time * motion.z;
+        }
+
+        /**
+         * Begins. Then <code>next()</code> goes on to the first piece or node.
+         *
+         * @param asWhole whether the structure around the whole model is the only piece
+         */
+        public function begin(asWhole:Boolean):void
+        {
+            _first = _end = 0;
+            _nodes[0] = isTree && !asWhole ? 0 : WHOLE;
+            _nodeCount = 1;
+        }
+
+        /** Goes on to the next piece, or to the next node above the pieces. Returns false if there is none. */
+        public function next():Boolean
+        {
+            while (_first == _end)
+            {
+                if (_nodeCount == 0)
+                {
+                    return false;
+                }
+                _nodeCount--;
+                if (enter(_nodes[_nodeCount]))
+                {
+                    return true;
+                }
+            }
+            kernel.setShapeToTriangle(_tree.mesh.corners, 9 * _first, _placement);
+            _first++;
+            isAbovePieces = false;
+            shapeInBox = null;
+            takeShape();
+            return true;
+        }
+
+        /** Goes on below the current node, which is above the pieces. */
+        public function divide():void
+        {
+            var left:int = _tree.boxTree.left[_node];
+            _nodes[_nodeCount++] = left + 1;
+            _nodes[_nodeCount++] = left;
+        }
+
+        /** Puts the box around the whole model, until the next piece. Returns the box. */
+        public function wholeBox():GroundBox
+        {
+            fitBoxTo(_structure);
+            return box;
+        }
+
+        // Makes a node current. Returns false if its triangles come next instead.
+        private function enter(node:int):Boolean
+        {
+            if (node == WHOLE)
+            {
+                takeStructure(_structure);
+                return true;
+            }
+            var tree:BoxTree = _tree.boxTree;
+            tree.writeBox(node, _nodeBox);
+            isAbovePieces = tree.endsUpToDepth[node] < _depth;
+            if (!isAbovePieces && !_isExact)
+            {
+                takeStructure(_nodeBox);
+                return true;
+            }
+            fitBoxTo(_nodeBox);
+            shapeInBox = null;
+            point.x = box.x;
+            point.y = box.y;
+            point.z = box.z;
+            _node = node;
+            if (!isAbovePieces)
+            {
+                _first = tree.first[node];
+                _end = tree.end[node];
+            }
+            return isAbovePieces;
+        }
+
+        // Makes a structure of the model the piece.
+        private function takeStructure(structure:BoundingStructure):void
+        {
+            kernel.setStructure(structure, _placement);
+            fitBoxTo(structure);
+            isAbovePieces = false;
+            shapeInBox = kernel.shape;
+            takeShape();
+        }
+
+        // Makes the kernel's new shape the piece.
+        private function takeShape():void
+        {
+            var shape:ConvexShape = kernel.shape;
+            margin = shape.margin + _margin;
+            point.x = shape.x;
+            point.y = shape.y;
+            point.z = shape.z;
+        }
+
+        // Puts the box around a structure of the model.
+        private function fitBoxTo(structure:BoundingStructure):void
+        {
+            structure.rotatedBoxInto(_placement, _extents);
+            box.x = _extents[0] + _placement.x;
+            box.y = _extents[1] + _placement.y;
+            box.z = _extents[2] + _placement.z;
+            box.halfX = _extents[3] + _margin;
+            box.halfY = _extents[4] + _margin;
+            box.halfZ = _extents[5] + _margin;
+        }
+    }
+}

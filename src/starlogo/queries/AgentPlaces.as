@@ -174,12 +174,13 @@ package starlogo.queries
         private function findNearPoint(point:Vector3D, radius:Number, wanted:int, filter:AgentFilter):Collector
         {
             requirePoint(point);
-            return find(null, point.x, point.y, point.z, radius, wanted, filter, 360);
+            return find(null, point.x, point.y, point.z, radius, wanted, filter);
         }
 
         // Finds the agents near a place, without the one that asks, which may be null. From 360 degrees on there is no cone in front of it. Returns what
         // has the answer.
-        private function find(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter, degrees:Number):Collector
+        private function find(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter,
+                degrees:Number = 360):Collector
         {
             requireNotNegative("radius", radius);
             _found.begin(wanted, radius * radius, asker, filter);

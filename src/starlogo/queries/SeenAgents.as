@@ -38,9 +38,11 @@ package starlogo.queries
      */
     public final class SeenAgents
     {
-        // The agents as rows, and the tests of the collision system, which has their settings.
-        private var _table:AgentTable;
-        private var _narrowPhase:NarrowPhase;
+        /** @private The agents as rows. Questions only read them. */
+        engine var table:AgentTable;
+
+        /** @private Tests which rows touch. It belongs to the collision system and has its settings. Questions do not set it. */
+        engine var narrowPhase:NarrowPhase;
 
         private var _source:QuerySource;
 
@@ -57,8 +59,8 @@ package starlogo.queries
         // The body of an agent that has changed since the last update.
         private var _made:Body = new Body();
 
-        // The number of questions under way that are calling a filter's accepts.
-        private var _locks:int = 0;
+        /** @private The number of questions under way that are calling a filter's <code>accepts</code>. Meanwhile the agents must not change. */
+        engine var locks:int = 0;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -73,8 +75,8 @@ package starlogo.queries
             {
                 throw QuerySource.errorAbout(collisionOrShapes);
             }
-            _narrowPhase = _source.findNarrowPhase();
-            _table = newTable(_narrowPhase);
+            narrowPhase = _source.findNarrowPhase();
+            table = new AgentTable(narrowPhase.choice, null);
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
@@ -101,13 +103,13 @@ package starlogo.queries
             requireGiven("agents", agents);
             requireUnlocked("update");
             var found:NarrowPhase = _source.findNarrowPhase();
-            var next:AgentTable = found === _narrowPhase ? _table : newTable(found);
+            var next:AgentTable = found === narrowPhase ? table : new AgentTable(found.choice, null);
             next.read(agents);
             next.readWorld(terrain == null ? null : terrain.worldAgent, null);
-            _table = next;
-            if (found !== _narrowPhase)
+            table = next;
+            if (found !== narrowPhase)
             {
-                _narrowPhase = found;
+                narrowPhase = found;
                 for (var i:int = 0; i < _needs.length; i++)
                 {
                     _needs[i](found);
@@ -133,21 +135,9 @@ package starlogo.queries
             {
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
-            _table.readRow(row);
+            table.readRow(row);
             _places.move(row);
             _extents.move(row);
-        }
-
-        /** @private The agents as rows. Questions only read them. */
-        engine function get table():AgentTable
-        {
-            return _table;
-        }
-
-        /** @private Tests which rows touch. It belongs to the collision system and has its settings. */
-        engine function get narrowPhase():NarrowPhase
-        {
-            return _narrowPhase;
         }
 
         /**
@@ -158,25 +148,13 @@ package starlogo.queries
         engine function needTests(addTo:Function):void
         {
             _needs.push(addTo);
-            addTo(_narrowPhase);
-        }
-
-        /** @private While a filter's <code>accepts</code> is called, the agents must not change. */
-        engine function lock():void
-        {
-            _locks++;
-        }
-
-        /** @private Call this once for each <code>lock()</code>. */
-        engine function unlock():void
-        {
-            _locks--;
+            addTo(narrowPhase);
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
         engine function requireMovable(agent:Agent, what:String):void
         {
-            if (agent != null && _table.list.rowOf(agent) >= 0)
+            if (agent != null && table.list.rowOf(agent) >= 0)
             {
                 requireUnlocked(what);
             }
@@ -186,7 +164,7 @@ package starlogo.queries
         engine function rowOf(agent:Agent):int
         {
             requireAgent(agent);
-            return _table.list.rowOf(agent);
+            return table.list.rowOf(agent);
         }
 
         /** @private Throws an ArgumentError if an agent is null, or has no place because it is the ground's or the edges'. */
@@ -215,7 +193,7 @@ package starlogo.queries
         engine function bodyOf(agent:Agent, made:Body = null):Body
         {
             requireAgent(agent);
-            return _table.currentBodyOf(agent, made || _made);
+            return table.currentBodyOf(agent, made || _made);
         }
 
         /**
@@ -241,7 +219,7 @@ package starlogo.queries
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */
         engine function treeOfPlaces():RowTree
         {
-            return build(_places, _table.places.last);
+            return build(_places, table.places.last);
         }
 
         /**
@@ -250,8 +228,8 @@ package starlogo.queries
          */
         engine function treeOfExtents():RowTree
         {
-            _table.refreshWorld();
-            return build(_extents, _table.extents);
+            table.refreshWorld();
+            return build(_extents, table.extents);
         }
 
         private function build(tree:RowTree, points:Points):RowTree
@@ -263,15 +241,15 @@ package starlogo.queries
             }
             if (tree.isStale)
             {
-                tree.build(_table.list.rows.numbers, _table.list.rows.count, points);
+                tree.build(table.list.rows.numbers, table.list.rows.count, points);
             }
-            tree.learnBreeds(_table.list.agents);
+            tree.learnBreeds(table.list.agents);
             return tree;
         }
 
         private function requireUnlocked(what:String):void
         {
-            if (_locks > 0)
+            if (locks > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
             }
@@ -283,11 +261,6 @@ package starlogo.queries
             {
                 throw new ArgumentError("an agent is needed, not null");
             }
-        }
-
-        private static function newTable(found:NarrowPhase):AgentTable
-        {
-            return new AgentTable(found.choice, null);
         }
     }
 }

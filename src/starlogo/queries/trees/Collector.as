@@ -33,6 +33,9 @@ package starlogo.queries.trees
         /** The number of rows that are wanted, or ALL. */
         public var wanted:int = ALL;
 
+        /** Whether a filter's <code>accepts</code> is being called. Then this must not begin another search. Read only. */
+        public var isAsking:Boolean = false;
+
         private var _seen:SeenAgents;
 
         // The rows that were found, unsorted, and their keys. If accepts decides, the rows that it has admitted come first.
@@ -43,8 +46,6 @@ package starlogo.queries.trees
 
         // The number of rows that accepts has admitted, in order.
         private var _admitted:int = 0;
-
-        private var _isAsking:Boolean = false;
 
         /** @param seen the agents that questions are about */
         public function Collector(seen:SeenAgents)
@@ -70,12 +71,6 @@ package starlogo.queries.trees
             _rows.count = _admitted = 0;
         }
 
-        /** Whether a filter's <code>accepts</code> is being called. Then this must not begin another search. */
-        public function get isAsking():Boolean
-        {
-            return _isAsking;
-        }
-
         /** Whether the search can end, because one row is wanted, which may be any, and is found. */
         public function get canEnd():Boolean
         {
@@ -96,8 +91,7 @@ package starlogo.queries.trees
         /** The next row of a search that counts and has a shape, or -1. Without a ground, the ground's row has none. */
         public function nextOf(search:SweptBoxSearch):int
         {
-            var row:int = search.next(filter.breeds, limit);
-            while (row >= 0)
+            for (var row:int = search.next(filter.breeds, limit); row >= 0; row = search.next(filter.breeds, limit))
             {
                 if (row != filter.askerRow && _seen.table.shapes[row] != null)
                 {
@@ -105,9 +99,8 @@ package starlogo.queries.trees
                     {
                         return row;
                     }
-                    search.tree.passOver(1);
+                    search.tree.passedOver++;
                 }
-                row = search.next(filter.breeds, limit);
             }
             return -1;
         }
@@ -167,8 +160,8 @@ package starlogo.queries.trees
         private function admitTo(end:int):void
         {
             var decide:Function = filter.accepts;
-            _seen.lock();
-            _isAsking = true;
+            _seen.locks++;
+            isAsking = true;
             try
             {
                 for (var i:int = _admitted; i < end && _admitted < wanted; i++)
@@ -182,8 +175,8 @@ package starlogo.queries.trees
             }
             finally
             {
-                _isAsking = false;
-                _seen.unlock();
+                isAsking = false;
+                _seen.locks--;
             }
         }
 

@@ -39,9 +39,6 @@ package starlogo.queries.trees
         public function find(tree:RowTree, x:Number, y:Number, z:Number, found:Collector, cone:Cone = null):void
         {
             setTo(tree, x, y, z, found);
-            var nodes:Vector.<int> = _nodes;
-            var squares:Vector.<Number> = _squares;
-            var firstLeaf:int = tree.firstLeaf;
             var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
             var asker:int = found.filter.askerRow;
             var waiting:int = asker < 0 ? enqueue(RowTree.ROOT, 0) : beginBeside(tree.leafOf(asker));
@@ -56,18 +53,18 @@ package starlogo.queries.trees
                         return;
                     }
                 }
-                var node:int = nodes[waiting];
-                if (squares[waiting] > found.limit)
+                var node:int = _nodes[waiting];
+                if (_squares[waiting] > found.limit)
                 {
                     continue;
                 }
-                if (node < firstLeaf)
+                if (node < tree.firstLeaf)
                 {
                     waiting = enqueueBoth(node << 1, waiting);
                 }
                 else
                 {
-                    visit(node - firstLeaf, cone, true);
+                    visit(node, cone, true);
                 }
             }
         }
@@ -102,7 +99,7 @@ package starlogo.queries.trees
                 }
                 else
                 {
-                    counted += visit(node - tree.firstLeaf, null, asks);
+                    counted += visit(node, null, asks);
                 }
             }
             return asks ? found.end() : counted;
@@ -176,16 +173,13 @@ package starlogo.queries.trees
         {
             var second:int = enqueue(node, first);
             var waiting:int = enqueue(node + 1, second);
-            if (waiting == first + 2)
+            if (waiting == first + 2 && _squares[first] < _squares[second])
             {
                 var square:Number = _squares[first];
-                if (square < _squares[second])
-                {
-                    _squares[first] = _squares[second];
-                    _squares[second] = square;
-                    _nodes[first] = node + 1;
-                    _nodes[second] = node;
-                }
+                _squares[first] = _squares[second];
+                _squares[second] = square;
+                _nodes[first] = node + 1;
+                _nodes[second] = node;
             }
             return waiting;
         }
@@ -256,7 +250,7 @@ package starlogo.queries.trees
                     limit = found.limit;
                 }
             }
-            _tree.passOver(passedOver);
+            _tree.passedOver += passedOver;
             return counted;
         }
     }

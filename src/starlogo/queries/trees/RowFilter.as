@@ -63,17 +63,22 @@ package starlogo.queries.trees
             }
             filter.checkNames(_seen.table.list.agents);
             accepts = filter.accepts;
-            _question = _question == int.MAX_VALUE ? forget() : _question + 1;
+            if (_question == int.MAX_VALUE)
+            {
+                _exceptMarks.length = _breedMarks.length = _question = 0;
+            }
+            _question++;
             excludes = filter.breeds != null || filter.exceptBreeds != null;
             if (filter.breeds != null)
             {
                 breeds = setOf(filter.breeds);
             }
-            else if (filter.exceptBreeds != null)
+            else if (filter.exceptBreeds != null && Breeds.NAMES.count <= RowTree.BREED_BITS)
             {
-                breeds = Breeds.NAMES.count <= RowTree.BREED_BITS ? ~setOf(filter.exceptBreeds) : RowTree.ALL_BREEDS;
+                // each breed has a bit of its own
+                breeds = ~setOf(filter.exceptBreeds);
             }
-            except(filter.except);
+            markExcepted(filter.except);
         }
 
         // The set of some breeds. A name may be null. No agent has an unknown breed.
@@ -115,7 +120,7 @@ package starlogo.queries.trees
         }
 
         // Marks the rows of agents that do not count.
-        private function except(agents:Vector.<Agent>):void
+        private function markExcepted(agents:Vector.<Agent>):void
         {
             if (_exceptMarks.length < _seen.table.list.agents.length)
             {
@@ -130,13 +135,6 @@ package starlogo.queries.trees
                     _exceptMarks[row] = _question;
                 }
             }
-        }
-
-        // Forgets all marks. Returns the number of the first question.
-        private function forget():int
-        {
-            _exceptMarks.length = _breedMarks.length = 0;
-            return 1;
         }
     }
 }

@@ -60,8 +60,8 @@ package starlogo.queries.trees
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        // How many rows that do not count searches have tested since the nodes learned their breeds. A test reads it.
-        engine var passedOver:int = 0;
+        /** How many rows that do not count searches have tested since the nodes learned their breeds. The searches count them. */
+        public var passedOver:int = 0;
 
         // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
         private var _breedSets:Vector.<int> = new Vector.<int>();
@@ -127,12 +127,6 @@ package starlogo.queries.trees
             return 1 << breed % BREED_BITS;
         }
 
-        /** Counts rows that a filter does not let through, by their breeds or otherwise. */
-        public function passOver(rows:int):void
-        {
-            passedOver += rows;
-        }
-
         /** Lets the nodes learn their breeds, if searches have passed over so many rows that this takes no longer. */
         public function learnBreeds(agents:Vector.<Agent>):void
         {
@@ -144,7 +138,7 @@ package starlogo.queries.trees
             _breedsAsOf = Breeds.changes;
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
-                _breedSets[node] = node < firstLeaf ? _breedSets[int(2 * node)] | _breedSets[int(2 * node + 1)] : breedsIn(node - firstLeaf, agents);
+                _breedSets[node] = node < firstLeaf ? _breedSets[int(2 * node)] | _breedSets[int(2 * node + 1)] : breedsIn(node, agents);
             }
         }
 
@@ -165,10 +159,10 @@ package starlogo.queries.trees
             return breeds == ALL_BREEDS || _breedsAsOf != Breeds.changes || (_breedSets[node] & breeds) != 0;
         }
 
-        /** The slot where the rows of a leaf begin. Leaves count from 0 on here. The last one's rows end where those of the next one would begin. */
+        /** The slot where the rows of a leaf begin. Those of the leaf before it, or of the last leaf of all, end there. */
         public function startOf(leaf:int):int
         {
-            return int(leaf * count / firstLeaf);
+            return int((leaf - firstLeaf) * count / firstLeaf);
         }
 
         /** The node number of the leaf that has a row. */
@@ -186,8 +180,8 @@ package starlogo.queries.trees
                 node = node << 1;
                 last = (last << 1) + 1;
             }
-            var start:int = startOf(node - firstLeaf);
-            var end:int = startOf(last + 1 - firstLeaf);
+            var start:int = startOf(node);
+            var end:int = startOf(last + 1);
             return except >= 0 && _slots[except] >= start && _slots[except] < end ? end - start - 1 : end - start;
         }
 
@@ -272,11 +266,11 @@ package starlogo.queries.trees
                 }
                 else if (_sizes == null)
                 {
-                    boundMiddles(box, startOf(node - firstLeaf), startOf(node - firstLeaf + 1));
+                    boundMiddles(box, startOf(node), startOf(node + 1));
                 }
                 else
                 {
-                    boundRows(box, startOf(node - firstLeaf), startOf(node - firstLeaf + 1));
+                    boundRows(box, startOf(node), startOf(node + 1));
                 }
             }
         }

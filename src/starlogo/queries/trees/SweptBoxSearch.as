@@ -176,11 +176,10 @@ package starlogo.queries.trees
             {
                 return;
             }
-            var leaf:int = node - tree.firstLeaf;
-            if (leaf >= 0)
+            if (node >= tree.firstLeaf)
             {
                 _next = 0;
-                _end = findOverlapping(tree.rowBoxes, tree.startOf(leaf), tree.startOf(leaf + 1), _slots, 0);
+                _end = findOverlapping(tree.rowBoxes, tree.startOf(node), tree.startOf(node + 1), _slots, 0);
                 return;
             }
             var first:int = _waiting;

@@ -217,27 +217,25 @@ package starlogo.queries
 
         private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):void
         {
-            var ray:Ray = _ray;
-            ray.aim(origin, direction);
+            _ray.aim(origin, direction);
             requireNotNegative("maxDistance", maxDistance);
-            ray.to = maxDistance;
+            _ray.to = maxDistance;
             _found.begin(wanted, maxDistance, null, filter);
             _hits.begin();
-            _search.begin(_seen.treeOfExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
-            _search.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
+            _search.begin(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z, 0, 0, 0);
+            _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
         }
 
         // Finds the rows that the ray meets, and keeps how it meets them.
         private function collect():void
         {
-            var ray:Ray = _ray;
             for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_rowRays.findHit(row, ray, _entry))
+                if (_rowRays.findHit(row, _ray, _entry))
                 {
                     _found.add(row, _entry.distance);
-                    _hits.addEntry(row, ray, _entry);
-                    ray.to = _found.limit;
+                    _hits.addEntry(row, _ray, _entry);
+                    _ray.to = _found.limit;
                 }
             }
         }

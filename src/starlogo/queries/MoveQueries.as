@@ -34,7 +34,6 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _touches:TouchSweep = new TouchSweep();
         private var _slider:Slider = new Slider();
-        private var _found:Collector;
         private var _hits:Hits;
 
         // The body of the question, where it begins, and its motion.
@@ -60,8 +59,8 @@ package starlogo.queries
         {
             _seen = seen;
             _body = new MovingBody(seen);
-            _found = new Collector(seen);
-            _hits = new Hits(seen, _found, ShapeHit);
+            // when the rows near the way are known, their collector is free for those that stop the body
+            _hits = new Hits(seen, _body.found, ShapeHit);
         }
 
         /** See AgentWalks.castShape. */
@@ -106,16 +105,13 @@ package starlogo.queries
         // These questions, or the nested ones while a filter's accepts is being called.
         private function get idle():MoveQueries
         {
-            return _body.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
+            return _body.found.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
         }
 
         private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _body.readAgent(agent);
-            setMotion(agent, dx, dy, dz);
-            _body.findRowsAlong(_motion, agent, filter);
-            collect(1, _end);
-            var isMet:Boolean = _hits.end() > 0;
+            var isMet:Boolean = findStops(agent, dx, dy, dz, filter, 1, _end) > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
@@ -140,30 +136,24 @@ package starlogo.queries
             _body.readAgent(agent);
             setMotion(agent, dx, dy, dz);
             _body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
-            _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
+            var fraction:Number = _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
             _slider.restoreClearance(_body, _slid.place);
             if (dx != 0 || dy != 0 || dz != 0)
             {
                 _seen.moveAgent(agent, _slid.place);
             }
-            return _slid.fraction;
+            return fraction;
         }
 
         private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            setMotion(asker, dx, dy, dz);
-            _body.findRowsAlong(_motion, asker, filter);
-            collect(1, null);
-            return _hits.end() == 0 ? null : write(0, hit || new ShapeHit());
+            return findStops(asker, dx, dy, dz, filter, 1, null) == 0 ? null : write(0, hit || new ShapeHit());
         }
 
         private function castAll(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            setMotion(asker, dx, dy, dz);
-            _body.findRowsAlong(_motion, asker, filter);
-            collect(Collector.ALL, null);
-            _hits.resize(hits, _hits.end());
+            _hits.resize(hits, findStops(asker, dx, dy, dz, filter, Collector.ALL, null));
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);
@@ -194,39 +184,43 @@ package starlogo.queries
             _from.setTo(at.x, at.y, at.z);
         }
 
-        // Finds the rows that stop the body, each as if the others were not there. If an end is given, it receives the place where the first of
-        // them stops it.
-        private function collect(wanted:int, end:Vector3D):void
+        // Finds the rows that stop the body on a straight way, each as if the others were not there. If an end is given, it receives the place where
+        // the first of them stops the body. Returns how many hits the answer has.
+        private function findStops(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, wanted:int, end:Vector3D):int
         {
+            setMotion(asker, dx, dy, dz);
+            _body.findRowsAlong(_motion, asker, filter);
             _lift.clear();
             // a floor may be many rows: what is lifted out of one of them does not run into the next
             if (collectLifted(wanted, end) && _touches.findLift(_body, _body.rows, _from, _motion, _lift))
             {
                 collectLifted(wanted, end);
             }
+            return _hits.end();
         }
 
         // Finds the rows that stop the body if it begins with the lift. Returns whether a common lift of all rows could change the answer.
         private function collectLifted(wanted:int, end:Vector3D):Boolean
         {
             var rows:IntList = _body.rows;
+            var found:Collector = _body.found;
             var mayLift:Boolean = false;
-            _found.begin(wanted, Infinity, null, null);
+            found.begin(wanted, Infinity, null, null);
             _hits.begin();
             if (end != null)
             {
-                _lift.findEnd(_from, _motion, 1, end);
+                _lift.findEnd(_from, _motion, 1, _body.core.slop, end);
             }
-            for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
+            for (var i:int = 0; i < rows.count && found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
                 _touches.findTouch(_body, row, _from, _motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0)
                 {
-                    var isFirst:Boolean = _result.fraction < _found.limit;
-                    _found.add(row, _result.fraction);
-                    _hits.add(row, _result.fraction, -1).copyFrom(_result.contact);
+                    var isFirst:Boolean = _result.fraction < found.limit;
+                    found.add(row, _result.fraction);
+                    _hits.add(row, _result.fraction).copyFrom(_result.contact);
                     if (end != null && isFirst)
                     {
                         _touches.goIntoTouch(_body, _result);
@@ -240,11 +234,16 @@ package starlogo.queries
         // Writes how the body touches a row of the answer.
         private function write(index:int, hit:ShapeHit):ShapeHit
         {
-            var body:Body = _seen.table.bodyOf(_hits.rowOf(index));
-            if (body.form == ModelShape.TREE)
+            var body:Body = _hits.bodyOf(index);
+            var contact:ContactPoint = _hits.contactOf(index);
+            if (body.form != ModelShape.TREE)
             {
-                var contact:ContactPoint = _hits.contactOf(index);
-                _hits.setTriangle(index, contact.triangle >= 0 ? contact.triangle : _seen.narrowPhase.treeTests.nearestTriangle(body, contact));
+                // it may be a triangle of what is cast
+                contact.triangle = -1;
+            }
+            else if (contact.triangle < 0)
+            {
+                contact.triangle = _seen.narrowPhase.treeTests.nearestTriangle(body, contact);
             }
             _hits.write(index, hit);
             hit.time = _hits.keyOf(index);

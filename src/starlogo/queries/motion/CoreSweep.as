@@ -32,7 +32,7 @@ package starlogo.queries.motion
          * Finds which obstacle of a body its core meets first. Of obstacles with the same <code>comparedTime</code>, the first one in their order counts.
          *
          * @param from where the motion begins
-         * @param out receives the answer, without the time of the touch
+         * @param out receives the answer
          * @param countsInside as in findStop
          * @return whether anything is met
          */
@@ -69,11 +69,7 @@ package starlogo.queries.motion
          */
         public function findFirstIfFree(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            if (body.core.isFlat || body.hasOneWayObstacle())
-            {
-                return false;
-            }
-            return !findFirst(body, from, motion, out, true) || out.time > 0;
+            return !body.core.isFlat && !body.hasOneWayObstacle() && (!findFirst(body, from, motion, out, true) || out.time > 0);
         }
 
         /** Finds what stops the core first, as <code>findFirst()</code> does. One-way rows that the body passes are no obstacles from then on. */
@@ -95,26 +91,26 @@ package starlogo.queries.motion
          * the contact. Only an inner face of a concave body is behind the core's, and touches later. There the body is swept too. Its time counts unless
          * it is farther from the expected time than the core's, because then the body touches elsewhere.
          *
-         * @param out what <code>findFirst()</code> has found; receives the time of the touch
+         * @param impact what <code>findFirst()</code> has found
          */
-        public function findTouchTime(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):void
+        public function findTouchTime(body:MovingBody, from:Vector3D, motion:Vector3D, impact:Impact):Number
         {
-            var contact:ContactPoint = out.contact;
+            var contact:ContactPoint = impact.contact;
             var source:Body = body.source;
             var shrink:Number = body.core.shrink;
-            var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + source.offsetX + out.time * motion.x - contact.x)
-                    + contact.normalY * (from.y + source.offsetY + out.time * motion.y - contact.y)
-                    + contact.normalZ * (from.z + source.offsetZ + out.time * motion.z - contact.z));
-            out.touchTime = Math.max(0, Math.min(1, out.time + recess / out.along));
-            if (recess < 0)
+            var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + source.offsetX + impact.time * motion.x - contact.x)
+                    + contact.normalY * (from.y + source.offsetY + impact.time * motion.y - contact.y)
+                    + contact.normalZ * (from.z + source.offsetZ + impact.time * motion.z - contact.z));
+            var expected:Number = Math.max(0, Math.min(1, impact.time + recess / impact.along));
+            if (!(recess < 0))
             {
-                var whole:Body = body.wholeAt(endOf(from, motion));
-                var other:Body = body.bodyOf(out.row);
-                _sweep.endAfter(motion.x, motion.y, motion.z);
-                body.pairTestsFor(whole, other).findImpact(whole, other, _sweep, null);
-                var isExpected:Boolean = Math.abs(_sweep.time - out.touchTime) <= out.touchTime - out.time;
-                out.touchTime = isExpected ? _sweep.time : out.time;
+                return expected;
             }
+            var whole:Body = body.wholeAt(endOf(from, motion));
+            var other:Body = body.bodyOf(impact.row);
+            _sweep.endAfter(motion.x, motion.y, motion.z);
+            body.pairTestsFor(whole, other).findImpact(whole, other, _sweep, null);
+            return Math.abs(_sweep.time - expected) <= expected - impact.time ? _sweep.time : impact.time;
         }
 
         /**
@@ -122,7 +118,7 @@ package starlogo.queries.motion
          * same time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on. A flat core may be past
          * a sheet there, so it is not swept again.
          *
-         * @param out receives the answer, without the time of the touch
+         * @param out receives the answer
          * @param countsInside whether the row stops the core at the beginning if it is inside of the row there, or has the row inside
          * @return whether the row stops it
          */
@@ -175,12 +171,9 @@ package starlogo.queries.motion
                 else
                 {
                     tests.findImpact(core, other, motion, out);
+                    // a sheet may be wholly under the ground at the beginning, and then it touches no surface
+                    isInside = motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND && tests.areTouching(body.core.at(from), other);
                 }
-            }
-            if (!countsInside && motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND)
-            {
-                // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-                isInside = tests.areTouching(body.core.at(from), other);
             }
             if (isInside)
             {

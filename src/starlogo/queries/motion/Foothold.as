@@ -47,16 +47,17 @@ package starlogo.queries.motion
         {
             if (contact.normalZ >= walk.cosine)
             {
-                walk.floorRow = row;
                 walk.floorNormal.setTo(contact.normalX, contact.normalY, contact.normalZ);
-                return true;
             }
-            if (isTooHigh(walk, contact, place) || !findFaceBehind(walk, contact, row, _entry))
+            else if (!isTooHigh(walk, contact, place) && findFaceBehind(walk, contact, row, _entry))
+            {
+                walk.floorNormal.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
+            }
+            else
             {
                 return false;
             }
             walk.floorRow = row;
-            walk.floorNormal.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
             return true;
         }
 

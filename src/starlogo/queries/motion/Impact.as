@@ -21,9 +21,6 @@ package starlogo.queries.motion
          */
         public var comparedTime:Number = Infinity;
 
-        /** When the whole body touches it; NaN until CoreSweep.findTouchTime finds it. */
-        public var touchTime:Number = NaN;
-
         /** The contact of the core at <code>time</code>. Its normal always points against the motion. */
         public var contact:ContactPoint = new ContactPoint();
 
@@ -39,7 +36,6 @@ package starlogo.queries.motion
             row = other.row;
             time = other.time;
             comparedTime = other.comparedTime;
-            touchTime = other.touchTime;
             contact.copyFrom(other.contact);
             along = other.along;
             isNormalFallback = other.isNormalFallback;

@@ -46,10 +46,12 @@ package starlogo.queries.motion
         /** Its core, and the tolerances of its present motion. Read only. */
         public var core:BodyCore;
 
+        /** Collects the rows near its way. While it calls a filter's <code>accepts</code>, this must not find rows. Read only. */
+        public var found:Collector;
+
         private var _seen:SeenAgents;
 
         // Finds the rows near its way.
-        private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
 
         // The body at the place of its last test.
@@ -59,7 +61,7 @@ package starlogo.queries.motion
         public function MovingBody(seen:SeenAgents)
         {
             _seen = seen;
-            _found = new Collector(seen);
+            found = new Collector(seen);
             core = new BodyCore(source);
         }
 
@@ -120,12 +122,6 @@ package starlogo.queries.motion
             return 2 * source.largestHalf;
         }
 
-        /** Whether a filter's <code>accepts</code> is being called. Then this must not find rows. */
-        public function get isAsking():Boolean
-        {
-            return _found.isAsking;
-        }
-
         /** Finds the rows near a straight motion. The asker is the agent that moves, or null. */
         public function findRowsAlong(motion:Vector3D, asker:Agent, filter:AgentFilter):void
         {
@@ -166,22 +162,16 @@ package starlogo.queries.motion
 
         private function collectRows(asker:Agent, filter:AgentFilter):void
         {
-            _found.begin(Collector.ALL, 1, asker, filter);
-            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
+            found.begin(Collector.ALL, 1, asker, filter);
+            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
             {
-                _found.add(row, 0);
+                found.add(row, 0);
             }
-            var count:int = _found.end();
+            var count:int = found.end();
             for (var i:int = 0; i < count; i++)
             {
-                rows.add(_found.rowAt(i));
+                rows.add(found.rowAt(i));
             }
-        }
-
-        /** Asks a filter about one row, as a search of its own. Returns whether the row counts. */
-        public function askFilter(row:int, asker:Agent, filter:AgentFilter):Boolean
-        {
-            return _found.askFilter(row, asker, filter);
         }
 
         /**

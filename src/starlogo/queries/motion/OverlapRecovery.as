@@ -27,17 +27,13 @@ package starlogo.queries.motion
         // If a body only touches a row, it is never this many slops deep in it.
         private static const SLOPS_OF_TOUCH:Number = 2;
 
-        // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core would meet it.
-        private static const SLOPS_TO_LEAVE:Number = 2;
-
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
         private var _overlap:RowOverlap = new RowOverlap();
 
-        // Where the pushes begin, and the contacts of those at the end of a motion, which nobody asks for.
+        // Where the pushes begin.
         private var _before:Vector3D = new Vector3D();
-        private var _off:StartLift = new StartLift();
 
         // The contact of this push and of the last one.
         private var _contact:ContactPoint = new ContactPoint();
@@ -60,8 +56,7 @@ package starlogo.queries.motion
             var place:Vector3D = lift.place;
             place.copyFrom(from);
             place.incrementBy(lift.displacement);
-            lift.mostDepth = SLOPS_TO_LEAVE * body.core.slop;
-            if (replaceDeep(body, place, planes, false) && !pushFree(body, place, true, lift))
+            if (replaceDeep(body, place, planes, false) && !pushFree(body, place, lift))
             {
                 place.copyFrom(from);
                 lift.clear();
@@ -84,8 +79,7 @@ package starlogo.queries.motion
          */
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
-            _off.clear();
-            pushFree(body, place, false, _off);
+            pushFree(body, place, null);
         }
 
         // Lets planes stand for obstacles that the core overlaps: for those whose overlap is deep, or for all. One-way obstacles that the body passes leave
@@ -122,16 +116,12 @@ package starlogo.queries.motion
         private function findDeep(body:MovingBody, row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
         {
             var isShallow:Boolean = _overlap.findContact(body, row, place, isOfAll, out);
-            if (isShallow && !isOfAll)
-            {
-                return false;
-            }
-            return !body.core.narrow(body, row, place) && _overlap.wholeOverlaps(body, row, place);
+            return (isOfAll || !isShallow) && !body.core.narrow(body, row, place) && _overlap.wholeOverlaps(body, row, place);
         }
 
-        // Pushes a body out of one obstacle after the other until it needs no push: out of those that its core overlaps, or off those that it touches. The
-        // last argument receives the contacts. Returns whether the body gets free. If not, it is where it was.
-        private function pushFree(body:MovingBody, place:Vector3D, isOfCore:Boolean, pushes:StartLift):Boolean
+        // Pushes a body out of one obstacle after the other until it needs no push: out of those that its core overlaps, with a lift, which receives the
+        // contacts; or if the lift is null, off those that it touches. Returns whether the body gets free. If not, it is where it was.
+        private function pushFree(body:MovingBody, place:Vector3D, lift:StartLift):Boolean
         {
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
@@ -141,7 +131,7 @@ package starlogo.queries.motion
                 for (var i:int = 0; i < body.obstacles.count; i++)
                 {
                     var row:int = body.obstacles.numbers[i];
-                    if (!(isOfCore ? findPushOut(body, row, place, round, _contact) : findPushOff(body, row, place, round, _contact)))
+                    if (!(lift != null ? findPushOut(body, row, place, round, _contact) : findPushOff(body, row, place, round, _contact)))
                     {
                         continue;
                     }
@@ -153,7 +143,10 @@ package starlogo.queries.motion
                     isFree = false;
                     _contact.push(place, _contact.depth);
                     _last.copyFrom(_contact);
-                    pushes.add(_contact);
+                    if (lift != null)
+                    {
+                        lift.add(_contact);
+                    }
                 }
                 if (isFree)
                 {

@@ -91,7 +91,8 @@ package starlogo.queries.motion
                 }
                 warnIfInside(body, row, _contact);
                 _contact.depth += body.core.clearance;
-                if (isExitShort(body, row, _contact))
+                // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
+                if (body.bodyOf(row).form != ModelShape.TREE || _contact.depth <= OverlapMiddle.halfAlong(body.source, _contact))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > out.depth)
@@ -103,13 +104,6 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Whether a contact leads out of a row by a short way. The shortest way out of a tree may lead through a wall of the tree if it is longer than the
-        // way to the middle of the body.
-        private static function isExitShort(body:MovingBody, row:int, contact:ContactPoint):Boolean
-        {
-            return body.bodyOf(row).form != ModelShape.TREE || contact.depth <= OverlapMiddle.halfAlong(body.source, contact);
-        }
-
         /**
          * Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
          * too if all of the body begins inside of another structure, with room to spare: inside of the structure around a level, for example.
@@ -119,11 +113,7 @@ package starlogo.queries.motion
             var form:int = body.bodyOf(row).form;
             var isTree:Boolean = form == ModelShape.TREE;
             var source:Body = body.source;
-            var allowed:Number = OverlapMiddle.halfAlong(source, contact);
-            if (!isTree)
-            {
-                allowed *= WITH_ROOM;
-            }
+            var allowed:Number = (isTree ? 1 : WITH_ROOM) * OverlapMiddle.halfAlong(source, contact);
             if (form != ModelShape.GROUND && contact.depth > allowed)
             {
                 var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;

@@ -137,10 +137,15 @@ package starlogo.queries.motion
             rows[at] = rows[count];
         }
 
-        /** The index of the plane that the motion crosses at the steepest angle; -1 if it crosses none. */
-        public function findCrossed():int
+        /**
+         * Finds the plane that the motion crosses at the steepest angle.
+         *
+         * @param out receives the contact, without a triangle, because the plane stands for all triangles of the row
+         * @return the row; -1 if the motion crosses no plane
+         */
+        public function findCrossed(out:ContactPoint):int
         {
-            var crossed:int = -1;
+            var row:int = -1;
             var least:Number = -PARALLEL_SINE * length;
             for (var i:int = 0; i < count; i++)
             {
@@ -148,10 +153,12 @@ package starlogo.queries.motion
                 if (along < least)
                 {
                     least = along;
-                    crossed = i;
+                    row = rows[i];
+                    out.copyFrom(contacts[i]);
+                    out.triangle = -1;
                 }
             }
-            return crossed;
+            return row;
         }
 
         /**
@@ -179,7 +186,7 @@ package starlogo.queries.motion
                 motion.incrementBy(_exit.displacement);
                 length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
             }
-            if (!isSteepEnough())
+            if (isTooLevel())
             {
                 stop();
                 return;
@@ -202,10 +209,10 @@ package starlogo.queries.motion
             return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ > SAME;
         }
 
-        // Whether a fall goes down steeply enough. Other motions always do.
-        private function isSteepEnough():Boolean
+        // Whether this is a fall that is not steep enough.
+        private function isTooLevel():Boolean
         {
-            return !(_fallSlope >= 0 && -motion.z < _fallSlope * Math.sqrt(motion.x * motion.x + motion.y * motion.y) * (1 - STEEPNESS_ROUNDING));
+            return _fallSlope >= 0 && -motion.z < _fallSlope * Math.sqrt(motion.x * motion.x + motion.y * motion.y) * (1 - STEEPNESS_ROUNDING);
         }
 
         // Shortens the motion to how far it may still go on the ground plane.

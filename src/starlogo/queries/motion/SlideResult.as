@@ -13,9 +13,6 @@ package starlogo.queries.motion
         /** The place of the body at the end. */
         public var place:Vector3D = new Vector3D();
 
-        /** How much of the motion it has made, from 0 to 1: of a slide, the length of its way; of a straight motion, the free part. */
-        public var fraction:Number = 1;
-
         /** Whether it began deep in a row. */
         public var isDeep:Boolean = false;
 

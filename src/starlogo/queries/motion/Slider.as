@@ -40,12 +40,13 @@ package starlogo.queries.motion
          * @param motion the whole motion
          * @param limits how it may go
          * @param out receives the answer
+         * @return the length of its way, as a part of the length of the motion, from 0 to 1
          */
-        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
+        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):Number
         {
             if (!begin(body, rows, from, motion, limits, out))
             {
-                return;
+                return 1;
             }
             var whole:Number = _rest.length;
             _rest.project();
@@ -71,7 +72,7 @@ package starlogo.queries.motion
             {
                 _rest.advance(out.place, 1);
             }
-            out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
+            return _rest.gone < whole ? _rest.gone / whole : 1;
         }
 
         /**
@@ -81,34 +82,31 @@ package starlogo.queries.motion
          * @param from where it begins
          * @param motion the whole motion
          * @param out receives the answer. Its floor is what stops the motion
+         * @return the free part of the motion, up to the touch, from 0 to 1
          */
-        public function goStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:SlideResult):void
+        public function goStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:SlideResult):Number
         {
             if (!begin(body, rows, from, motion, SlideLimits.NONE, out))
             {
-                return;
+                return 1;
             }
             if (leaveOverlaps(body, from, out))
             {
-                var crossed:int = _rest.findCrossed();
-                if (crossed >= 0)
+                out.floorRow = _rest.findCrossed(out.floor);
+                if (out.floorRow >= 0)
                 {
-                    out.fraction = 0;
-                    out.floor.copyFrom(_rest.contacts[crossed]);
-                    out.floorRow = _rest.rows[crossed];
-                    return;
+                    return 0;
                 }
                 findNext(body, out.place);
             }
             if (_impact.row < 0)
             {
                 _rest.advance(out.place, 1);
-                return;
+                return 1;
             }
             out.floor.copyFrom(_impact.contact);
             out.floorRow = _impact.row;
-            goToTouch(body, out.place);
-            out.fraction = _impact.touchTime;
+            return goToTouch(body, out.place);
         }
 
         /** Whether a row would stop a body on a straight motion. What the body overlaps at the beginning stops it too. */
@@ -132,7 +130,6 @@ package starlogo.queries.motion
         private function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):Boolean
         {
             out.place.copyFrom(from);
-            out.fraction = 1;
             out.isDeep = out.metWall = false;
             out.floor.setNormal(0, 0, -1);
             out.floorRow = -1;
@@ -174,14 +171,16 @@ package starlogo.queries.motion
         }
 
         // Moves the body to the clearance before the touch of what its core has met. If that is not in the present corner, another corner begins.
-        private function goToTouch(body:MovingBody, place:Vector3D):void
+        // Returns the time of the touch.
+        private function goToTouch(body:MovingBody, place:Vector3D):Number
         {
             if (!isSameCorner(body, _impact))
             {
                 _rest.beginCorner();
             }
-            _sweep.findTouchTime(body, place, _rest.motion, _impact);
-            _rest.advance(place, Math.max(_impact.touchTime + body.core.clearance / _impact.along, 0));
+            var touchTime:Number = _sweep.findTouchTime(body, place, _rest.motion, _impact);
+            _rest.advance(place, Math.max(touchTime + body.core.clearance / _impact.along, 0));
+            return touchTime;
         }
 
         // Keeps the most level surface that a slide has met.

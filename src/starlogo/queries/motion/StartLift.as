@@ -11,14 +11,14 @@ package starlogo.queries.motion
      */
     public final class StartLift
     {
+        // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core would meet it.
+        private static const SLOPS_TO_LEAVE:Number = 2;
+
         /** The displacement. */
         public var displacement:Vector3D = new Vector3D();
 
         /** Where the lifted body is. OverlapRecovery.leaveOverlaps() sets it. */
         public var place:Vector3D = new Vector3D();
-
-        /** If a motion leads this much deeper into what the body was lifted out of, in patches, the body has left the surface. */
-        public var mostDepth:Number = 0;
 
         /** The contacts, and their number. */
         public var contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
@@ -51,15 +51,17 @@ package starlogo.queries.motion
         /**
          * Finds where a part of a motion ends that begins before the lift, but no deeper in what the body was lifted out of. Without this, motions that
          * are shorter than the lift's clearance would lead deeper each time.
+         *
+         * @param slop the slop of the motion with the lift
          */
-        public function findEnd(from:Vector3D, motion:Vector3D, part:Number, out:Vector3D):void
+        public function findEnd(from:Vector3D, motion:Vector3D, part:Number, slop:Number, out:Vector3D):void
         {
             out.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
             for (var i:int = 0; i < count; i++)
             {
                 var contact:ContactPoint = contacts[i];
                 var deeper:Number = contact.normalX * (from.x - out.x) + contact.normalY * (from.y - out.y) + contact.normalZ * (from.z - out.z);
-                if (deeper > 0 && deeper < mostDepth)
+                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * slop)
                 {
                     contact.push(out, deeper);
                 }
@@ -71,7 +73,6 @@ package starlogo.queries.motion
         {
             clear();
             displacement.copyFrom(other.displacement);
-            mostDepth = other.mostDepth;
             for (var i:int = 0; i < other.count; i++)
             {
                 add(other.contacts[i]);

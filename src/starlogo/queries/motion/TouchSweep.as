@@ -58,8 +58,8 @@ package starlogo.queries.motion
             _rows.count = 0;
             _rows.add(row);
             _lift.copyFrom(lift);
-            findStop(body, from, motion, _lift, out);
-            _lift.findEnd(from, motion, out.fraction, out.place);
+            findStop(body, from, motion, out);
+            _lift.findEnd(from, motion, out.fraction, body.core.slop, out.place);
         }
 
         /**
@@ -90,7 +90,7 @@ package starlogo.queries.motion
 
         // Finds whether and how the row stops a motion that begins with a lift. The lift receives what else the body is lifted out of. The result receives all
         // but its place.
-        private function findStop(body:MovingBody, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
+        private function findStop(body:MovingBody, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
             out.row = -1;
             out.fraction = 1;
@@ -98,46 +98,42 @@ package starlogo.queries.motion
             out.isDeep = out.isLifted = false;
             if (!body.beginMotion(_rows, from, motion))
             {
-                lift.clear();
+                _lift.clear();
                 return;
             }
-            lift.place.copyFrom(from);
-            if (lift.isLifted || !_sweep.findFirstIfFree(body, from, motion, _impact))
+            _lift.place.copyFrom(from);
+            if (_lift.isLifted || !_sweep.findFirstIfFree(body, from, motion, _impact))
             {
                 _planes.begin(motion, SlideLimits.NONE);
-                _recovery.leaveOverlaps(body, from, _planes, lift);
+                _recovery.leaveOverlaps(body, from, _planes, _lift);
                 out.isDeep = _planes.count > 0;
-                out.isLifted = lift.isLifted;
-                var crossed:int = _planes.findCrossed();
-                if (crossed >= 0)
+                out.isLifted = _lift.isLifted;
+                out.row = _planes.findCrossed(out.contact);
+                if (out.row >= 0)
                 {
-                    out.contact.copyFrom(_planes.contacts[crossed]);
-                    // the plane stands for all triangles of the row
-                    out.contact.triangle = -1;
-                    out.row = _planes.rows[crossed];
                     out.fraction = 0;
                     return;
                 }
-                _sweep.findObstacle(body, lift.place, motion, _impact);
+                _sweep.findObstacle(body, _lift.place, motion, _impact);
             }
             if (_impact.row >= 0)
             {
-                takeImpact(body, from, motion, lift, _impact, out);
+                takeImpact(body, from, motion, out);
             }
         }
 
         // Finds where the body touches what its core, after the lift, has met.
-        private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, lift:StartLift, impact:Impact, out:MotionResult):void
+        private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            out.row = impact.row;
-            out.contact.copyFrom(impact.contact);
+            out.row = _impact.row;
+            out.contact.copyFrom(_impact.contact);
             out.contact.depth = 0;
-            _sweep.findTouchTime(body, lift.place, motion, impact);
-            out.corePlace.setTo(lift.place.x + impact.time * motion.x, lift.place.y + impact.time * motion.y, lift.place.z + impact.time * motion.z);
+            var touchTime:Number = _sweep.findTouchTime(body, _lift.place, motion, _impact);
+            out.corePlace.setTo(_lift.place.x + _impact.time * motion.x, _lift.place.y + _impact.time * motion.y, _lift.place.z + _impact.time * motion.z);
             // without the lift the body would have touched earlier
-            var time:Number = impact.touchTime + out.contact.along(lift.displacement) / impact.along;
+            var time:Number = touchTime + out.contact.along(_lift.displacement) / _impact.along;
             out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
-            if (-out.fraction * impact.along < body.core.slop && body.touches(out.row, from))
+            if (-out.fraction * _impact.along < body.core.slop && body.touches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
                 out.fraction = 0;

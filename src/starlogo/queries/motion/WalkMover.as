@@ -66,8 +66,8 @@ package starlogo.queries.motion
         public function carry(walk:Walk, platform:int):void
         {
             _others.copyFrom(walk.body.rows, platform);
-            _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _along);
-            if (_along.fraction < 1 && leadsIntoPlatform(walk, platform, _along.place))
+            var part:Number = _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _along);
+            if (part < 1 && leadsIntoPlatform(walk, platform, _along.place))
             {
                 _slider.goStraight(walk.body, _others, walk.place, walk.carry, _tried);
                 if (!leadsIntoPlatform(walk, platform, _tried.place))
@@ -107,7 +107,7 @@ package starlogo.queries.motion
                 {
                     walk.start.copyFrom(walk.place);
                     // beyond a gap there may be ground again
-                    stands ||= !beginsInAir && goDown(walk, walk.closeDepth, _upright);
+                    stands ||= !beginsInAir && goDown(walk, walk.closeDepth);
                 }
                 if (!stands)
                 {
@@ -125,7 +125,7 @@ package starlogo.queries.motion
                     if (!(_along.metWall && stepUp(walk, _along.place)))
                     {
                         walk.place.copyFrom(_along.place);
-                        stands = goDown(walk, walk.options.snap + walk.closeDepth, _upright);
+                        stands = goDown(walk, walk.options.snap + walk.closeDepth);
                     }
                 }
             }
@@ -142,7 +142,7 @@ package starlogo.queries.motion
         {
             walk.start.copyFrom(walk.place);
             walk.pushed = 0;
-            var stands:Boolean = goDown(walk, walk.closeDepth, _upright);
+            var stands:Boolean = goDown(walk, walk.closeDepth);
             if (!_upright.isDeep)
             {
                 return stands;
@@ -150,7 +150,7 @@ package starlogo.queries.motion
             walk.place.copyFrom(walk.start);
             walk.pushed = pushOut(walk);
             walk.start.copyFrom(walk.place);
-            return goDown(walk, walk.closeDepth, _upright);
+            return goDown(walk, walk.closeDepth);
         }
 
         // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. Returns how far the
@@ -185,7 +185,7 @@ package starlogo.queries.motion
         // Tries a piece again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
         private function stepUp(walk:Walk, plain:Vector3D):Boolean
         {
-            goUpright(walk, walk.start, walk.options.stepHeight, _upright);
+            goUpright(walk, walk.start, walk.options.stepHeight);
             var height:Number = _upright.place.z - walk.start.z;
             if (height <= walk.closeDepth)
             {
@@ -194,7 +194,7 @@ package starlogo.queries.motion
             slide(walk, _upright.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
             walk.place.copyFrom(_tried.place);
-            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, height + walk.options.snap + walk.closeDepth, _upright);
+            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, height + walk.options.snap + walk.closeDepth);
         }
 
         // Slides along the way of a piece, and up or down.
@@ -205,31 +205,30 @@ package starlogo.queries.motion
             _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
         }
 
-        // Goes straight up, or down if dz is less than 0, until something is in the way.
-        private function goUpright(walk:Walk, from:Vector3D, dz:Number, out:SlideResult):void
+        // Goes straight up, or down if dz is less than 0, until something is in the way. Returns the free part.
+        private function goUpright(walk:Walk, from:Vector3D, dz:Number):Number
         {
             _vector.setTo(0, 0, dz);
-            _slider.goStraight(walk.body, walk.body.rows, from, _vector, out);
+            return _slider.goStraight(walk.body, walk.body.rows, from, _vector, _upright);
         }
 
         // Slides down like a fall, as long as what it slides on is too steep to stand on.
-        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number, out:SlideResult):void
+        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number):void
         {
             _limits.setTo(SlideLimits.NO_WALLS, maxHorizontal, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
             _vector.setTo(0, 0, -depth);
-            _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
+            _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, _tried);
         }
 
-        // Goes down to the ground if it is no deeper than this depth, and not too steep. Otherwise the agent stays. The last argument receives how the
-        // motion down ends.
-        private function goDown(walk:Walk, depth:Number, out:SlideResult):Boolean
+        // Goes down to the ground if it is no deeper than this depth, and not too steep. Otherwise the agent stays.
+        private function goDown(walk:Walk, depth:Number):Boolean
         {
-            goUpright(walk, walk.place, -depth, out);
-            if (out.floorRow < 0 || !(_foothold.standOn(walk, out.floor, out.floorRow, out.place) || standOnOther(walk, out.place)))
+            goUpright(walk, walk.place, -depth);
+            if (_upright.floorRow < 0 || !(_foothold.standOn(walk, _upright.floor, _upright.floorRow, _upright.place) || standOnOther(walk, _upright.place)))
             {
                 return false;
             }
-            walk.place.copyFrom(out.place);
+            walk.place.copyFrom(_upright.place);
             return true;
         }
 
@@ -247,16 +246,15 @@ package starlogo.queries.motion
                 {
                     return false;
                 }
-                goUpright(walk, _fallen, -depth, _upright);
+                left -= goUpright(walk, _fallen, -depth) * depth;
                 isStopped = _upright.floorRow >= 0;
                 _fallen.copyFrom(_upright.place);
-                left -= _upright.fraction * depth;
             }
             if (!isStopped)
             {
                 // a fall can also end where the ground begins, without being stopped
                 walk.place.copyFrom(_fallen);
-                return goDown(walk, walk.closeDepth, _upright);
+                return goDown(walk, walk.closeDepth);
             }
             if (_foothold.standOn(walk, _upright.floor, _upright.floorRow, _fallen))
             {
@@ -264,18 +262,18 @@ package starlogo.queries.motion
                 return true;
             }
             var longest:Number = Math.min(walk.options.fall, walk.body.source.placement.size);
-            slideDown(walk, _fallen, Math.min(left, longest), longest / 2, _tried);
+            slideDown(walk, _fallen, Math.min(left, longest), longest / 2);
             if (!(walk.place.z - _tried.place.z < REST * walk.body.extent))
             {
                 walk.place.copyFrom(_tried.place);
             }
-            return goDown(walk, walk.closeDepth, _upright);
+            return goDown(walk, walk.closeDepth);
         }
 
         // Lets the agent stand on what else it touches at a place, besides something too steep.
         private function standOnOther(walk:Walk, place:Vector3D):Boolean
         {
-            slideDown(walk, place, walk.closeDepth, walk.body.extent, _tried);
+            slideDown(walk, place, walk.closeDepth, walk.body.extent);
             return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && _foothold.standOn(walk, _tried.floor, _tried.floorRow, place);
         }
     }

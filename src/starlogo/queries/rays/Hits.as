@@ -8,6 +8,7 @@ package starlogo.queries.rays
     import starlogo.queries.CastHit;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
+    import starlogo.search.Body;
 
     use namespace engine;
 
@@ -27,9 +28,8 @@ package starlogo.queries.rays
         // The hits: the row of each, with the distance or time as its key. The hits of a row stand side by side.
         private var _hits:SortableIntList = new SortableIntList();
 
-        // By hit: the rank of its row, its triangle or -1, and its contact.
+        // By hit: the rank of its row, and its contact.
         private var _ranks:Vector.<int> = new Vector.<int>();
-        private var _triangles:Vector.<int> = new Vector.<int>();
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
         // By row: its first hit.
@@ -62,10 +62,9 @@ package starlogo.queries.rays
          * Adds a hit of a row, after the row's other ones.
          *
          * @param key the distance or time
-         * @param triangle the number of the triangle that is met; -1 if no triangle decides
          * @return the contact. The caller writes to it
          */
-        public function add(row:int, key:Number, triangle:int):ContactPoint
+        public function add(row:int, key:Number):ContactPoint
         {
             var index:int = _hits.count;
             if (_firsts.length <= row)
@@ -82,18 +81,18 @@ package starlogo.queries.rays
             }
             _hits.add(row, key);
             _ranks[index] = _seen.table.list.ranks[row];
-            _triangles[index] = triangle;
             return _contacts[index];
         }
 
         /** Adds the hit where a ray enters a row, with the normal and the triangle there. */
         public function addEntry(row:int, ray:Ray, entry:RayEntry):void
         {
-            var contact:ContactPoint = add(row, entry.distance, entry.triangle);
+            var contact:ContactPoint = add(row, entry.distance);
             contact.x = ray.x + entry.distance * ray.directionX;
             contact.y = ray.y + entry.distance * ray.directionY;
             contact.z = ray.z + entry.distance * ray.directionZ;
             contact.setNormal(entry.normalX, entry.normalY, entry.normalZ);
+            contact.triangle = entry.triangle;
         }
 
         /** The distance or time of the first hit of a row that has one. */
@@ -123,8 +122,13 @@ package starlogo.queries.rays
             return _answer.count;
         }
 
-        /** The row of a hit of the answer. */
-        public function rowOf(index:int):int
+        /** The body of a hit of the answer. */
+        public function bodyOf(index:int):Body
+        {
+            return _seen.table.bodyOf(rowOf(index));
+        }
+
+        private function rowOf(index:int):int
         {
             return _hits.numbers[_answer.numbers[index]];
         }
@@ -141,12 +145,6 @@ package starlogo.queries.rays
             return _contacts[_answer.numbers[index]];
         }
 
-        /** Sets the number of the triangle of a hit of the answer. */
-        public function setTriangle(index:int, triangle:int):void
-        {
-            _triangles[_answer.numbers[index]] = triangle;
-        }
-
         /** Writes a hit of the answer, all but its distance or time. */
         public function write(index:int, hit:CastHit):void
         {
@@ -154,8 +152,8 @@ package starlogo.queries.rays
             hit.agent = _seen.table.list.agents[rowOf(index)];
             hit.point.setTo(from.x, from.y, from.z);
             hit.normal.setTo(from.normalX, from.normalY, from.normalZ);
-            hit.triangle = _triangles[_answer.numbers[index]];
-            _triangle.write(_seen.table.bodyOf(rowOf(index)), hit);
+            hit.triangle = from.triangle;
+            _triangle.write(bodyOf(index), hit);
         }
 
         /**
@@ -179,12 +177,7 @@ package starlogo.queries.rays
             {
                 if (i == hits.length || hits[i] == null)
                 {
-                    var spare:Object = _spare.pop();
-                    if (spare == null)
-                    {
-                        spare = new _type();
-                    }
-                    hits[i] = spare;
+                    hits[i] = _spare.pop() || new _type();
                 }
             }
         }

@@ -44,26 +44,24 @@ package starlogo.queries.rays
         public function findSurfaces(row:int, ray:Ray, out:Hits):Boolean
         {
             var body:Body = _seen.table.bodyOf(row);
-            var line:Ray = _inModel;
-            var crossings:RayCrossings = _crossings;
             var isGround:Boolean = body.form == ModelShape.GROUND;
             var areTriangles:Boolean = true;
             var isMet:Boolean = false;
-            crossings.count = 0;
+            _crossings.count = 0;
             if (isGround)
             {
-                _seen.narrowPhase.groundTestsOf(body).findCrossings(body, ray, crossings);
+                _seen.narrowPhase.groundTestsOf(body).findCrossings(body, ray, _crossings);
             }
             else
             {
-                RowRayQuery.bringIntoModel(ray, body.placement, line);
-                areTriangles = line.isFinite && cross(body, line, crossings);
+                RowRayQuery.bringIntoModel(ray, body.placement, _inModel);
+                areTriangles = _inModel.isFinite && cross(body, _inModel, _crossings);
             }
-            _surfaces.find(crossings, areTriangles);
+            _surfaces.find(_crossings, areTriangles);
             for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
-                crossings.readEntry(_surfaces.indices.numbers[i], _entry);
-                if (isGround ? _entry.distance <= ray.to : RowRayQuery.bringBack(_entry, line, body.placement, ray))
+                _crossings.readEntry(_surfaces.indices.numbers[i], _entry);
+                if (isGround ? _entry.distance <= ray.to : RowRayQuery.bringBack(_entry, _inModel, body.placement, ray))
                 {
                     out.addEntry(row, ray, _entry);
                     isMet = true;

@@ -17,9 +17,6 @@ package starlogo.queries.rays
      */
     public final class TriangleOfHit
     {
-        // The point, in the model's space.
-        private var _point:Vector3D = new Vector3D();
-
         // From the point to each corner, and the triangle's normal.
         private var _a:Vector3D = new Vector3D();
         private var _b:Vector3D = new Vector3D();
@@ -59,20 +56,19 @@ package starlogo.queries.rays
             var x:Number = (point.x - placement.x) / placement.size;
             var y:Number = (point.y - placement.y) / placement.size;
             var z:Number = (point.z - placement.z) / placement.size;
-            _point.x = placement.r00 * x + placement.r10 * y + placement.r20 * z;
-            _point.y = placement.r01 * x + placement.r11 * y + placement.r21 * z;
-            _point.z = placement.r02 * x + placement.r12 * y + placement.r22 * z;
-            readCorner(tree, corner, _a);
-            readCorner(tree, corner + 1, _b);
-            readCorner(tree, corner + 2, _c);
+            var inX:Number = placement.r00 * x + placement.r10 * y + placement.r20 * z;
+            var inY:Number = placement.r01 * x + placement.r11 * y + placement.r21 * z;
+            var inZ:Number = placement.r02 * x + placement.r12 * y + placement.r22 * z;
+            readCorner(tree, corner, inX, inY, inZ, _a);
+            readCorner(tree, corner + 1, inX, inY, inZ, _b);
+            readCorner(tree, corner + 2, inX, inY, inZ, _c);
         }
 
-        private function readCorner(tree:BoxTree, corner:int, out:Vector3D):void
+        // The way to a corner from a point in the model's space.
+        private static function readCorner(tree:BoxTree, corner:int, x:Number, y:Number, z:Number, out:Vector3D):void
         {
             var vertex:int = 3 * tree.triangles[corner];
-            out.x = tree.vertices[vertex] - _point.x;
-            out.y = tree.vertices[int(vertex + 1)] - _point.y;
-            out.z = tree.vertices[int(vertex + 2)] - _point.z;
+            out.setTo(tree.vertices[vertex] - x, tree.vertices[int(vertex + 1)] - y, tree.vertices[int(vertex + 2)] - z);
         }
 
         // Each weight is the share of the part between the point and the other two corners. A part beyond an edge counts as 0. If the triangle has

@@ -136,7 +136,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            var count:int = queryOf(a, b).exits.find(contact, maxDistance, exits);
+            var count:int = queryOf(a, b).penetration.findExits(contact, maxDistance, exits);
             if (a.form == ModelShape.TREE)
             {
                 for (var i:int = 0; i < count; i++)

@@ -17,7 +17,7 @@
  * vertices' places. A level's triangles are prepared when it is added, or when it is asked first. Where two bodies part is halved from 0 on, which
  * takes longer. Of two places that both lead into a platform the one or the other is taken (WalkMover.carry).
  *
- * What is there for rounding alone, or for a counter that only long games fill, hardly any test of every day runs: PenetrationSearch.findGrazing and its
+ * What is there for rounding alone, or for a counter that only long games fill, hardly any test of every day runs: DisplacedPair.findGrazing and its
  * second push against the motion, the shorter depth in DirectionSearch.makeSure, the end of a triangle in the ray that ShearedRay makes longer by its
  * slack, a sheet under the ground in CoreSweep, RowFilter.forget.
  */

@@ -109,6 +109,12 @@ package starlogo.blocks
             return _systemName;
         }
 
+        /** @private The collision system in use. */
+        engine function get colliderInUse():Collider
+        {
+            return _systems[_systemName];
+        }
+
         /**
          * The collision system with a name. The same name always gives the same system.
          *
@@ -191,12 +197,6 @@ package starlogo.blocks
             resetCount++;
         }
 
-        /** @private How two agents touch, or touched in the last frame. */
-        engine function contactOfFrame(agent:Agent, other:Agent):Contact
-        {
-            return colliderInUse.contactOf(agent, other);
-        }
-
         /** @private How two agents touch where they are now; null if they do not. */
         engine function contactNow(agent:Agent, other:Agent):Contact
         {
@@ -214,11 +214,6 @@ package starlogo.blocks
                 agent.moveTo(agent.x + contact.depth * normal.x, agent.y + contact.depth * normal.y, agent.z + contact.depth * normal.z);
             }
             return contact;
-        }
-
-        private function get colliderInUse():Collider
-        {
-            return _systems[_systemName];
         }
 
         private static function check(block:String, breed:String, otherBreed:String, script:Function):void

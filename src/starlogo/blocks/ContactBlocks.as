@@ -130,7 +130,7 @@ package starlogo.blocks
         private function contactOf(block:String, agent:Agent, other:Agent):Contact
         {
             BlockSubject.checkBoth(block, agent, other);
-            return _collisions.contactOfFrame(agent, other);
+            return _collisions.colliderInUse.contactOf(agent, other);
         }
     }
 }

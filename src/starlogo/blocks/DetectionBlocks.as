@@ -219,11 +219,15 @@ package starlogo.blocks
         private static function filterFor(breed:String, accepts:Function = null):AgentFilter
         {
             // Each question gets its own filter, because a trait's getter may ask another question meanwhile.
-            var filter:AgentFilter = breed == Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
+            var filter:AgentFilter = new AgentFilter();
             if (breed == Collision.ANY_BREED)
             {
                 // ANY_BREED does not stand for the ground, as in handlers.
                 filter.exceptBreeds = new <String>[Collision.TERRAIN];
+            }
+            else
+            {
+                filter.breeds = new <String>[breed];
             }
             filter.accepts = accepts;
             return filter;

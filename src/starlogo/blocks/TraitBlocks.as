@@ -47,8 +47,7 @@ package starlogo.blocks
          */
         public function setHierarchical(subject:Object, isOn:Boolean):void
         {
-            BlockSubject.check("set hierarchical", subject);
-            apply(subject, "hierarchical", isOn);
+            apply("set hierarchical", subject, "hierarchical", isOn);
         }
 
         /**
@@ -60,13 +59,12 @@ package starlogo.blocks
          */
         public function setCollisionDepth(subject:Object, levels:Number):void
         {
-            BlockSubject.check("set collision depth", subject);
             if (!(levels >= 0 && levels <= int.MAX_VALUE && levels % 1 == 0))
             {
                 throw new BlockError("set collision depth", "needs a whole number: 1 is the coarsest, greater is more precise, and 0 leaves it to the"
                         + " collision system. It got " + levels + ".");
             }
-            apply(subject, "traversalDepth", levels);
+            apply("set collision depth", subject, "traversalDepth", levels);
         }
 
         /**
@@ -78,12 +76,11 @@ package starlogo.blocks
          */
         public function collideAs(subject:Object, structure:String):void
         {
-            BlockSubject.check("collide as", subject);
             if (STRUCTURES.indexOf(structure) < 0)
             {
                 throw new BlockError("collide as", "does not know " + BlockSubject.nameOf(structure) + ". Choose one of these: " + STRUCTURES.join(", ") + ".");
             }
-            apply(subject, "collideAs", structure);
+            apply("collide as", subject, "collideAs", structure);
         }
 
         /**
@@ -95,8 +92,7 @@ package starlogo.blocks
          */
         public function setOneWay(subject:Object, isOn:Boolean):void
         {
-            BlockSubject.check("one way", subject);
-            apply(subject, "isOneWay", isOn);
+            apply("one way", subject, "isOneWay", isOn);
         }
 
         /** Gives an agent the settings of its breed. Call it when an agent has joined the game or changed its breed. */
@@ -115,8 +111,10 @@ package starlogo.blocks
             _breeds = {};
         }
 
-        private function apply(subject:Object, trait:String, value:Object):void
+        // Sets a trait of the agent, or of the breed's agents.
+        private function apply(block:String, subject:Object, trait:String, value:Object):void
         {
+            BlockSubject.check(block, subject);
             if (subject is Agent)
             {
                 subject[trait] = value;

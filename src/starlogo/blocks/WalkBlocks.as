@@ -24,7 +24,8 @@ package starlogo.blocks
         private var _detection:DetectionBlocks;
         private var _gravity:Number = 0.01;
         private var _solid:AgentFilter = AgentFilter.ofBreeds();
-        private var _obstacles:AgentFilter = AgentFilter.ofBreeds(Collision.TERRAIN);
+
+        // The filter admits what is in the way: the ground and the solid breeds.
         private var _options:WalkOptions = new WalkOptions();
         private var _footing:Footing = new Footing();
         private var _below:ShapeHit = new ShapeHit();
@@ -39,7 +40,7 @@ package starlogo.blocks
         {
             requireGiven("detection", detection);
             _detection = detection;
-            _options.filter = _obstacles;
+            _options.filter = AgentFilter.ofBreeds(Collision.TERRAIN);
         }
 
         /** By how much falling gets faster in each frame, in patches a frame; 0.01. @throws RangeError if it is not more than 0 and finite */
@@ -71,8 +72,8 @@ package starlogo.blocks
         public function set solidBreeds(names:Array):void
         {
             _solid.breeds = Vector.<String>(names);
-            _obstacles.breeds = _solid.breeds.concat();
-            _obstacles.breeds.push(Collision.TERRAIN);
+            _options.filter.breeds = _solid.breeds.concat();
+            _options.filter.breeds.push(Collision.TERRAIN);
         }
 
         /**
@@ -142,7 +143,7 @@ package starlogo.blocks
             check("fall", agent, speed, "a speed");
             if (speed > 0)
             {
-                return _detection.queries.moveUntilTouch(agent, 0, 0, speed, _obstacles) < 1 ? 0 : speed - _gravity;
+                return _detection.queries.moveUntilTouch(agent, 0, 0, speed, _options.filter) < 1 ? 0 : speed - _gravity;
             }
             _options.fall = _gravity - speed;
             _detection.queries.walk(agent, 0, 0, _options, _footing);
@@ -191,7 +192,7 @@ package starlogo.blocks
         public function standsOn(agent:Agent):Agent
         {
             BlockSubject.checkAgent("what I stand on", agent);
-            var hit:ShapeHit = _detection.queries.castAgent(agent, 0, 0, -CLOSE * agent.size, _obstacles, _below);
+            var hit:ShapeHit = _detection.queries.castAgent(agent, 0, 0, -CLOSE * agent.size, _options.filter, _below);
             return hit != null && hit.normal.z >= Trigonometry.cosine(_options.slopeDegrees) ? hit.agent : null;
         }
 

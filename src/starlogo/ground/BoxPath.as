@@ -2,10 +2,7 @@ package starlogo.ground
 {
     import flash.geom.Vector3D;
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
-
-    use namespace engine;
 
     /**
      * Says over which squares of the ground the box of a GroundSearch passes in its motion: when, and between which heights. A square has a level, a
@@ -14,18 +11,17 @@ package starlogo.ground
      */
     internal final class BoxPath
     {
+        // The search begins with squares of which the box is at most this many long, because most boxes are small.
+        private static const FIRST_SQUARES:int = 3;
+
         // A shape is farther from a square that is left out than rounding errors may be, by this factor.
         private static const FARTHER:Number = 4;
 
         /** The height 0 of the ground, relative to the search's origin. Read only. */
         public var zeroHeight:Number = 0;
 
-        /** The longer side of the rectangle over which the box passes, with the search's <code>maxDistance</code> at both ends. Read only. */
-        public var length:Number = 0;
-
-        /** The search, and its ground. Read only. */
+        /** The search. Read only. */
         public var search:GroundSearch;
-        public var grid:HeightGrid;
 
         /** The latest time of the motion when the search began. It may have become earlier since. Read only. */
         public var latest:Number = 0;
@@ -48,7 +44,7 @@ package starlogo.ground
         public function begin(search:GroundSearch):void
         {
             this.search = search;
-            grid = search.grid;
+            var grid:HeightGrid = search.grid;
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
@@ -56,10 +52,8 @@ package starlogo.ground
             alongX.firstCell = grid.x - search.origin.x - border;
             alongY.firstCell = grid.y - search.origin.y - border;
             zeroHeight = -search.origin.z;
-            var pathX:Number = latest * Math.abs(motion.x);
-            var pathY:Number = latest * Math.abs(motion.y);
             var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.firstCell) + Math.abs(box.y) + Math.abs(alongY.firstCell) + Math.abs(box.z)
-                    + Math.abs(zeroHeight) + grid.cellWidth + pathX + pathY + latest * Math.abs(motion.z));
+                    + Math.abs(zeroHeight) + grid.cellWidth + latest * Math.abs(motion.x) + latest * Math.abs(motion.y) + latest * Math.abs(motion.z));
             _slack = FARTHER * rounding;
             alongX.middle = box.x;
             alongX.half = box.halfX + rounding;
@@ -68,13 +62,26 @@ package starlogo.ground
             alongY.half = box.halfY + rounding;
             alongY.travel = motion.y;
             _halfZ = box.halfZ + rounding;
-            length = Math.max(2 * alongX.half + pathX, 2 * alongY.half + pathY) + 2 * search.maxDistance;
+        }
+
+        /** The level with whose squares the search begins. */
+        public function firstLevel():int
+        {
+            // the longer side of the rectangle over which the box passes
+            var length:Number = Math.max(2 * alongX.half + latest * Math.abs(alongX.travel), 2 * alongY.half + latest * Math.abs(alongY.travel))
+                + 2 * search.maxDistance;
+            var level:int = 0;
+            while (level < search.grid.pyramid.lastLevel && length > FIRST_SQUARES * widthAt(level))
+            {
+                level++;
+            }
+            return level;
         }
 
         /** How wide the squares of a level are. */
         public function widthAt(level:int):Number
         {
-            return grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
+            return search.grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
         }
 
         /** The first column or row of a level that the box may pass over in a passage. It may be outside of the grid. */

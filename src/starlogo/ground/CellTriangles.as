@@ -30,10 +30,14 @@ package starlogo.ground
         // depends on what the latest time has become.
         private var _wholePassage:SquarePassage = new SquarePassage();
 
-        /** @param path of the boxes over the ground */
-        public function CellTriangles(path:BoxPath)
+        /**
+         * @param path of the boxes over the ground
+         * @param passage of the box over the current cell. GroundTriangles writes it before it enters the cell
+         */
+        public function CellTriangles(path:BoxPath, passage:SquarePassage)
         {
             _path = path;
+            _passage = passage;
         }
 
         /** Leaves the cell, if there is one: there are no more triangles. */
@@ -42,15 +46,10 @@ package starlogo.ground
             _next = _end = 0;
         }
 
-        /**
-         * Goes on to a cell.
-         *
-         * @param isAtBorder whether it is at a border of the grid
-         * @param passage of the box over the cell; kept
-         */
-        public function enter(column:int, row:int, isAtBorder:Boolean, passage:SquarePassage):void
+        /** Goes on to a cell. @param isAtBorder whether it is at a border of the grid */
+        public function enter(column:int, row:int, isAtBorder:Boolean):void
         {
-            var grid:HeightGrid = _path.grid;
+            var grid:HeightGrid = _path.search.grid;
             var at:int = row * grid.columns + column;
             leave();
             if (grid.isHole(at))
@@ -63,9 +62,8 @@ package starlogo.ground
             readTops(at);
             var greatest:Number = Math.max(Math.max(_tops[0], _tops[1]), Math.max(_tops[2], _tops[3]));
             var least:Number = Math.min(Math.min(_tops[0], _tops[1]), Math.min(_tops[2], _tops[3]));
-            if (passage.low <= greatest && (hasWalls || passage.high >= least))
+            if (_passage.low <= greatest && (hasWalls || _passage.high >= least))
             {
-                _passage = passage;
                 _end = 2;
                 if (hasWalls)
                 {
@@ -80,7 +78,7 @@ package starlogo.ground
         // Reads the heights of the corners. All corners of a column have one height.
         private function readTops(at:int):void
         {
-            var grid:HeightGrid = _path.grid;
+            var grid:HeightGrid = _path.search.grid;
             var heights:Vector.<Number> = grid.heights;
             var next:int = grid.isBlocky ? 0 : 1;
             var far:int = next * grid.columns;
@@ -120,7 +118,7 @@ package starlogo.ground
             }
             var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
             var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
-            out.size = _path.grid.cellWidth + high - low;
+            out.size = _path.search.grid.cellWidth + high - low;
             out.margin = Touching.marginOfSurface(out.size);
             return _passage.low <= high && _passage.high >= low;
         }
@@ -130,7 +128,7 @@ package starlogo.ground
         // below it, because long triangles have larger rounding errors.
         private function writeWall(side:int, isUpper:Boolean, corners:Vector.<Number>):Boolean
         {
-            var grid:HeightGrid = _path.grid;
+            var grid:HeightGrid = _path.search.grid;
             var floor:Number = _path.search.floor;
             var end:int = (side + 1) & 3;
             var column:int = _column + TO_COLUMN[side];
@@ -167,7 +165,7 @@ package starlogo.ground
         // Writes a corner of the cell's top.
         private function writeCorner(corner:int, out:Vector.<Number>, to:int):void
         {
-            var width:Number = _path.grid.cellWidth;
+            var width:Number = _path.search.grid.cellWidth;
             out[to] = _path.alongX.firstCell + (_column + ((corner + 1) >> 1 & 1)) * width;
             out[int(to + 1)] = _path.alongY.firstCell + (_row + (corner >> 1)) * width;
             out[int(to + 2)] = _tops[corner];

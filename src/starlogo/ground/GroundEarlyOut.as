@@ -1,10 +1,7 @@
 package starlogo.ground
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
-
-    use namespace engine;
 
     /**
      * Decides about most agents, in a tenth of the time of a full test, whether they touch the ground. It knows the answer for

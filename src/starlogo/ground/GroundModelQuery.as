@@ -4,13 +4,10 @@ package starlogo.ground
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.solid.ImpactQuery;
     import starlogo.solid.ModelTree;
-
-    use namespace engine;
 
     /**
      * Tests a placed model against the ground: whether the two overlap, when and how they first touch, and how far they are apart. The model is
@@ -27,19 +24,15 @@ package starlogo.ground
     {
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
 
-        /** Finds how deep the model is in the ground. */
+        /** Finds how deep the model is in the ground, and ways out. */
         public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
-
-        /** Finds ways out of the ground for the model. */
-        public var exits:GroundExitQuery = new GroundExitQuery(_pairs);
 
         // The motion of the search for the first touch. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
 
-        // For the upper bound of a distance: a point of the ground, the same point as the corners of a triangle, and the distance.
+        // For the upper bound of a distance: a point of the ground, and the same point as the corners of a triangle.
         private var _nearest:GroundPoint = new GroundPoint();
         private var _point:Vector.<Number> = new Vector.<Number>(9, true);
-        private var _bound:ClosestPoints = new ClosestPoints();
 
         /**
          * Sets the model and the ground. Call it before each question, because a question may leave the model where its motion has brought it.
@@ -148,7 +141,7 @@ package starlogo.ground
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
             var origin:Placement = _pairs.origin;
-            out.distance = boundDistance();
+            boundDistance(out);
             _pairs.begin(RelativeMotion.NONE, out.distance);
             while (_pairs.next())
             {
@@ -169,9 +162,9 @@ package starlogo.ground
             out.place(origin);
         }
 
-        // An upper bound of the distance. A structure's is its distance from one point of the ground, the nearest one to its middle as seen from above. A
+        // Sets an upper bound of the distance. A structure's is its distance from one point of the ground, the nearest one to its middle as seen from above. A
         // tree's is the distance from there to the farthest corner of the box around it.
-        private function boundDistance():Number
+        private function boundDistance(out:ClosestPoints):void
         {
             var origin:Placement = _pairs.origin;
             var box:GroundBox = _pairs.pieces.wholeBox();
@@ -184,16 +177,16 @@ package starlogo.ground
             var farX:Number = Math.abs(x - box.x) + box.halfX;
             var farY:Number = Math.abs(y - box.y) + box.halfY;
             var farZ:Number = Math.abs(z - box.z) + box.halfZ;
-            _bound.distance = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
+            out.distance = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
             // without ground it is infinite
-            if (!_pairs.pieces.isTree && _bound.distance < Infinity)
+            if (!_pairs.pieces.isTree && out.distance < Infinity)
             {
                 _pairs.begin(RelativeMotion.NONE, 0);
                 _pairs.nextPiece();
                 _pairs.kernel.setTriangle(pointAsTriangle(x, y, z));
-                _pairs.kernel.findCloser(_bound);
+                _pairs.kernel.findCloser(out);
             }
-            return _bound.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.grid.cellWidth;
+            out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.grid.cellWidth;
         }
 
         private function pointAsTriangle(x:Number, y:Number, z:Number):Vector.<Number>

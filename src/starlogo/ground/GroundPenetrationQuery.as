@@ -7,7 +7,7 @@ package starlogo.ground
     import starlogo.geometry.Touching;
 
     /**
-     * Finds how deep a standing model is in the ground. GroundModelQuery sets the model.
+     * Finds how deep a standing model is in the ground, and ways out of it. GroundModelQuery sets the model.
      *
      * <p>What is behind the plane of a triangle may be outside of the ground, because the plane goes on where the ground is lower. So the depth behind a
      * triangle counts if bounds of the heights around prove that no way out is much shorter. If no depth is proven, the triangle counts that a piece
@@ -20,9 +20,18 @@ package starlogo.ground
         // A depth is proven if the least length of an exit is at least this fraction of it.
         private static const LEAST_SHARE_PROVEN:Number = 0.8;
 
+        // A depth behind a triangle's plane is off by at most this many margins of the triangle, because of rounding.
+        private static const MARGINS_OF_ROUNDING:Number = 10;
+
+        // Two exits have nearly the same direction if the cosine of their angle is larger.
+        private static const SAME_EXIT:Number = 0.98;
+
+        // The most exits that are found.
+        private static const MOST_EXITS:int = 12;
+
         private var _pairs:PieceTrianglePairs;
 
-        // The contact of the current piece and the current triangle.
+        // A contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
 
         // Bounds of the heights around a place.
@@ -104,6 +113,36 @@ package starlogo.ground
             return false;
         }
 
+        /**
+         * Finds ways out in front of the planes of triangles. The standing structure around the model is behind these planes or touches them. Of ways in
+         * nearly the same direction, the shortest counts. If the contact has a triangle of the ground, only planes count that this triangle is not in
+         * front of.
+         *
+         * @param contact of the model and the ground, here or near here
+         * @param maxDistance how far away from the structure triangles may be
+         * @param exits receives a contact for each way, in the world; made longer if needed
+         * @return how many ways there are
+         */
+        public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        {
+            var proof:DepthProof = contact.proof;
+            var count:int = 0;
+            _pairs.begin(RelativeMotion.NONE, maxDistance, true);
+            while (_pairs.next())
+            {
+                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
+                if (_tried.depth >= -_pairs.triangle.margin && (!proof.hasTriangle || isBehind(_tried, proof)))
+                {
+                    count = addExit(_tried, exits, count);
+                }
+            }
+            for (var i:int = 0; i < count; i++)
+            {
+                _pairs.moveToWorld(exits[i]);
+            }
+            return count;
+        }
+
         // Finds the contact with the triangle that the model is deepest behind. Only triangles count that the way out from a piece's deepest point passes
         // through, and only depths that are proven. Returns whether there is one.
         private function findDeepestBehind(out:ContactPoint):Boolean
@@ -157,7 +196,7 @@ package starlogo.ground
         private function roundingHere():Number
         {
             var origin:Placement = _pairs.origin;
-            return GroundTriangle.MARGINS_OF_ROUNDING * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            return MARGINS_OF_ROUNDING * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
         // Whether a contact is the first one, or deeper than the deepest one so far by more than rounding.
@@ -188,6 +227,44 @@ package starlogo.ground
             var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
             return depth == 0 || leastExit(_pairs.grid, x, y, z, depth, _around) >= LEAST_SHARE_PROVEN * depth;
+        }
+
+        // Whether the triangle of a contact is not in front of the current triangle's plane, up to rounding.
+        private function isBehind(exit:ContactPoint, proof:DepthProof):Boolean
+        {
+            var origin:Placement = _pairs.origin;
+            var x:Number = origin.x - proof.x;
+            var y:Number = origin.y - proof.y;
+            var z:Number = origin.z - proof.z;
+            var slack:Number = MARGINS_OF_ROUNDING * _pairs.triangle.margin + x * exit.normalX + y * exit.normalY + z * exit.normalZ;
+            if (x != 0 || y != 0 || z != 0)
+            {
+                slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            }
+            return _pairs.kernel.isBehindPlane(proof.corners, slack);
+        }
+
+        // Adds an exit to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.
+        private static function addExit(exit:ContactPoint, exits:Vector.<ContactPoint>, count:int):int
+        {
+            var at:int = 0;
+            while (at < count && exit.normalX * exits[at].normalX + exit.normalY * exits[at].normalY + exit.normalZ * exits[at].normalZ <= SAME_EXIT)
+            {
+                at++;
+            }
+            if (at == MOST_EXITS)
+            {
+                return count;
+            }
+            if (at == exits.length)
+            {
+                exits[at] = new ContactPoint();
+            }
+            if (at == count || exit.depth < exits[at].depth)
+            {
+                exits[at].copyFrom(exit);
+            }
+            return Math.max(count, at + 1);
         }
     }
 }

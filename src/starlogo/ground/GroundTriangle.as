@@ -7,9 +7,6 @@ package starlogo.ground
      */
     public final class GroundTriangle
     {
-        /** A depth behind the triangle's plane is off by at most this many margins of the triangle, because of rounding. */
-        public static const MARGINS_OF_ROUNDING:Number = 10;
-
         /** The corners, nine numbers; counter-clockwise as seen from outside of the ground. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 

@@ -1,9 +1,6 @@
 package starlogo.ground
 {
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
-
-    use namespace engine;
 
     /**
      * Finds the triangles of the ground's surface that a box may meet, one after the other: the source of triangles for all tests of the
@@ -19,36 +16,28 @@ package starlogo.ground
      */
     public final class GroundTriangles
     {
-        // The search begins with squares of which the box is at most this many long, because most boxes are small.
-        private static const FIRST_SQUARES:int = 3;
-
         /** The triangle that <code>next()</code> has found. Read only. */
         public var triangle:GroundTriangle = new GroundTriangle();
 
         private var _path:BoxPath = new BoxPath();
-        private var _cell:CellTriangles = new CellTriangles(_path);
+
+        // Of the current square: how the box passes over it, its heights, and if it is a cell, its triangles.
+        private var _passage:SquarePassage = new SquarePassage();
+        private var _heights:HeightRange = new HeightRange();
+        private var _cell:CellTriangles = new CellTriangles(_path, _passage);
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
         private var _squares:Vector.<int> = new Vector.<int>();
         private var _top:int = 0;
-
-        // Of the current square: how the box passes over it, and its heights.
-        private var _passage:SquarePassage = new SquarePassage();
-        private var _heights:HeightRange = new HeightRange();
 
         /** Begins a search, which is kept until it ends. */
         public function begin(search:GroundSearch):void
         {
             _path.begin(search);
             stop();
-            var level:int = 0;
-            while (level < search.grid.pyramid.lastLevel && _path.length > FIRST_SQUARES * _path.widthAt(level))
-            {
-                level++;
-            }
             _passage.from = 0;
             _passage.to = search.motion.latest;
-            addSquares(level, 0, 0, int.MAX_VALUE);
+            addSquares(_path.firstLevel(), 0, 0, int.MAX_VALUE);
         }
 
         /** Goes on to the next triangle. Returns false if there is none. */
@@ -77,8 +66,9 @@ package starlogo.ground
         private function addSquares(level:int, firstColumn:int, firstRow:int, most:int):void
         {
             var motion:RelativeMotion = _path.search.motion;
-            var lastColumn:int = Math.min(firstColumn + most - 1, _path.grid.lastColumnAt(level));
-            var lastRow:int = Math.min(firstRow + most - 1, _path.grid.lastRowAt(level));
+            var grid:HeightGrid = _path.search.grid;
+            var lastColumn:int = Math.min(firstColumn + most - 1, grid.lastColumnAt(level));
+            var lastRow:int = Math.min(firstRow + most - 1, grid.lastRowAt(level));
             var left:int = Math.max(firstColumn, _path.firstOf(_path.alongX, _passage, level));
             var right:int = Math.min(lastColumn, _path.lastOf(_path.alongX, _passage, level));
             var bottom:int = Math.max(firstRow, _path.firstOf(_path.alongY, _passage, level));
@@ -109,11 +99,11 @@ package starlogo.ground
             {
                 return;
             }
-            var grid:HeightGrid = _path.grid;
+            var grid:HeightGrid = _path.search.grid;
             var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastColumnAt(level) || row == grid.lastRowAt(level);
             if (level == 0)
             {
-                _cell.enter(column, row, isAtBorder, _passage);
+                _cell.enter(column, row, isAtBorder);
                 return;
             }
             readHeights(level, column, row, isAtBorder);
@@ -127,7 +117,7 @@ package starlogo.ground
         // Reads between which heights the triangles of the current square are. Walls go down to below the box.
         private function readHeights(level:int, column:int, row:int, isAtBorder:Boolean):void
         {
-            _path.grid.pyramid.findRange(level, column, row, column, row, _heights);
+            _path.search.grid.pyramid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.zeroHeight;
             _heights.greatest += _path.zeroHeight;
             if (isAtBorder || _heights.hasHole)

@@ -47,21 +47,19 @@ package starlogo.ground
 
         private var _tree:ModelTree;
         private var _structure:BoundingStructure;
+
+        // How many levels of the tree are visited; EXACT if the pieces are triangles.
         private var _depth:int;
-        private var _isExact:Boolean;
 
         // The model's placement, relative to the origin, and the margin for its place and surface.
         private var _placement:Placement = new Placement();
         private var _margin:Number = 0;
 
-        // What comes next: a range of the tree's triangles, then nodes from the last one on.
+        // What comes next: a range of the tree's triangles, then nodes from the last one on. The current node still stands after the last one.
         private var _first:int = 0;
         private var _end:int = 0;
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _nodeCount:int = 0;
-
-        // The current node, if it is above the pieces.
-        private var _node:int = 0;
 
         private var _nodeBox:Box = BoxTree.newBox();
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -71,12 +69,11 @@ package starlogo.ground
         {
             _tree = tree;
             _structure = structure;
-            _isExact = isTree && exact && tree.hasTriangles;
-            _depth = _isExact ? BoxTree.EXACT : depth;
+            _depth = isTree && exact && tree.hasTriangles ? BoxTree.EXACT : depth;
             // Touching.marginOfPlace(), twice: as if another agent stood at the place of the touch. It is written out because V8 makes objects for
             // Numbers that are passed.
             _margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
-            if (_isExact)
+            if (_depth == BoxTree.EXACT)
             {
                 _margin += Touching.marginOfSurface(tree.boxTree.radius * placement.size);
             }
@@ -127,16 +124,14 @@ package starlogo.ground
             }
             kernel.setShapeToTriangle(_tree.mesh.corners, 9 * _first, _placement);
             _first++;
-            isAbovePieces = false;
-            shapeInBox = null;
-            takeShape();
+            takeShape(null);
             return true;
         }
 
         /** Goes on below the current node, which is above the pieces. */
         public function divide():void
         {
-            var left:int = _tree.boxTree.left[_node];
+            var left:int = _tree.boxTree.left[_nodes[_nodeCount]];
             _nodes[_nodeCount++] = left + 1;
             _nodes[_nodeCount++] = left;
         }
@@ -159,7 +154,7 @@ package starlogo.ground
             var tree:BoxTree = _tree.boxTree;
             tree.writeBox(node, _nodeBox);
             isAbovePieces = tree.endsUpToDepth[node] < _depth;
-            if (!isAbovePieces && !_isExact)
+            if (!isAbovePieces && _depth < BoxTree.EXACT)
             {
                 takeStructure(_nodeBox);
                 return true;
@@ -169,7 +164,6 @@ package starlogo.ground
             point.x = box.x;
             point.y = box.y;
             point.z = box.z;
-            _node = node;
             if (!isAbovePieces)
             {
                 _first = tree.first[node];
@@ -183,15 +177,15 @@ package starlogo.ground
         {
             kernel.setStructure(structure, _placement);
             fitBoxTo(structure);
-            isAbovePieces = false;
-            shapeInBox = kernel.shape;
-            takeShape();
+            takeShape(kernel.shape);
         }
 
-        // Makes the kernel's new shape the piece.
-        private function takeShape():void
+        // Makes the kernel's new shape the piece. The argument is this shape if the box is around it, null otherwise.
+        private function takeShape(inBox:ConvexShape):void
         {
             var shape:ConvexShape = kernel.shape;
+            isAbovePieces = false;
+            shapeInBox = inBox;
             margin = shape.margin + _margin;
             point.x = shape.x;
             point.y = shape.y;

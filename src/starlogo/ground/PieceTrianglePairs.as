@@ -3,11 +3,8 @@ package starlogo.ground
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.solid.ModelTree;
-
-    use namespace engine;
 
     /**
      * Finds the pairs of a placed model's convex pieces and the triangles of the ground's surface near each. The model is a structure or a tree.
@@ -67,23 +64,13 @@ package starlogo.ground
         }
 
         /**
-         * Begins with all pieces.
+         * Begins.
          *
          * @param motion of the pieces from where they are: triangles count that they may meet until its latest time. This may become earlier meanwhile
          * @param maxDistance triangles count that are at most this far away
+         * @param asWhole whether the structure around the whole model is the only piece
          */
-        public function begin(motion:RelativeMotion, maxDistance:Number):void
-        {
-            beginWith(false, motion, maxDistance);
-        }
-
-        /** Begins with the structure around the whole model as the only piece. It stands. */
-        public function beginWhole(maxDistance:Number):void
-        {
-            beginWith(true, RelativeMotion.NONE, maxDistance);
-        }
-
-        private function beginWith(asWhole:Boolean, motion:RelativeMotion, maxDistance:Number):void
+        public function begin(motion:RelativeMotion, maxDistance:Number, asWhole:Boolean = false):void
         {
             _triangles.stop();
             pieces.begin(asWhole);

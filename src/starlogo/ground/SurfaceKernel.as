@@ -22,21 +22,18 @@ package starlogo.ground
         private static const SAME_DEPTH:Number = 1e-12;
 
         private var _kernel:TriangleKernel;
-        private var _shape:ConvexShape;
 
         // The triangle: nine numbers. Its plane is set at the first question.
         private var _corners:Vector.<Number> = null;
         private var _isPlaneSet:Boolean = false;
         private var _plane:TrianglePlane = new TrianglePlane();
 
-        private var _deepest:Vector3D = new Vector3D();
         private var _ofShape:Interval = new Interval();
 
         /** @param kernel has the shape, in the triangles' space; kept */
         public function SurfaceKernel(kernel:TriangleKernel)
         {
             _kernel = kernel;
-            _shape = kernel.shape;
         }
 
         /** Sets the triangle: nine numbers. The list is kept. */
@@ -111,10 +108,11 @@ package starlogo.ground
         public function stayApart(motion:RelativeMotion):Boolean
         {
             preparePlane();
-            var size:Number = _shape.extent + Math.abs(_shape.x) + Math.abs(_shape.y) + Math.abs(_shape.z) + Math.abs(_plane.offset)
+            var shape:ConvexShape = _kernel.shape;
+            var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(_plane.offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-            var margin:Number = (_shape.radius + _shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
-            return _plane.findEntry(_shape, margin, motion) > motion.latest;
+            var margin:Number = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
+            return _plane.findEntry(shape, margin, motion) > motion.latest;
         }
 
         /**
@@ -150,15 +148,14 @@ package starlogo.ground
         {
             preparePlane();
             out.setNormal(_plane.normal.x, _plane.normal.y, _plane.normal.z);
-            var deepest:Vector3D = _deepest;
-            findDeepestPoint(deepest);
-            deepest.x += motion.startX + motion.time * motion.x;
-            deepest.y += motion.startY + motion.time * motion.y;
-            deepest.z += motion.startZ + motion.time * motion.z;
-            out.depth = _plane.offset - out.along(deepest);
-            out.x = deepest.x + out.depth / 2 * out.normalX;
-            out.y = deepest.y + out.depth / 2 * out.normalY;
-            out.z = deepest.z + out.depth / 2 * out.normalZ;
+            moveToDeepest(out);
+            out.x += motion.startX + motion.time * motion.x;
+            out.y += motion.startY + motion.time * motion.y;
+            out.z += motion.startZ + motion.time * motion.z;
+            out.depth = _plane.offset - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
+            out.x += out.depth / 2 * out.normalX;
+            out.y += out.depth / 2 * out.normalY;
+            out.z += out.depth / 2 * out.normalZ;
         }
 
         /** Whether the way out of a contact of <code>findBehind()</code> passes through the triangle, seen along its normal. False if the triangle is flat. */
@@ -204,13 +201,14 @@ package starlogo.ground
             return true;
         }
 
-        // Finds the point of the shape that is farthest against the triangle's normal. If there are several, it is their middle.
-        private function findDeepestPoint(out:Vector3D):void
+        // Moves a contact to the point of the shape that is farthest against the triangle's normal. If there are several, it is their middle.
+        private function moveToDeepest(out:ContactPoint):void
         {
             var normal:Vector3D = _plane.normal;
-            var p:Vector.<Number> = _shape.points;
-            var end:int = _shape.end;
-            _shape.project(normal, _ofShape);
+            var shape:ConvexShape = _kernel.shape;
+            var p:Vector.<Number> = shape.points;
+            var end:int = shape.end;
+            shape.project(normal, _ofShape);
             var most:Number = _ofShape.least + SAME_DEPTH * (_ofShape.greatest - _ofShape.least);
             var count:int = 0;
             var x:Number = 0;
@@ -226,9 +224,9 @@ package starlogo.ground
                     count++;
                 }
             }
-            out.x = _shape.x + x / count - _shape.radius * normal.x;
-            out.y = _shape.y + y / count - _shape.radius * normal.y;
-            out.z = _shape.z + z / count - _shape.radius * normal.z;
+            out.x = shape.x + x / count - shape.radius * normal.x;
+            out.y = shape.y + y / count - shape.radius * normal.y;
+            out.z = shape.z + z / count - shape.radius * normal.z;
         }
 
         private function preparePlane():void

@@ -1,7 +1,7 @@
 // This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; PairFinder and
 // NarrowPhase keep the pairs of the broad phase that touch, by a PairTests for each kind of pairs (pairs/); PairSorter puts them into the order of
 // the list, and KeptPairs takes those of the last frame if little has changed. Read this file first, then AgentTable for the rows, NarrowPhase
-// for the tests, and PenetrationSearch (penetration/) for depths.
+// for the tests, and TreeExitSearch and GroundExitSearch (penetration/) for depths.
 package starlogo.search
 {
     import starlogo.agents.Agent;

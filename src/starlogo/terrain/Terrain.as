@@ -316,10 +316,7 @@ package starlogo.terrain
         public function heightAt(x:Number, y:Number):Number
         {
             requireInWorld("a place", x, y, 0);
-            _point.x = x;
-            _point.y = y;
-            grid.findHeight(_point);
-            return _point.height;
+            return grid.heightAt(x, y);
         }
 
         /**
@@ -332,20 +329,22 @@ package starlogo.terrain
          */
         public function normalAt(x:Number, y:Number, out:Vector3D = null):Vector3D
         {
-            if (isNaN(heightAt(x, y)))
+            requireInWorld("a place", x, y, 0);
+            var at:GroundPoint = _point;
+            at.x = x;
+            at.y = y;
+            grid.findHeight(at);
+            if (isNaN(at.height))
             {
                 return null;
             }
             var normal:Vector3D = out || new Vector3D();
-            normal.x = normal.y = 0;
-            normal.z = 1;
+            normal.setTo(0, 0, 1);
             if (!isBlocky)
             {
-                grid.findFall(_point);
-                var length:Number = Math.sqrt(_point.fallX * _point.fallX + _point.fallY * _point.fallY + cellWidth * cellWidth);
-                normal.x = _point.fallX / length;
-                normal.y = _point.fallY / length;
-                normal.z = cellWidth / length;
+                grid.findFall(at);
+                var length:Number = Math.sqrt(at.fallX * at.fallX + at.fallY * at.fallY + cellWidth * cellWidth);
+                normal.setTo(at.fallX / length, at.fallY / length, cellWidth / length);
             }
             return normal;
         }

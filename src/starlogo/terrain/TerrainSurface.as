@@ -29,7 +29,6 @@ package starlogo.terrain
 
         private var _revision:int = -1;
         private var _terrain:Terrain;
-        private var _source:GroundTriangles = new GroundTriangles();
 
         // The search whose triangles are drawn.
         private var _search:GroundSearch = new GroundSearch();
@@ -86,10 +85,11 @@ package starlogo.terrain
             var whole:HeightRange = new HeightRange();
             _search.grid.pyramid.findWhole(whole);
             _search.floor = whole.least;
-            _source.begin(_search);
-            while (_source.next())
+            var source:GroundTriangles = new GroundTriangles();
+            source.begin(_search);
+            while (source.next())
             {
-                addTriangle(_source.triangle.corners);
+                addTriangle(source.triangle.corners);
             }
             return true;
         }

@@ -234,7 +234,7 @@ package starlogo.ground
         private function exitsFrom(query:GroundModelQuery, contact:ContactPoint):String
         {
             setTo(query, 0, 0, 0);
-            var count:int = query.exits.find(contact, _maxDistance, _exits);
+            var count:int = query.penetration.findExits(contact, _maxDistance, _exits);
             var texts:Array = [];
             for (var k:int = 0; k < count; k++)
             {

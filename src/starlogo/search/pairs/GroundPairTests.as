@@ -18,7 +18,6 @@ package starlogo.search.pairs
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.DisplacedPair;
     import starlogo.search.penetration.GroundExitSearch;
-    import starlogo.search.penetration.PenetrationSearch;
     import starlogo.search.TreeLimits;
 
     use namespace engine;
@@ -38,7 +37,7 @@ package starlogo.search.pairs
         private var _supportSearch:SupportSearch = new SupportSearch();
         private var _farthest:SupportPoint = new SupportPoint();
         private var _inwards:Vector3D = new Vector3D();
-        private var _separation:PenetrationSearch;
+        private var _separation:GroundExitSearch;
 
         // Decides quickly about bodies that are clearly above or in the ground, by their extents; and about the others.
         private var _extents:GroundBox = new GroundBox();
@@ -136,7 +135,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            var count:int = queryOf(a, b).exits.find(contact, maxDistance, exits);
+            var count:int = queryOf(a, b).penetration.findExits(contact, maxDistance, exits);
             if (a.form == ModelShape.TREE)
             {
                 for (var i:int = 0; i < count; i++)

@@ -12,7 +12,6 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.DisplacedPair;
-    import starlogo.search.penetration.PenetrationSearch;
     import starlogo.search.penetration.TreeExitSearch;
     import starlogo.search.SearchCounts;
     import starlogo.search.TreeLimits;
@@ -41,7 +40,7 @@ package starlogo.search.pairs
         private var _impacts:TreeImpactQuery = new TreeImpactQuery();
 
         private var _reversed:RelativeMotion = new RelativeMotion();
-        private var _separation:PenetrationSearch;
+        private var _separation:TreeExitSearch;
 
         // Where a point is, as the placement of the structure POINT.
         private var _at:Placement = new Placement();

@@ -1,3 +1,6 @@
+// This folder finds short ways out of overlaps, for contacts that separate two bodies. A DisplacedPair puts the first body to places that are tried.
+// TreeExitSearch and GroundExitSearch try pushes out of all contacts so far (PushOut, with PushQueue and HalfSpaceSolver), and look for the end of
+// a way along one direction (DirectionSearch). Read this file first, then PushOut, then TreeExitSearch.
 package starlogo.search.penetration
 {
     import flash.geom.Vector3D;
@@ -78,6 +81,46 @@ package starlogo.search.penetration
             probeDistance = tolerance / 4;
         }
 
+        /**
+         * Finds the contact of two bodies that do not touch where the pair has begun. Only a first body that moves may have been stopped just before
+         * the touch, because of rounding.
+         *
+         * @param motion as in begin
+         * @param out a contact near here; receives the depth 0 if they do not touch. Then its normal points against the motion, unless the two touch
+         *     if the first one moves a little against the given normal
+         * @return whether they do not touch
+         */
+        public function findGrazing(motion:RelativeMotion, out:ContactPoint):Boolean
+        {
+            if (!isComing(motion) || areTouching())
+            {
+                return false;
+            }
+            out.depth = 0;
+            _place.setTo(_from.x - probeDistance * out.normalX, _from.y - probeDistance * out.normalY, _from.z - probeDistance * out.normalZ);
+            first.moveTo(_place);
+            if (!areTouching())
+            {
+                out.pointAgainst(motion);
+            }
+            return true;
+        }
+
+        /** Whether the first body moves, and touches the second only after the motion's beginning. */
+        internal static function isComing(motion:RelativeMotion):Boolean
+        {
+            return motion.time > 0 && !motion.isStill;
+        }
+
+        /** Ends at the touch. The point of the contact that was found goes to the middle of the overlap, in both bodies. */
+        public function finish(out:ContactPoint):void
+        {
+            putBack();
+            OverlapMiddle.movePoint(first, second, out);
+            OverlapMiddle.keepWithin(first, out);
+            OverlapMiddle.keepWithin(second, out);
+        }
+
         /** Whether the second body is the ground. */
         public function get isSecondGround():Boolean
         {
@@ -94,13 +137,6 @@ package starlogo.search.penetration
         public function displace(by:Displacement):void
         {
             _place.setTo(_from.x + by.distance * by.x, _from.y + by.distance * by.y, _from.z + by.distance * by.z);
-            first.moveTo(_place);
-        }
-
-        /** Displaces the first body by a vector. */
-        public function displaceBy(vector:Vector3D):void
-        {
-            _place.setTo(_from.x + vector.x, _from.y + vector.y, _from.z + vector.z);
             first.moveTo(_place);
         }
 

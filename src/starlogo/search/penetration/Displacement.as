@@ -1,6 +1,6 @@
 package starlogo.search.penetration
 {
-    /** A displacement, as a record: a direction, which is a unit vector, and how far along it. */
+    /** A displacement, as a record: a direction, and how far along it, in multiples of the direction's length. The length is 1, unless others are set. */
     internal final class Displacement
     {
         public var x:Number = 0;

@@ -1,6 +1,5 @@
 package starlogo.search.penetration
 {
-    import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.search.Body;
@@ -20,7 +19,7 @@ package starlogo.search.penetration
      *
      * @private
      */
-    public final class GroundExitSearch extends PenetrationSearch
+    public final class GroundExitSearch
     {
         // The most pushes that are tried.
         private static const MOST_PUSHES:int = 80;
@@ -40,29 +39,38 @@ package starlogo.search.penetration
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
         private var _tried:Displacement = new Displacement();
 
-        // The shortest way out that ends with a lift, and the contact with which its search begins; and for a lift, the sweep down and where the first
-        // body is before it.
-        private var _lift:Displacement = new Displacement();
-        private var _outer:ContactPoint = new ContactPoint();
+        // The shortest way out that ends with a lift; and for a lift, the sweep down.
+        private var _lift:ContactPoint = new ContactPoint();
         private var _down:RelativeMotion = new RelativeMotion();
-        private var _offset:Vector3D = new Vector3D();
 
-        /** @param pair a body and the ground; it has begun when a method is called */
+        /** @param pair a body and the ground */
         public function GroundExitSearch(pair:DisplacedPair)
         {
-            super(pair);
             _pair = pair;
             _directions = new DirectionSearch(pair);
             _pushOut = new PushOut(pair, _directions);
         }
 
         /**
-         * The push out of one contact after the other is taken if no way is clearly shorter. Otherwise it looks farther and farther for other ways, and
-         * for ways that end with a lift. The first of these goes straight up, above all ground around.
+         * Changes a contact's normal and depth so that they separate a body and the ground. See TreeExitSearch.find.
          *
-         * @inheritDoc
+         * @param motion the motion of the body, with the time at which they touch. It ends where the body is
+         * @param out the contact of two parts that touch at that time
          */
-        override protected function findExit(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _pair.begin(a, b, motion);
+            if (!_pair.findGrazing(motion, out))
+            {
+                findExit(out);
+            }
+            _pair.finish(out);
+        }
+
+        // Finds a way out for a body that touches the ground. The push out of one contact after the other is taken if no way is clearly shorter.
+        // Otherwise it looks farther and farther for other ways, and for ways that end with a lift. The first of these goes straight up, above all
+        // ground around.
+        private function findExit(out:ContactPoint):void
         {
             var first:ContactPoint = _first;
             first.copyFrom(out);
@@ -73,18 +81,15 @@ package starlogo.search.penetration
                 return;
             }
             _pair.putBack();
-            _pair.findOuterContact(_outer);
-            _lift.distance = _outer.depth + _pair.tolerance;
-            _lift.setDirection(0, 0, 1);
-            while (!findPushOrLift(maxDistance, out) && maxDistance / LEAST_SHARE_TAKEN <= _lift.distance)
+            _pair.findOuterContact(_lift);
+            _lift.depth += _pair.tolerance;
+            while (!findPushOrLift(maxDistance, out) && maxDistance / LEAST_SHARE_TAKEN <= _lift.depth)
             {
                 maxDistance *= FARTHER;
             }
-            if (_lift.distance < out.depth - _pair.tolerance)
+            if (_lift.depth < out.depth - _pair.tolerance)
             {
-                _outer.setNormal(_lift.x, _lift.y, _lift.z);
-                _outer.depth = _lift.distance;
-                _directions.findAlong(_outer, out);
+                _directions.findAlong(_lift, out);
             }
         }
 
@@ -98,7 +103,7 @@ package starlogo.search.penetration
             {
                 addExits(maxDistance);
                 tryLift();
-                var result:int = _pushOut.tryNext(Math.min(maxDistance / LEAST_SHARE_TAKEN, _lift.distance), out);
+                var result:int = _pushOut.tryNext(Math.min(maxDistance / LEAST_SHARE_TAKEN, _lift.depth), out);
                 if (result == PushOut.TOO_LONG)
                 {
                     tryLift();
@@ -130,15 +135,15 @@ package starlogo.search.penetration
             var alongY:Number = _pushOut.push.y;
             var along:Number = Math.sqrt(alongX * alongX + alongY * alongY);
             var fartherFactor:Number = along > 0 ? 1 + PushOut.ROOM * _pair.extent / along : 1;
-            if (along >= _lift.distance)
+            if (along >= _lift.depth)
             {
                 fartherFactor = 1;
-                alongX *= _lift.distance / (2 * along);
-                alongY *= _lift.distance / (2 * along);
+                alongX *= _lift.depth / (2 * along);
+                alongY *= _lift.depth / (2 * along);
             }
             var fartherX:Number = alongX * fartherFactor;
             var fartherY:Number = alongY * fartherFactor;
-            var highSquared:Number = _lift.distance * _lift.distance - (fartherX * fartherX + fartherY * fartherY);
+            var highSquared:Number = _lift.depth * _lift.depth - (fartherX * fartherX + fartherY * fartherY);
             if (!(highSquared > 0))
             {
                 return;
@@ -166,8 +171,8 @@ package starlogo.search.penetration
             _tried.distance = length + _pair.tolerance;
             if (!_pair.testAt(_tried))
             {
-                _lift.setDirection(_tried.x, _tried.y, _tried.z);
-                _lift.distance = length;
+                _lift.setNormal(_tried.x, _tried.y, _tried.z);
+                _lift.depth = length;
             }
         }
 
@@ -175,14 +180,14 @@ package starlogo.search.penetration
         // the last argument receives the time at which it meets the ground.
         private function sweepDown(x:Number, y:Number, high:Number, out:RelativeMotion):Boolean
         {
-            _offset.setTo(x, y, high);
-            _pair.displaceBy(_offset);
-            if (_pair.areTouching())
+            _tried.setDirection(x, y, high);
+            _tried.distance = 1;
+            if (_pair.testAt(_tried))
             {
                 return false;
             }
-            _offset.z = 0;
-            _pair.displaceBy(_offset);
+            _tried.z = 0;
+            _pair.displace(_tried);
             out.endAfter(0, 0, -high);
             _pair.findImpact(out, null);
             return true;

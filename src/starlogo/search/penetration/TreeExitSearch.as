@@ -11,7 +11,7 @@ package starlogo.search.penetration
      *
      * @private
      */
-    public final class TreeExitSearch extends PenetrationSearch
+    public final class TreeExitSearch
     {
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
@@ -28,13 +28,12 @@ package starlogo.search.penetration
         private var _tried:Displacement = new Displacement();
 
         /**
-         * @param pair a pair with a tree; it has begun when a method is called
+         * @param pair a pair with a tree
          * @param leaves the same pair, tested by the leaves of trees
          * @param limits say whether triangles decide
          */
         public function TreeExitSearch(pair:DisplacedPair, leaves:DisplacedPair, limits:TreeLimits)
         {
-            super(pair);
             _pair = pair;
             _leaves = leaves;
             _limits = limits;
@@ -44,16 +43,30 @@ package starlogo.search.penetration
         }
 
         /**
-         * If triangles decide and the depth is more than IMPROVED_DEPTH, the leaves find a direction first, because their tests are fast.
+         * Changes a contact's normal and depth so that they separate two bodies: if the first one moves along the normal by the depth, the two just
+         * touch, and a little farther they do not.
          *
-         * @inheritDoc
+         * @param motion the motion of the first body relative to the second, with the time at which they touch. It ends where the first body is
+         * @param out the contact of two parts that touch at that time
          */
-        override protected function findExit(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _pair.begin(a, b, motion);
+            if (!_pair.findGrazing(motion, out))
+            {
+                findExit(a, b, motion, out);
+            }
+            _pair.finish(out);
+        }
+
+        // Finds a way out for two bodies that touch. If triangles decide and the depth is more than IMPROVED_DEPTH, the leaves find a direction first,
+        // because their tests are fast.
+        private function findExit(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             _first.copyFrom(out);
             out.depth = Infinity;
             _pushOut.find(_first, Infinity, out);
-            if (PenetrationSearch.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
+            if (DisplacedPair.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
                 _first.pointAgainst(motion);
                 _first.depth = 0;

@@ -12,8 +12,6 @@ package starlogo.convex
         private var _first:ContactFeature = new ContactFeature();
         private var _second:ContactFeature = new ContactFeature();
 
-        private var _clip:PolygonClip = new PolygonClip();
-
         /** Writes the point halfway between the two surfaces, relative to the second shape's origin. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
@@ -22,12 +20,12 @@ package starlogo.convex
             var offset:Number;
             if (_first.end == ContactFeature.CORNER)
             {
-                writeMean(_first.points, ContactFeature.CORNER, out);
+                writeMean(_first, out);
                 offset = out.depth / 2 - cores.first.radius;
             }
             else if (_second.end == ContactFeature.CORNER)
             {
-                writeMean(_second.points, ContactFeature.CORNER, out);
+                writeMean(_second, out);
                 offset = cores.second.radius - out.depth / 2;
             }
             else
@@ -44,35 +42,27 @@ package starlogo.convex
         // Finds both features, that of the core with fewer points first. If it is a corner, it is the common part, and the other feature is left empty.
         private function findFeatures(cores:CorePair, contact:ContactPoint):void
         {
-            if (cores.second.end < cores.first.end)
+            var isSecondFirst:Boolean = cores.second.end < cores.first.end;
+            _first.clear();
+            _second.clear();
+            if (isSecondFirst)
             {
-                _first.clear();
                 _second.find(cores.second, 1, contact);
-                if (_second.end > ContactFeature.CORNER)
-                {
-                    findFirst(cores, contact);
-                }
             }
-            else
+            if (_second.end != ContactFeature.CORNER)
             {
-                _second.clear();
-                findFirst(cores, contact);
-                if (_first.end > ContactFeature.CORNER)
-                {
-                    _second.find(cores.second, 1, contact);
-                }
+                _first.find(cores.first, -1, contact);
+                _first.move(cores.x, cores.y, cores.z);
+            }
+            if (!isSecondFirst && _first.end != ContactFeature.CORNER)
+            {
+                _second.find(cores.second, 1, contact);
             }
             if (_first.end > ContactFeature.CORNER && _second.end > ContactFeature.CORNER)
             {
                 _first.makeOutline(contact);
                 _second.makeOutline(contact);
             }
-        }
-
-        private function findFirst(cores:CorePair, contact:ContactPoint):void
-        {
-            _first.find(cores.first, -1, contact);
-            _first.move(cores.x, cores.y, cores.z);
         }
 
         // Writes the middle of what two edges or faces share when seen along the normal. It is in the plane of either.
@@ -92,23 +82,17 @@ package starlogo.convex
             }
         }
 
-        // Writes the mean of the corners that are left of a segment or polygon after clipping it to a polygon. If none is left, it is the mean of the
-        // polygon's corners.
-        private function writeMeanWithin(inner:ContactFeature, outer:ContactFeature, out:ContactPoint):void
+        // Writes the middle of the part of an edge or a face that is within another face. If there is no such part, it is the middle of that face.
+        private static function writeMeanWithin(inner:ContactFeature, face:ContactFeature, out:ContactPoint):void
         {
-            _clip.clip(inner, outer, out);
-            if (_clip.end > 0)
-            {
-                writeMean(_clip.points, _clip.end, out);
-            }
-            else
-            {
-                writeMean(outer.points, outer.end, out);
-            }
+            inner.clip(face, out);
+            writeMean(inner.end > 0 ? inner : face, out);
         }
 
-        private static function writeMean(points:Vector.<Number>, end:int, out:ContactPoint):void
+        private static function writeMean(feature:ContactFeature, out:ContactPoint):void
         {
+            var points:Vector.<Number> = feature.points;
+            var end:int = feature.end;
             var x:Number = 0;
             var y:Number = 0;
             var z:Number = 0;

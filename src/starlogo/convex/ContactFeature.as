@@ -2,9 +2,7 @@ package starlogo.convex
 {
     import starlogo.geometry.Tolerances;
 
-    /**
-     * The part of a core that is farthest along a direction: a corner, an edge or a face.
-     */
+    /** The part of a core that is farthest along a direction: a corner, an edge or a face. An edge or a face can be clipped to a face. */
     internal final class ContactFeature
     {
         /** The count of the numbers of a corner, and of an edge. A face has more. */
@@ -18,11 +16,11 @@ package starlogo.convex
         /** How far the core extends along the direction. Read only. */
         public var farthest:Number = 0;
 
-        // How much nearer corners may be that count as well.
+        // How far off corners may be that count as well: for find() and the outline, or for clip().
         private var _slack:Number = 0;
 
-        // The corners that find() has found.
-        private var _found:Vector.<Number> = new Vector.<Number>();
+        // The corners before the outline was made of them, or before a cut.
+        private var _before:Vector.<Number> = new Vector.<Number>();
 
         /** Leaves no corners. */
         public function clear():void
@@ -75,8 +73,8 @@ package starlogo.convex
         {
             var found:Vector.<Number> = points;
             var foundEnd:int = end;
-            points = _found;
-            _found = found;
+            points = _before;
+            _before = found;
             end = 0;
             // the first is farthest from another one
             var first:int = farthestFrom(0, foundEnd);
@@ -97,6 +95,26 @@ package starlogo.convex
             }
         }
 
+        /**
+         * Keeps the part of an edge or a face that is within another face (Sutherland and Hodgman, "Reentrant polygon clipping", 1974). No corners are
+         * left if there is none.
+         *
+         * @param face in the same plane or in a parallel one. Both are outlines
+         * @param contact has the normal of the planes
+         */
+        public function clip(face:ContactFeature, contact:ContactPoint):void
+        {
+            var p:Vector.<Number> = face.points;
+            _slack = Tolerances.DIRECTION * (Math.abs(p[3] - p[0]) + Math.abs(p[4] - p[1]) + Math.abs(p[5] - p[2])
+                    + Math.abs(p[6] - p[3]) + Math.abs(p[7] - p[4]) + Math.abs(p[8] - p[5]));
+            var last:int = face.end - 3;
+            for (var at:int = 0; at < face.end && end > 0; at += 3)
+            {
+                cut(p, last, at, contact);
+                last = at;
+            }
+        }
+
         private function add(from:Vector.<Number>, at:int):void
         {
             points[end] = from[at];
@@ -108,7 +126,7 @@ package starlogo.convex
         // Whether all corners are as near to the line through two of them as rounding.
         private function areOnLine(first:int, last:int, foundEnd:int):Boolean
         {
-            var found:Vector.<Number> = _found;
+            var found:Vector.<Number> = _before;
             var x:Number = found[last] - found[first];
             var y:Number = found[int(last + 1)] - found[int(first + 1)];
             var z:Number = found[int(last + 2)] - found[int(first + 2)];
@@ -131,7 +149,7 @@ package starlogo.convex
 
         private function farthestFrom(corner:int, foundEnd:int):int
         {
-            var found:Vector.<Number> = _found;
+            var found:Vector.<Number> = _before;
             var best:int = corner;
             var most:Number = 0;
             for (var i:int = 0; i < foundEnd; i += 3)
@@ -152,7 +170,7 @@ package starlogo.convex
         // Returns the corner after which all others are on the left.
         private function nextOf(at:int, foundEnd:int, contact:ContactPoint):int
         {
-            var found:Vector.<Number> = _found;
+            var found:Vector.<Number> = _before;
             var best:int = at;
             var x:Number = 0;
             var y:Number = 0;
@@ -174,6 +192,51 @@ package starlogo.convex
                 }
             }
             return best;
+        }
+
+        // Keeps the part on the inner side of an edge of a polygon.
+        private function cut(edges:Vector.<Number>, edgeFrom:int, edgeTo:int, contact:ContactPoint):void
+        {
+            var edgeX:Number = edges[edgeTo] - edges[edgeFrom];
+            var edgeY:Number = edges[int(edgeTo + 1)] - edges[int(edgeFrom + 1)];
+            var edgeZ:Number = edges[int(edgeTo + 2)] - edges[int(edgeFrom + 2)];
+            // to the left of the edge, which is inwards
+            var inX:Number = contact.normalY * edgeZ - contact.normalZ * edgeY;
+            var inY:Number = contact.normalZ * edgeX - contact.normalX * edgeZ;
+            var inZ:Number = contact.normalX * edgeY - contact.normalY * edgeX;
+            var from:Number = inX * edges[edgeTo] + inY * edges[int(edgeTo + 1)] + inZ * edges[int(edgeTo + 2)];
+            from -= _slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
+            var kept:Vector.<Number> = _before;
+            var before:Vector.<Number> = points;
+            var count:int = 0;
+            var last:int = end - 3;
+            var lastInwards:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - from;
+            // an edge is not a closed outline
+            var isEdge:Boolean = end == EDGE;
+            for (var at:int = 0; at < end; at += 3)
+            {
+                var inwards:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - from;
+                if (inwards > 0 != lastInwards > 0 && !(isEdge && at == 0))
+                {
+                    var share:Number = lastInwards / (lastInwards - inwards);
+                    kept[count] = before[last] + share * (before[at] - before[last]);
+                    kept[int(count + 1)] = before[int(last + 1)] + share * (before[int(at + 1)] - before[int(last + 1)]);
+                    kept[int(count + 2)] = before[int(last + 2)] + share * (before[int(at + 2)] - before[int(last + 2)]);
+                    count += 3;
+                }
+                if (inwards > 0)
+                {
+                    kept[count] = before[at];
+                    kept[int(count + 1)] = before[int(at + 1)];
+                    kept[int(count + 2)] = before[int(at + 2)];
+                    count += 3;
+                }
+                last = at;
+                lastInwards = inwards;
+            }
+            points = kept;
+            _before = before;
+            end = count;
         }
     }
 }

@@ -60,7 +60,18 @@ package starlogo.convex
             {
                 return false;
             }
-            writePoints(out);
+            var gap:CoreGap = _witness.gap;
+            if (!(_witness.distance > 0))
+            {
+                gap.x = gap.y = gap.z = 0;
+            }
+            gap.radiusA = _cores.first.radius;
+            gap.radiusB = _cores.second.radius;
+            out.setFromGap(gap);
+            if (_cores.isSwapped)
+            {
+                out.swap();
+            }
             return true;
         }
 
@@ -135,23 +146,6 @@ package starlogo.convex
             if (_cores.isSwapped)
             {
                 out.swap(motion);
-            }
-        }
-
-        // Writes the distance and the points of the surfaces.
-        private function writePoints(out:ClosestPoints):void
-        {
-            var gap:CoreGap = _witness.gap;
-            if (!(_witness.distance > 0))
-            {
-                gap.x = gap.y = gap.z = 0;
-            }
-            gap.radiusA = _cores.first.radius;
-            gap.radiusB = _cores.second.radius;
-            out.setFromGap(gap);
-            if (_cores.isSwapped)
-            {
-                out.swap();
             }
         }
     }

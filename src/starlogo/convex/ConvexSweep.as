@@ -64,13 +64,6 @@ package starlogo.convex
             motion.time = 0;
             cores.setMotion(motion);
             cores.touchingDistance += motion.margin;
-            skipToBalls(cores, motion);
-            motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
-        }
-
-        // Moves the motion's time on, from 0 to when balls around the two first meet.
-        private function skipToBalls(cores:CorePair, motion:RelativeMotion):void
-        {
             var balls:CoreGap = _balls;
             // the motion is that of a
             var side:int = cores.isSwapped ? -1 : 1;
@@ -80,6 +73,7 @@ package starlogo.convex
             balls.radiusA = Tolerances.OUTER * (cores.touchingDistance + cores.first.extent + cores.second.extent);
             balls.radiusB = 0;
             findTimeOfSpheres(balls, motion);
+            motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
         }
 
         // Finds the distance at the motion's time.

@@ -19,29 +19,22 @@ package starlogo.convex
 
         private var _simplex:Simplex = new Simplex();
 
-        // The direction of the search: from the origin to the nearest point so far.
-        private var _direction:Vector3D = new Vector3D();
-
         // The least squared distance of all steps.
         private var _least:Number = 0;
 
         /** Finds the closest points. */
         public function find(cores:CorePair, out:CoreWitness):void
         {
-            begin(out);
             _simplex.begin(cores);
             var first:int = cores.first.end;
             var second:int = cores.second.end;
             if (first == ConvexShape.POINT && second == ConvexShape.TRIANGLE || first == ConvexShape.TRIANGLE && second == ConvexShape.POINT)
             {
                 beginAsTriangle(cores);
-                keepNearest(cores, out);
             }
             else
             {
-                _direction.x = cores.x;
-                _direction.y = cores.y;
-                _direction.z = cores.z;
+                _simplex.nearest.direction.setTo(cores.x, cores.y, cores.z);
             }
             search(cores, out);
         }
@@ -53,8 +46,6 @@ package starlogo.convex
         public function findAgain(cores:CorePair, out:CoreWitness):void
         {
             _simplex.move(cores);
-            begin(out);
-            keepNearest(cores, out);
             search(cores, out);
         }
 
@@ -69,14 +60,15 @@ package starlogo.convex
             _simplex.reduce(-1, false);
         }
 
-        private function begin(out:CoreWitness):void
+        // Searches from the simplex on. If it is empty, only the direction is set.
+        private function search(cores:CorePair, out:CoreWitness):void
         {
             _least = Infinity;
             out.separation = -Infinity;
-        }
-
-        private function search(cores:CorePair, out:CoreWitness):void
-        {
+            if (_simplex.count > 0)
+            {
+                keepNearest(cores, out);
+            }
             var stalls:int = 0;
             while (stalls < MOST_STALLS && addSupport(cores, out))
             {
@@ -102,7 +94,7 @@ package starlogo.convex
         // cores are too far apart.
         private function addSupport(cores:CorePair, out:CoreWitness):Boolean
         {
-            var direction:Vector3D = _direction;
+            var direction:Vector3D = _simplex.nearest.direction;
             var x:Number = direction.x;
             var y:Number = direction.y;
             var z:Number = direction.z;
@@ -145,27 +137,25 @@ package starlogo.convex
                 && gap > -cores.timeLeft * (witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
         }
 
-        // Keeps the simplex's nearest point as the result if it is nearer than all before. Returns whether it is. Sets the direction of the next step. The
-        // vector between the points has that direction, which is the more precise one.
+        // Keeps the simplex's nearest point as the result if it is nearer than all before. Returns whether it is. The vector between the points gets the
+        // point's direction, which is the more precise one.
         private function keepNearest(cores:CorePair, out:CoreWitness):Boolean
         {
             var nearest:NearestPoint = _simplex.nearest;
-            _direction.x = nearest.directionX;
-            _direction.y = nearest.directionY;
-            _direction.z = nearest.directionZ;
             if (!(nearest.squaredDistance < _least))
             {
                 return false;
             }
             _least = nearest.squaredDistance;
             out.distance = Math.sqrt(_least);
-            var squared:Number = _direction.x * _direction.x + _direction.y * _direction.y + _direction.z * _direction.z;
+            var direction:Vector3D = nearest.direction;
+            var squared:Number = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
             // of a vector as short as rounding nothing may be left across an edge
             var factor:Number = squared > 0 ? Math.sqrt(_least / squared) : 0;
             var gap:CoreGap = out.gap;
-            gap.x = factor > 0 ? factor * _direction.x : nearest.x;
-            gap.y = factor > 0 ? factor * _direction.y : nearest.y;
-            gap.z = factor > 0 ? factor * _direction.z : nearest.z;
+            gap.x = factor > 0 ? factor * direction.x : nearest.x;
+            gap.y = factor > 0 ? factor * direction.y : nearest.y;
+            gap.z = factor > 0 ? factor * direction.z : nearest.z;
             _simplex.writePoint(cores, gap);
             return true;
         }

@@ -174,6 +174,7 @@ package starlogo.convex
         private function readEdges(second:ConvexShape):int
         {
             var count:int = second.edges.length >> 2;
+            // V8 takes longer if the writes below make the list longer
             while (_edges.length < PER_EDGE * count)
             {
                 _edges.push(0);
@@ -221,7 +222,7 @@ package starlogo.convex
             setAxisToSegment(cores.first);
             setAxisUpwards();
             _axis.scaleBy(cores.isSwapped ? -1 : 1);
-            projectDifferences(cores, _differences);
+            projectDifferences(cores);
             // rounding hides on which side they are
             var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
             var side:int = isDown ? -1 : 1;
@@ -284,7 +285,7 @@ package starlogo.convex
             {
                 return;
             }
-            projectDifferences(cores, _differences);
+            projectDifferences(cores);
             // how long the two displacements are, times the axis's length
             var forth:Number = -_differences.least;
             var back:Number = _differences.greatest;
@@ -315,14 +316,15 @@ package starlogo.convex
         }
 
         // Finds how far the differences of the cores' points extend along the axis. The cores are apart if 0 is not between.
-        private function projectDifferences(cores:CorePair, out:Interval):void
+        private function projectDifferences(cores:CorePair):void
         {
+            var differences:Interval = _differences;
             var axis:Vector3D = _axis;
-            cores.first.project(axis, out);
+            cores.first.project(axis, differences);
             cores.second.project(axis, _ofSecond);
             var from:Number = axis.x * cores.x + axis.y * cores.y + axis.z * cores.z;
-            out.least = out.least - _ofSecond.greatest + from;
-            out.greatest = out.greatest - _ofSecond.least + from;
+            differences.least = differences.least - _ofSecond.greatest + from;
+            differences.greatest = differences.greatest - _ofSecond.least + from;
         }
     }
 }

@@ -1,5 +1,6 @@
 package starlogo.convex
 {
+    import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -28,9 +29,7 @@ package starlogo.convex
         public var squaredDistance:Number = 0;
 
         /** The direction from the origin to the point, of any length. It may be more precise than the point itself. */
-        public var directionX:Number = 0;
-        public var directionY:Number = 0;
-        public var directionZ:Number = 0;
+        public var direction:Vector3D = new Vector3D();
 
         /** For each corner, its share of the point. */
         public var shares:Vector.<Number> = new Vector.<Number>(4, true);
@@ -40,9 +39,6 @@ package starlogo.convex
 
         // The simplex's corners.
         private var _corners:Vector.<Number>;
-
-        // The corner that was added last. No part without it is nearest, because the simplex before was nearer than that. -1 if any part may be.
-        private var _newest:int;
 
         /** @param corners of the simplex, x, y, z of each; kept */
         public function NearestPoint(corners:Vector.<Number>)
@@ -60,13 +56,13 @@ package starlogo.convex
          * Finds the point.
          *
          * @param count how many corners there are. If there are four, the point before is that of the first three
-         * @param newest the corner that was added last; -1 if any part may be the nearest
+         * @param newest the corner that was added last. No part without it is nearest, because the simplex before was nearer than that. -1 if any part
+         *     may be
          * @param isApart whether it is known that the cores are apart
          * @return INSIDE, OUTSIDE or LOST
          */
         public function find(count:int, newest:int, isApart:Boolean):int
         {
-            _newest = newest;
             squaredDistance = Infinity;
             if (count == 1)
             {
@@ -74,11 +70,11 @@ package starlogo.convex
             }
             else if (count == 2)
             {
-                tryEdge(0, 1);
+                tryEdge(0, 1, newest);
             }
             else if (count == 3)
             {
-                tryTriangle(0, 1, 2);
+                tryTriangle(0, 1, 2, newest);
             }
             else if (tryTetrahedron(isApart))
             {
@@ -104,15 +100,15 @@ package starlogo.convex
             }
             if (isBeyond01 || isBeyondNone)
             {
-                tryTriangle(3, 0, 1);
+                tryTriangle(3, 0, 1, 3);
             }
             if (isBeyond12 || isBeyondNone)
             {
-                tryTriangle(3, 1, 2);
+                tryTriangle(3, 1, 2, 3);
             }
             if (isBeyond20 || isBeyondNone)
             {
-                tryTriangle(3, 2, 0);
+                tryTriangle(3, 2, 0, 3);
             }
             return false;
         }
@@ -182,13 +178,13 @@ package starlogo.convex
                 squaredDistance = squared;
                 clearShares();
                 shares[i] = 1;
-                x = directionX = toX;
-                y = directionY = toY;
-                z = directionZ = toZ;
+                x = direction.x = toX;
+                y = direction.y = toY;
+                z = direction.z = toZ;
             }
         }
 
-        private function tryEdge(i:int, j:int):void
+        private function tryEdge(i:int, j:int, newest:int):void
         {
             var w:Vector.<Number> = _corners;
             var from:int = 3 * i;
@@ -204,7 +200,7 @@ package starlogo.convex
             if (!(along > 0) || along >= uu)
             {
                 var end:int = along > 0 ? j : i;
-                if (_newest < 0 || _newest == end)
+                if (newest < 0 || newest == end)
                 {
                     tryCorner(end);
                 }
@@ -236,30 +232,30 @@ package starlogo.convex
             var uy:Number = w[int(to + 1)] - w[int(from + 1)];
             var uz:Number = w[int(to + 2)] - w[int(from + 2)];
             var off:Number = (x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
-            directionX = x - off * ux;
-            directionY = y - off * uy;
-            directionZ = z - off * uz;
+            direction.x = x - off * ux;
+            direction.y = y - off * uy;
+            direction.z = z - off * uz;
         }
 
         // Tries a triangle. Its longest edge becomes the base.
-        private function tryTriangle(i:int, j:int, k:int):void
+        private function tryTriangle(i:int, j:int, k:int, newest:int):void
         {
             if (!isLonger(i, j, j, k) && !isLonger(k, i, j, k))
             {
-                tryTriangleOnBase(j, k, i);
+                tryTriangleOnBase(j, k, i, newest);
             }
             else if (isLonger(k, i, i, j))
             {
-                tryTriangleOnBase(k, i, j);
+                tryTriangleOnBase(k, i, j, newest);
             }
             else
             {
-                tryTriangleOnBase(i, j, k);
+                tryTriangleOnBase(i, j, k, newest);
             }
         }
 
         // Tries a triangle on its base, the longest edge, which goes from i to j. If the origin is not over its inside, tries its edges.
-        private function tryTriangleOnBase(i:int, j:int, k:int):void
+        private function tryTriangleOnBase(i:int, j:int, k:int, newest:int):void
         {
             var w:Vector.<Number> = _corners;
             var from:int = 3 * i;
@@ -289,7 +285,7 @@ package starlogo.convex
             var low:Number = along - foot * up;
             if (!(hh > Tolerances.NARROW_TRIANGLE * uu && up > 0 && low > 0 && low < 1 - up))
             {
-                tryEdges(i, j, k);
+                tryEdges(i, j, k, newest);
                 return;
             }
             toX += up * hx;
@@ -309,13 +305,13 @@ package starlogo.convex
                 if (squared < hh)
                 {
                     // the triangle's normal is more precise than the vector
-                    directionX = uy * hz - uz * hy;
-                    directionY = uz * hx - ux * hz;
-                    directionZ = ux * hy - uy * hx;
-                    var side:int = directionX * x + directionY * y + directionZ * z < 0 ? -1 : 1;
-                    directionX *= side;
-                    directionY *= side;
-                    directionZ *= side;
+                    var normalX:Number = uy * hz - uz * hy;
+                    var normalY:Number = uz * hx - ux * hz;
+                    var normalZ:Number = ux * hy - uy * hx;
+                    var side:int = normalX * x + normalY * y + normalZ * z < 0 ? -1 : 1;
+                    direction.x = side * normalX;
+                    direction.y = side * normalY;
+                    direction.z = side * normalZ;
                     return;
                 }
                 setDirectionAcross(from, to);
@@ -323,19 +319,19 @@ package starlogo.convex
         }
 
         // Tries a triangle's edges, but not the one without the newest corner.
-        private function tryEdges(i:int, j:int, k:int):void
+        private function tryEdges(i:int, j:int, k:int, newest:int):void
         {
-            if (_newest != k)
+            if (newest != k)
             {
-                tryEdge(i, j);
+                tryEdge(i, j, newest);
             }
-            if (_newest != i)
+            if (newest != i)
             {
-                tryEdge(j, k);
+                tryEdge(j, k, newest);
             }
-            if (_newest != j)
+            if (newest != j)
             {
-                tryEdge(k, i);
+                tryEdge(k, i, newest);
             }
         }
 

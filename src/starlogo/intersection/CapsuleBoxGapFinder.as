@@ -26,7 +26,7 @@ package starlogo.intersection
             gap.x = axis.signX * (axis.x + share * axis.alongX);
             gap.y = axis.signY * (axis.y + share * axis.alongY);
             gap.z = axis.signZ * (axis.z + share * axis.alongZ);
-            measureToBox(box, motion, out);
+            out.measureToBox(box, motion);
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
             gap.pointX = start.x + share * (end.x - start.x);

@@ -6,7 +6,7 @@ package starlogo.intersection
 
     /**
      * Finds the gap between the cores of two structures, by which RoundKernel answers its questions. Abstract: there is a class for each pair of
-     * kinds.
+     * kinds. If these were classes of kernels, PairTable would have kernels of seven classes, and V8 calls a method of more than four classes slowly.
      *
      * @private
      */

@@ -28,7 +28,7 @@ package starlogo.intersection
             gap.y = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisZ;
             gap.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            measureToBox(box, motion, out);
+            out.measureToBox(box, motion);
             gap.pointX = center.x;
             gap.pointY = center.y;
             gap.pointZ = center.z;

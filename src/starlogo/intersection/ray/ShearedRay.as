@@ -43,6 +43,9 @@ package starlogo.intersection.ray
         private var _margin:Number = 0;
         private var _sliver:Number = 0;
 
+        /** The first crossing that findFirst() has found since the ray was set. Read only. */
+        public var first:TriangleCrossing = new TriangleCrossing();
+
         // The last crossing that was found, and the same with the triangle's normal.
         private var _crossing:TriangleCrossing = new TriangleCrossing();
         private var _entry:RayEntry = new RayEntry();
@@ -57,6 +60,7 @@ package starlogo.intersection.ray
         public function setTo(ray:Ray, radius:Number):void
         {
             _ray = ray;
+            first.slot = -1;
             var absX:Number = Math.abs(ray.directionX);
             var absY:Number = Math.abs(ray.directionY);
             var absZ:Number = Math.abs(ray.directionZ);
@@ -88,22 +92,23 @@ package starlogo.intersection.ray
         }
 
         /**
-         * Finds the first of some triangles that the ray meets.
+         * Finds the first of some triangles that the ray meets, if it comes before the first crossing so far.
          *
          * @param corners nine numbers for each triangle
          * @param from the first triangle's slot
          * @param end the slot after the last one
-         * @param first the first crossing before; receives the one that is found if it is earlier. Its slot is -1 if there was none
-         * @return whether it is earlier
+         * @return whether there is one
          */
-        public function findFirst(corners:Vector.<Number>, from:int, end:int, first:TriangleCrossing):Boolean
+        public function findFirst(corners:Vector.<Number>, from:int, end:int):Boolean
         {
             var isFound:Boolean = false;
             for (var slot:int = next(corners, from, end); slot >= 0; slot = next(corners, slot + 1, end))
             {
-                if (isBefore(_crossing, first))
+                if (isBeforeFirst(_crossing))
                 {
-                    first.copyFrom(_crossing);
+                    var before:TriangleCrossing = first;
+                    first = _crossing;
+                    _crossing = before;
                     isFound = true;
                 }
             }
@@ -152,7 +157,7 @@ package starlogo.intersection.ray
 
         // Whether a crossing comes before the first one so far, and not after the ray's end. A triangle that is seen edge on has to be a rounding
         // error nearer, and another one may be a rounding error behind it.
-        private function isBefore(crossing:TriangleCrossing, first:TriangleCrossing):Boolean
+        private function isBeforeFirst(crossing:TriangleCrossing):Boolean
         {
             if (first.slot < 0)
             {

@@ -21,14 +21,5 @@ package starlogo.intersection.ray
 
         /** RayCrossings.ENTERS, LEAVES or EDGE_ON. */
         public var side:int = 0;
-
-        public function copyFrom(other:TriangleCrossing):void
-        {
-            slot = other.slot;
-            distance = other.distance;
-            slack = other.slack;
-            end = other.end;
-            side = other.side;
-        }
     }
 }

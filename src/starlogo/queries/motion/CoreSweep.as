@@ -61,15 +61,15 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds what stops the core first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies and one-way
-         * obstacles are not decided here.
+         * Finds what stops the core first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies are
+         * not decided here, nor motions that a one-way obstacle may stop first.
          *
          * @param out receives the answer of <code>findFirst()</code>
          * @return whether the core certainly overlaps nothing
          */
         public function findFirstIfFree(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return !body.core.isFlat && !body.hasOneWayObstacle() && (!findFirst(body, from, motion, out, true) || out.time > 0);
+            return !body.core.isFlat && (!findFirst(body, from, motion, out, true) || out.time > 0 && !body.isOneWay(out.row));
         }
 
         /** Finds what stops the core first, as <code>findFirst()</code> does. One-way rows that the body passes are no obstacles from then on. */
@@ -159,11 +159,11 @@ package starlogo.queries.motion
         {
             var core:Body = body.core.at(end);
             var other:Body = body.bodyOf(row);
-            var tests:PairTests = body.pairTestsFor(core, other);
             var isInside:Boolean = false;
             motion.time = RelativeMotion.NEVER;
             if (body.isNear(core, other, motion))
             {
+                var tests:PairTests = body.pairTestsFor(core, other);
                 if (countsInside)
                 {
                     isInside = tests.findEntry(core, other, motion, out);

@@ -230,19 +230,6 @@ package starlogo.queries.motion
             return agents[row].isOneWay;
         }
 
-        /** Whether one of the obstacles is one-way. */
-        public function hasOneWayObstacle():Boolean
-        {
-            for (var i:int = 0; i < obstacles.count; i++)
-            {
-                if (isOneWay(obstacles.numbers[i]))
-                {
-                    return true;
-                }
-            }
-            return false;
-        }
-
         /** Whether a row is one-way, and the body, which meets it with a contact, does not come from above. Then the body goes on through the row. */
         public function passes(row:int, contact:ContactPoint):Boolean
         {

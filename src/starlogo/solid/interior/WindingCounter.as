@@ -15,6 +15,9 @@ package starlogo.solid.interior
      */
     public final class WindingCounter extends NodeVisitor
     {
+        // This many triangles, or up to twice as many, say where most of them are.
+        private static const SAMPLES:int = 1000;
+
         /** The triangles. */
         public var mesh:TriangleMesh;
 
@@ -39,6 +42,9 @@ package starlogo.solid.interior
         private var _axisB:int;
         private var _axisC:int;
 
+        // Where most triangles are along that axis: in a level, near the floor. Rays lead away from there, so that they meet few triangles.
+        private var _crowdedPlace:Number;
+
         // The current ray: its origin along these axes, and whether it goes towards the smaller coordinates.
         private var _a:Number;
         private var _b:Number;
@@ -60,6 +66,22 @@ package starlogo.solid.interior
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             _axisB = (_axis + 1) % 3;
             _axisC = (_axis + 2) % 3;
+            _crowdedPlace = meanCorner();
+        }
+
+        // The mean coordinate of some corners along the axis of all rays.
+        private function meanCorner():Number
+        {
+            var corners:Vector.<Number> = mesh.corners;
+            var stride:int = 9 * Math.max(1, Math.floor(corners.length / (9 * SAMPLES)));
+            var sum:Number = 0;
+            var count:int = 0;
+            for (var i:int = _axis; i < corners.length; i += stride)
+            {
+                sum += corners[i];
+                count++;
+            }
+            return sum / count;
         }
 
         /**
@@ -108,8 +130,8 @@ package starlogo.solid.interior
             return state == SurfaceTopology.TWO_SIDED && _windings[shell] != 0 || state == SurfaceTopology.ONE_SIDED && (_windings[shell] & 1) != 0;
         }
 
-        // Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, towards the nearer side
-        // of the box around all triangles, counts the triangles that it crosses.
+        // Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, away from where most
+        // triangles are, counts the triangles that it crosses.
         // Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same answer to the
         // last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.
         private function count(x:Number, y:Number, z:Number):void
@@ -123,7 +145,7 @@ package starlogo.solid.interior
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
-            _isBackward = _a < mesh.tree.boxes[_axis];
+            _isBackward = _a < _crowdedPlace;
             var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
             _search.setPlace(x, y, z, margin);
             _search.setAxis(_axis, _isBackward ? -1 : 1);

@@ -251,7 +251,7 @@ package starlogo.queries
         engine function treeOfExtents():RowTree
         {
             _table.refreshWorld();
-            return build(_extents, _table.extents);
+            return build(_extents, _table.places.extents);
         }
 
         private function build(tree:RowTree, points:Points):RowTree

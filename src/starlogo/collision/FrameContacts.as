@@ -25,12 +25,6 @@ package starlogo.collision
             _frame++;
         }
 
-        /** Ends the frame. */
-        public function end():void
-        {
-            _system = null;
-        }
-
         /** Computes the contact of a pair. */
         public function find(pair:int, first:Agent, second:Agent):void
         {

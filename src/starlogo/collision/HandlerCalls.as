@@ -81,9 +81,6 @@ package starlogo.collision
                 _tracker.end(_areTouchesComplete);
                 _tracker = null;
             }
-            _pairs = null;
-            _contacts.end();
-            _gameList.end();
         }
 
         // Computes the contacts that handlers take, before a handler moves an agent. Null stands for all pairs.

@@ -34,7 +34,7 @@ package starlogo.handlers
         // The indices of the objects for later touches.
         private var _free:IntList = new IntList();
 
-        // The pairs of the frame. By pair: the index of its touch, or NONE; and the same of the frame before, if its pairs are kept. The number of
+        // The pairs of the frame. By pair: the index of its touch, or NONE; and the same of the frame before. The number of
         // the search that has found the pairs, or NONE if not each pair has got its touch.
         private var _pairs:FoundPairs = null;
         private var _touches:Vector.<int> = new Vector.<int>();
@@ -72,6 +72,14 @@ package starlogo.handlers
         {
             frame++;
             _pairs = pairs;
+            var before:Vector.<int> = _touches;
+            _touches = _touchesBefore;
+            _touchesBefore = before;
+            if (_touches.length < pairs.count)
+            {
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                _touches.length = pairs.count + (pairs.count >> 3);
+            }
             if (compared == null)
             {
                 compareAll(table);
@@ -133,16 +141,17 @@ package starlogo.handlers
         public function findOrStart(first:Agent, second:Agent, firstBreed:int, secondBreed:int, isCalledForBoth:Boolean = false):Touch
         {
             var index:int = indexOf(first, second);
-            var touch:Touch = index < 0 ? newTouch() : _all[index];
-            if (index < 0)
+            if (index != NONE)
             {
-                touch.first = first;
-                touch.second = second;
-                touch.firstBreed = firstBreed;
-                touch.secondBreed = secondBreed;
-                touch.isCalledForBoth = isCalledForBoth;
-                _indices.set (Math.min(first.idNumber, second.idNumber), Math.max(first.idNumber, second.idNumber), touch.index);
+                return _all[index];
             }
+            var touch:Touch = newTouch();
+            touch.first = first;
+            touch.second = second;
+            touch.firstBreed = firstBreed;
+            touch.secondBreed = secondBreed;
+            touch.isCalledForBoth = isCalledForBoth;
+            _indices.set (Math.min(first.idNumber, second.idNumber), Math.max(first.idNumber, second.idNumber), touch.index);
             return touch;
         }
 
@@ -168,7 +177,6 @@ package starlogo.handlers
 
         private function compareAll(table:HandlerTable):void
         {
-            makeRoom();
             for (var pair:int = 0; pair < _pairs.count; pair++)
             {
                 continueTouch(pair, table);
@@ -198,24 +206,11 @@ package starlogo.handlers
             }
         }
 
-        // Grows by an eighth, because a vector that grows a little in each frame is copied each time.
-        private function makeRoom():void
-        {
-            if (_touches.length < _pairs.count)
-            {
-                _touches.length = _pairs.count + (_pairs.count >> 3);
-            }
-        }
-
         // Copies the touches of kept pairs to where their pairs are now.
         private function moveTouches():void
         {
             var added:IntList = _pairs.added;
             var dropped:IntList = _pairs.dropped;
-            var from:Vector.<int> = _touches;
-            _touches = _touchesBefore;
-            _touchesBefore = from;
-            makeRoom();
             var nextAdded:int = 0;
             var nextDropped:int = 0;
             var before:int = 0;
@@ -230,7 +225,7 @@ package starlogo.handlers
                 {
                     before++;
                 }
-                _touches[pair] = from[before];
+                _touches[pair] = _touchesBefore[before];
                 before++;
             }
         }

@@ -20,12 +20,7 @@ package starlogo.search
         public function SphereChoice(greatLand:GreatLand)
         {
             super(greatLand);
-        }
-
-        /** @private */
-        override engine function get system():int
-        {
-            return BIN;
+            system = BIN;
         }
 
         /** @private */

@@ -2,10 +2,8 @@ package starlogo.search
 {
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.libraries.BoundingStructuresLibrary;
-    import starlogo.search.pairs.StructurePairTests;
 
     use namespace engine;
 
@@ -15,25 +13,13 @@ package starlogo.search
      *
      * @private
      */
-    public final class TightestFitChoice extends BaseShapeChoice
+    public final class TightestFitChoice extends ShapeChoice
     {
         /** @param greatLand the models' structures */
         public function TightestFitChoice(greatLand:GreatLand)
         {
             super(greatLand);
-            requireGiven("greatLand", greatLand);
-        }
-
-        /** @private */
-        override engine function get system():int
-        {
-            return TIGHTEST_FIT;
-        }
-
-        /** @private */
-        override engine function addTests(narrowPhase:NarrowPhase):void
-        {
-            StructurePairTests.addTo(narrowPhase);
+            system = TIGHTEST_FIT;
         }
 
         /** @inheritDoc */

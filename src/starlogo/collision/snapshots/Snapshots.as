@@ -88,7 +88,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + systemOf(search) * SYSTEM);
+            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + search.narrowPhase.choice.system * SYSTEM);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -120,7 +120,7 @@ package starlogo.collision.snapshots
             var parts:SnapshotParts = new SnapshotParts();
             try
             {
-                readParts(copy, agents, systemOf(search), ground, edges, parts);
+                readParts(copy, agents, search.narrowPhase.choice.system, ground, edges, parts);
             }
             catch (error:Error)
             {
@@ -266,11 +266,6 @@ package starlogo.collision.snapshots
             // each pair is there once
             check(touches.count == pairs);
             return touches;
-        }
-
-        private static function systemOf(search:CollisionSearch):int
-        {
-            return search.narrowPhase.choice.system;
         }
 
         private static function check(isSnapshot:Boolean):void

@@ -67,7 +67,7 @@ package starlogo.hierarchy
          */
         public var endsUpToDepth:Vector.<int> = new Vector.<int>();
 
-        /** The radius of the sphere around the root's box. */
+        /** The radius of the sphere around the root's box. Set with that box. */
         public var radius:Number = 0;
 
         /** The radius of a sphere around the origin that contains the model. Rounding errors are relative to it. Complete with the root's box. */
@@ -225,7 +225,6 @@ package starlogo.hierarchy
         engine function refit():void
         {
             finish(refitting());
-            measureRadius();
         }
 
         /** For makers of trees: the work that computes all boxes, to be followed by <code>complete()</code>. Until it is done, there are extents in their place. */
@@ -327,7 +326,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * For makers of trees: sets a node's box. It is larger than the node's part by a margin. So everything that touches the surface touches
+         * For makers of trees: sets a node's box, and the radius with that of the root. The box is larger than the node's part by a margin. So everything that touches the surface touches
          * the boxes, and boxes are inside of their parents' boxes in spite of rounding.
          *
          * @param extents contains the extents of the part: minX, maxX, minY, maxY, minZ, maxZ. It may be the list of boxes
@@ -349,6 +348,10 @@ package starlogo.hierarchy
             boxes[int(to + 3)] = halfX + margin;
             boxes[int(to + 4)] = halfY + margin;
             boxes[int(to + 5)] = halfZ + margin;
+            if (node == 0)
+            {
+                radius = Math.sqrt(boxes[3] * boxes[3] + boxes[4] * boxes[4] + boxes[5] * boxes[5]);
+            }
         }
 
         /** For makers of trees: ends the making. The columns are copied, because lists that grew have room to spare. */
@@ -360,12 +363,6 @@ package starlogo.hierarchy
             end = end.slice(0, _count);
             endsUpToDepth = endsUpToDepth.slice(0, _count);
             _splits = _splits.slice(0, _count);
-            measureRadius();
-        }
-
-        private function measureRadius():void
-        {
-            radius = Math.sqrt(boxes[3] * boxes[3] + boxes[4] * boxes[4] + boxes[5] * boxes[5]);
         }
 
         private function addNode(from:int, to:int, level:int):void

@@ -1,6 +1,7 @@
 package starlogo.hierarchy
 {
     import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.geometry.Placement;
@@ -34,8 +35,7 @@ package starlogo.hierarchy
         private var _between:Vector3D = new Vector3D();
 
         private var _measured:ClosestPoints = new ClosestPoints();
-        private var _boxA:Box = BoxTree.newBox();
-        private var _boxB:Box = BoxTree.newBox();
+        private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts the pairs of nodes that are visited */
         public function DistanceTraversal(counts:TreeCounts)
@@ -193,7 +193,8 @@ package starlogo.hierarchy
                 visitor.findCloser(a, b, out);
                 return;
             }
-            PairTable.findClosest(trees.a.writeBox(a, _boxA), trees.pose.placeWidened(trees.b.writeBox(b, _boxB)), _measured);
+            var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.writeBox(b, _box));
+            PairTable.findClosest(trees.a.writeBox(a, _box), placedB, _measured);
             reduce(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
             if (_measured.distance < out.least)
             {

@@ -17,9 +17,6 @@ package starlogo.hierarchy
         private var _sweep:BoxSweep = new BoxSweep();
         private var _pair:BoxPair = new BoxPair();
 
-        // The latest time of the motion.
-        private var _latest:Number = 1;
-
         /** @param counts counts the pairs of nodes that are visited */
         public function ImpactTraversal(counts:TreeCounts)
         {
@@ -37,7 +34,7 @@ package starlogo.hierarchy
         {
             var relative:Placement = trees.pose.placement;
             _pair.axes.readAxes(relative, 1);
-            _latest = motion.latest;
+            _pair.latest = motion.latest;
             _pair.motionX = motion.x;
             _pair.motionY = motion.y;
             _pair.motionZ = motion.z;
@@ -96,7 +93,10 @@ package starlogo.hierarchy
             pair.aX = boxesA[int(a + 3)];
             pair.aY = boxesA[int(a + 4)];
             pair.aZ = boxesA[int(a + 5)];
-            pair.latest = best.least < _latest ? best.least : _latest;
+            if (best.least < pair.latest)
+            {
+                pair.latest = best.least;
+            }
         }
     }
 }

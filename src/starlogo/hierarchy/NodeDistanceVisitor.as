@@ -8,9 +8,6 @@ package starlogo.hierarchy
     /** Finds the distance of a structure from the boxes of a tree. The results are nested, as those of DistanceTraversal. @private */
     public final class NodeDistanceVisitor extends NodeVisitor
     {
-        // Finds the nodes near the structure.
-        private var _search:BoxSearch;
-
         private var _structure:BoundingStructure;
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _nearest:ClosestPoints;
@@ -20,7 +17,7 @@ package starlogo.hierarchy
         /** @param counts counts the nodes that are visited */
         public function NodeDistanceVisitor(counts:TreeCounts)
         {
-            _search = new BoxSearch(counts);
+            super(counts);
         }
 
         /**
@@ -35,17 +32,17 @@ package starlogo.hierarchy
         {
             _structure = pose.placeWidened(structure);
             _structure.extentsInto(_extents);
-            _search.setExtents(_extents, 0);
+            search.setExtents(_extents, 0);
             _nearest = out;
             limit = out.distance = Infinity;
-            _search.findNear(tree, depth, this);
+            search.findNear(tree, depth, this);
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
             PairTable.findClosest(tree.writeBox(node, _box), _structure, _measured);
-            DistanceTraversal.reduce(_measured, tree.levelOf(node), 0, tree.radius + _search.halfX + _search.halfY + _search.halfZ);
+            DistanceTraversal.reduce(_measured, tree.levelOf(node), 0, tree.radius + search.halfX + search.halfY + search.halfZ);
             if (_measured.distance < limit)
             {
                 limit = _measured.distance;

@@ -16,7 +16,6 @@ package starlogo.hierarchy
     {
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
-        private var _search:BoxSearch = new BoxSearch();
         private var _box:Box = BoxTree.newBox();
 
         // The node that the ray meets first, or -1.
@@ -41,9 +40,7 @@ package starlogo.hierarchy
         {
             _ray.copyFrom(ray);
             _first = -1;
-            limit = ray.to;
-            _search.setRay(ray);
-            _search.find(tree, depth, this);
+            visitAlong(ray, tree, depth);
             return _first >= 0 && rayBox(_ray, tree.writeBox(_first, _box), out);
         }
 

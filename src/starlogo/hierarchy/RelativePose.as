@@ -1,6 +1,7 @@
 package starlogo.hierarchy
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -75,6 +76,29 @@ package starlogo.hierarchy
             out.z = a.r02 * x + a.r12 * y + a.r22 * z;
             out.earliest = worldMotion.earliest;
             out.latest = worldMotion.latest;
+        }
+
+        /**
+         * Turns the contact of the second model with the first, in the first one's space, into the contact of the first with the second, in the world.
+         *
+         * @param contact at the motion's time
+         * @param a the first model's placement in the world, where it stands without the motion
+         * @param motion the first model's motion relative to the second, in the world
+         */
+        public static function moveContactToWorld(contact:ContactPoint, a:Placement, motion:RelativeMotion):void
+        {
+            var time:Number = motion.time;
+            var x:Number = contact.x * a.size;
+            var y:Number = contact.y * a.size;
+            var z:Number = contact.z * a.size;
+            contact.x = a.r00 * x + a.r01 * y + a.r02 * z + a.x + motion.startX + time * motion.x;
+            contact.y = a.r10 * x + a.r11 * y + a.r12 * z + a.y + motion.startY + time * motion.y;
+            contact.z = a.r20 * x + a.r21 * y + a.r22 * z + a.z + motion.startZ + time * motion.z;
+            x = -contact.normalX;
+            y = -contact.normalY;
+            z = -contact.normalZ;
+            contact.setNormal(a.r00 * x + a.r01 * y + a.r02 * z, a.r10 * x + a.r11 * y + a.r12 * z, a.r20 * x + a.r21 * y + a.r22 * z);
+            contact.depth *= a.size;
         }
 
         /**

@@ -37,14 +37,15 @@ package starlogo.solid
         /** @private The root, as clients see it. */
         engine var root:HierarchyNode;
 
+        /** @private The surface that the triangles make; null before it is known. One that was stored may be set, so that it need not be found. */
+        engine var surface:SurfaceTopology = null;
+
+        /** @private The work that makes the nodes, which was begun. It may have no steps left. Null if there is none to do. */
+        engine var building:Steps = null;
+
         // Null before they are prepared: the triangles; what is inside of them, for which they are prepared too.
         private var _mesh:TriangleMesh = null;
         private var _interior:Interior = null;
-
-        private var _surface:SurfaceTopology = null;
-
-        // The work that makes the nodes; null if there is none to do.
-        private var _building:Steps = null;
 
         /** @param tree the tree of the model's triangles or vertices. <code>beginBuilding()</code> makes its nodes if it has none */
         public function ModelTree(tree:BoxTree)
@@ -68,40 +69,34 @@ package starlogo.solid
                 {
                     return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, minVerticesToSplit, maxDepth, splitByMean);
                 });
-            _building = preparesExact && hasTriangles ? work.begin(newInterior) : work;
+            building = preparesExact && hasTriangles ? work.begin(newInterior) : work;
         }
 
         /** @private Puts work before the work that was begun. It makes the nodes from what is stored, if it can; otherwise they are built. */
         engine function restoreFirst(restoring:Steps):void
         {
-            _building = new StepSequence().add(restoring).add(_building);
-        }
-
-        /** @private The work that was begun. It may have no steps left. */
-        engine function get building():Steps
-        {
-            return _building;
+            building = new StepSequence().add(restoring).add(building);
         }
 
         /** @private Does what is left of the work that was begun. */
         engine function finishBuilding():void
         {
-            if (_building != null)
+            if (building != null)
             {
-                finish(_building);
-                _building = null;
+                finish(building);
+                building = null;
             }
         }
 
         // The work that prepares what is inside of the triangles.
         private function newInterior():Steps
         {
-            var builder:InteriorBuilder = new InteriorBuilder(boxTree, _mesh, _surface);
+            var builder:InteriorBuilder = new InteriorBuilder(boxTree, _mesh, surface);
             return new StepSequence().add(builder).call(function():void
                 {
                     _interior = builder.interior;
                     _mesh = builder.mesh;
-                    _surface = builder.surface;
+                    surface = builder.surface;
                 });
         }
 
@@ -144,17 +139,6 @@ package starlogo.solid
             return _interior;
         }
 
-        /** @private The surface that the triangles make; null before it is known. One that was stored may be set, so that it need not be found. */
-        engine function get surface():SurfaceTopology
-        {
-            return _surface;
-        }
-
-        engine function set surface(stored:SurfaceTopology):void
-        {
-            _surface = stored;
-        }
-
         /**
          * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if no shell of the surface is
          * closed. The inside is only prepared if the ball is in the box around the model and has no open side.
@@ -177,7 +161,7 @@ package starlogo.solid
          */
         engine function refit():void
         {
-            _surface = null;
+            surface = null;
             _interior = null;
             root = HierarchyNode.of(boxTree, 0);
             if (boxTree.isMade)

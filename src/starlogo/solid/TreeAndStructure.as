@@ -134,7 +134,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function measure(out:ClosestPoints):void
+        override internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
             if (_isExact)
             {

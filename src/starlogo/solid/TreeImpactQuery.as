@@ -1,11 +1,8 @@
 package starlogo.solid
 {
-    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.geometry.Placement;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.PairTable;
 
     /**
      * Finds when and where two models first touch while the first one, a tree, moves relative to the second.
@@ -18,9 +15,6 @@ package starlogo.solid
 
         // The second model's motion in the first model's space, from the pair's pose on.
         private var _motion:RelativeMotion = new RelativeMotion();
-
-        // For the contact of two structures.
-        private var _pose:RelativePose = new RelativePose();
 
         /** Sets the two models. Call it before each question. */
         public function setTo(pair:TreePair):void
@@ -44,7 +38,7 @@ package starlogo.solid
             motion.time = _motion.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                moveToWorld(out, _pair.placementA, motion);
+                RelativePose.moveContactToWorld(out, _pair.placementA, motion);
             }
         }
 
@@ -73,42 +67,7 @@ package starlogo.solid
                 _motion.time = 0;
                 _pair.findContactOfRoots(_motion, out);
             }
-            moveToWorld(out, _pair.placementA, motion);
-        }
-
-        /**
-         * Finds the contact of the structures around two standing models.
-         *
-         * @param a the structure around the first model, in its space
-         * @param placementA the first model's placement in the world
-         * @param b the structure around the second model, in its space
-         * @param placementB the second model's placement in the world
-         * @param out receives the contact, in the world
-         */
-        public function findOuterContact(a:BoundingStructure, placementA:Placement, b:BoundingStructure, placementB:Placement,
-                out:ContactPoint):void
-        {
-            _pose.relate(placementA, placementB);
-            PairTable.findContact(_pose.place(b), a, RelativeMotion.NONE, out);
-            moveToWorld(out, placementA, RelativeMotion.NONE);
-        }
-
-        // Turns the contact of the second model with the first, in the first one's space, into the contact of the first with the second, in the world.
-        // The placement is where the first model stands without the motion; the contact is at the motion's time.
-        private static function moveToWorld(contact:ContactPoint, a:Placement, motion:RelativeMotion):void
-        {
-            var time:Number = motion.time;
-            var x:Number = contact.x * a.size;
-            var y:Number = contact.y * a.size;
-            var z:Number = contact.z * a.size;
-            contact.x = a.r00 * x + a.r01 * y + a.r02 * z + a.x + motion.startX + time * motion.x;
-            contact.y = a.r10 * x + a.r11 * y + a.r12 * z + a.y + motion.startY + time * motion.y;
-            contact.z = a.r20 * x + a.r21 * y + a.r22 * z + a.z + motion.startZ + time * motion.z;
-            x = -contact.normalX;
-            y = -contact.normalY;
-            z = -contact.normalZ;
-            contact.setNormal(a.r00 * x + a.r01 * y + a.r02 * z, a.r10 * x + a.r11 * y + a.r12 * z, a.r20 * x + a.r21 * y + a.r22 * z);
-            contact.depth *= a.size;
+            RelativePose.moveContactToWorld(out, _pair.placementA, motion);
         }
     }
 }

@@ -52,7 +52,7 @@ package starlogo.solid
         public final function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
             relate();
-            measure(out);
+            findClosestOfSurfaces(out);
             out.distance *= placementA.size;
             // a point of both is known already if the measured distance is 0
             var isPointNeeded:Boolean = areTouching && out.distance > 0;
@@ -86,10 +86,10 @@ package starlogo.solid
             throw new IllegalOperationError(this + " does not implement overlapInPose");
         }
 
-        /** Whether one of the two, whose surfaces do not touch in their pose, is inside of the other. */
+        /** Whether one of the two, whose surfaces do not touch in their pose, is inside of the other. For two trees, only the traversal knows it. */
         internal function isOneInside():Boolean
         {
-            throw new IllegalOperationError(this + " does not implement isOneInside");
+            return overlapInPose();
         }
 
         /**
@@ -111,9 +111,9 @@ package starlogo.solid
         }
 
         /** Finds the distance and the closest points of the surfaces in their pose. The argument receives them, in the first model's space. */
-        internal function measure(out:ClosestPoints):void
+        internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
-            throw new IllegalOperationError(this + " does not implement measure");
+            throw new IllegalOperationError(this + " does not implement findClosestOfSurfaces");
         }
 
         /**

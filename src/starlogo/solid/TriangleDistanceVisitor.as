@@ -3,7 +3,6 @@ package starlogo.solid
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
-    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.RelativePose;
@@ -16,10 +15,6 @@ package starlogo.solid
     /** Finds the distance of a solid structure from the triangles of a model. */
     internal final class TriangleDistanceVisitor extends NodeVisitor
     {
-        // Finds the nodes near the structure's extents.
-        private var _search:BoxSearch;
-        private var _counts:TreeCounts;
-
         private var _mesh:TriangleMesh;
         private var _kernel:TriangleKernel = new TriangleKernel();
 
@@ -33,8 +28,7 @@ package starlogo.solid
         /** @param counts counts the nodes that are visited and the triangles that are tested */
         public function TriangleDistanceVisitor(counts:TreeCounts)
         {
-            _counts = counts;
-            _search = new BoxSearch(counts);
+            super(counts);
         }
 
         /**
@@ -53,8 +47,8 @@ package starlogo.solid
             _nearest = out;
             _slot = -1;
             limit = out.distance = Infinity;
-            _search.setExtents(_extents, 0);
-            _search.findNear(model.boxTree, BoxTree.EXACT, this);
+            search.setExtents(_extents, 0);
+            search.findNear(model.boxTree, BoxTree.EXACT, this);
             out.swap();
             return _slot;
         }
@@ -67,7 +61,7 @@ package starlogo.solid
             {
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < limit * limit)
                 {
-                    _counts.triangleTests++;
+                    search.counts.triangleTests++;
                     if (_kernel.findCloser(_mesh.corners, 9 * i, _nearest))
                     {
                         limit = _nearest.distance;

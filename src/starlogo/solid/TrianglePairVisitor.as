@@ -28,10 +28,9 @@ package starlogo.solid
         private var _extentsOfFirst:Vector.<Number> = null;
         private var _secondMesh:TriangleMesh = null;
 
-        // The second model's placement in the first model's space, and its motion, whose latest time is at most _latest.
+        // The second model's placement in the first model's space, and its motion, which ends at the first touch so far.
         private var _placement:Placement = null;
         private var _motion:RelativeMotion = new RelativeMotion();
-        private var _latest:Number = 1;
 
         // The slot of the first triangle of the second node, or -1 if no triangles are moved.
         private var _movedFrom:int = -1;
@@ -81,7 +80,7 @@ package starlogo.solid
             _secondMesh = pair.b.mesh;
             _extentsOfFirst = _firstMesh.extents;
             _motion.copyVector(motion);
-            _motion.latest = _latest = motion.latest;
+            _motion.latest = motion.latest;
             _movedFrom = -1;
             _tolerance = pair.pose.tolerance + Touching.marginOfSurface(pair.trees.a.radius + pair.trees.b.radius * _placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
@@ -113,7 +112,6 @@ package starlogo.solid
             var motion:RelativeMotion = _motion;
             var first:int = _firstMesh.tree.first[a];
             var end:int = _firstMesh.tree.end[a];
-            motion.latest = best.least < _latest ? best.least : _latest;
             // Of triangles that touch at the same time, those of the nodes that are tested last count.
             var time:Number = RelativeMotion.NEVER;
             // Higher indices come first, as in the traversal.
@@ -124,9 +122,7 @@ package starlogo.solid
                 {
                     if (findTime(slot) && motion.time < time)
                     {
-                        time = motion.time;
-                        motion.latest = time;
-                        best.least = time;
+                        time = motion.latest = best.least = motion.time;
                         best.a = slot;
                         best.b = _movedFrom + i;
                     }

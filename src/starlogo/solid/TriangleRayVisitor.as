@@ -1,7 +1,6 @@
 package starlogo.solid
 {
     import starlogo.engine;
-    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.TriangleMesh;
@@ -14,7 +13,6 @@ package starlogo.solid
     /** Finds the first triangle of a model that a ray meets. */
     internal final class TriangleRayVisitor extends NodeVisitor
     {
-        private var _search:BoxSearch = new BoxSearch();
         private var _mesh:TriangleMesh;
         private var _ray:ShearedRay = new ShearedRay();
 
@@ -30,9 +28,7 @@ package starlogo.solid
         {
             _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
-            limit = ray.to;
-            _search.setRay(ray);
-            _search.find(model.boxTree, BoxTree.EXACT, this);
+            visitAlong(ray, model.boxTree, BoxTree.EXACT);
             var slot:int = _ray.first.slot;
             if (slot < 0)
             {

@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
@@ -44,9 +45,8 @@ package starlogo.solid
         private var _distances:DistanceTraversal;
         private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
 
-        // For contacts: a node of each.
-        private var _boxA:Box = BoxTree.newBox();
-        private var _boxB:Box = BoxTree.newBox();
+        // A node, for contacts.
+        private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts what the questions take */
         public function TwoTrees(counts:TreeCounts)
@@ -88,13 +88,6 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function isOneInside():Boolean
-        {
-            // only the traversal knows whether the roots overlap
-            return overlapInPose();
-        }
-
-        /** @inheritDoc */
         override internal function findTouch(motion:RelativeMotion, out:ContactPoint):void
         {
             var best:BestPair = _impacts.findTouch(trees, motion, visitorFor(motion));
@@ -123,11 +116,12 @@ package starlogo.solid
 
         private function findContactOfNodes(nodeA:int, nodeB:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            PairTable.findContact(pose.place(trees.b.writeBox(nodeB, _boxB)), trees.a.writeBox(nodeA, _boxA), motion, out);
+            var placedB:BoundingStructure = pose.place(trees.b.writeBox(nodeB, _box));
+            PairTable.findContact(placedB, trees.a.writeBox(nodeA, _box), motion, out);
         }
 
         /** @inheritDoc */
-        override internal function measure(out:ClosestPoints):void
+        override internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
             _distances.findClosest(trees, visitorFor(RelativeMotion.NONE), out);
         }

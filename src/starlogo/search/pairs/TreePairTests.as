@@ -7,7 +7,9 @@ package starlogo.search.pairs
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
+    import starlogo.intersection.PairTable;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
@@ -41,6 +43,9 @@ package starlogo.search.pairs
 
         private var _reversed:RelativeMotion = new RelativeMotion();
         private var _separation:TreeExitSearch;
+
+        // The second body in the first one's space, for the contact of the structures around them.
+        private var _pose:RelativePose = new RelativePose();
 
         // Where a point is, as the placement of the structure POINT.
         private var _at:Placement = new Placement();
@@ -107,7 +112,9 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
-            _impacts.findOuterContact(a.shape.structure, a.placement, b.shape.structure, b.placement, out);
+            _pose.relate(a.placement, b.placement);
+            PairTable.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
+            RelativePose.moveContactToWorld(out, a.placement, RelativeMotion.NONE);
         }
 
         /** @inheritDoc */

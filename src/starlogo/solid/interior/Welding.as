@@ -23,7 +23,6 @@ package starlogo.solid.interior
         private var _vertices:Vector.<Number>;
         private var _bounds:VertexBounds = new VertexBounds();
         private var _tolerance:Number;
-        private var _cellsPerUnit:Number;
 
         // For each hash, one more than the number of the last place with that hash, or 0. For each place, one more than the number of the
         // place before it with the same hash, or 0.
@@ -49,7 +48,7 @@ package starlogo.solid.interior
             welded = new Vector.<int>(count, true);
             _last = new Vector.<int>(size, true);
             _before = new Vector.<int>(count, true);
-            slices(count, 8 * VERTICES_PER_STEP, addVertices).call(setCellSize).slices(count, VERTICES_PER_STEP, weld);
+            slices(count, 8 * VERTICES_PER_STEP, addVertices).call(setTolerance).slices(count, VERTICES_PER_STEP, weld);
         }
 
         private function addVertices(first:int, end:int):void
@@ -57,10 +56,9 @@ package starlogo.solid.interior
             _bounds.add(_vertices, first, end);
         }
 
-        private function setCellSize():void
+        private function setTolerance():void
         {
             _tolerance = Tolerances.WELDING * _bounds.extent + Tolerances.ROUNDING * _bounds.largest;
-            _cellsPerUnit = 0.5 / _tolerance;
         }
 
         private function weld(first:int, end:int):void
@@ -73,9 +71,10 @@ package starlogo.solid.interior
 
         private function placeOf(vertex:int):int
         {
-            var x:Number = (_vertices[3 * vertex] - _bounds.minX) * _cellsPerUnit;
-            var y:Number = (_vertices[int(3 * vertex + 1)] - _bounds.minY) * _cellsPerUnit;
-            var z:Number = (_vertices[int(3 * vertex + 2)] - _bounds.minZ) * _cellsPerUnit;
+            var cellsPerUnit:Number = 0.5 / _tolerance;
+            var x:Number = (_vertices[3 * vertex] - _bounds.minX) * cellsPerUnit;
+            var y:Number = (_vertices[int(3 * vertex + 1)] - _bounds.minY) * cellsPerUnit;
+            var z:Number = (_vertices[int(3 * vertex + 2)] - _bounds.minZ) * cellsPerUnit;
             var cellX:int = x;
             var cellY:int = y;
             var cellZ:int = z;

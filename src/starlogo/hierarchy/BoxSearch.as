@@ -14,10 +14,8 @@ package starlogo.hierarchy
      */
     public final class BoxSearch
     {
-        // 1 divided by the least motion; a smaller one counts as 0.
+        // 1 divided by the least motion; a smaller one counts as 0. Then the latest time. Larger numbers might become infinite.
         private static const SLOWEST:Number = 1e100;
-
-        // The latest time. Products of larger numbers might become infinite.
         private static const LATEST:Number = 1e90;
 
         // How much larger boxes are on each side, as a fraction of the tree's radius and of the half-extents of what moves: a little more than
@@ -37,9 +35,6 @@ package starlogo.hierarchy
         public var halfY:Number = 0;
         public var halfZ:Number = 0;
 
-        /** Counts the nodes that are visited. Visitors count the triangles that they test. */
-        public var counts:TreeCounts;
-
         // 1 divided by the motion along each axis, whether there is none, and the earliest time.
         private var _inverseX:Number = SLOWEST;
         private var _inverseY:Number = SLOWEST;
@@ -51,10 +46,12 @@ package starlogo.hierarchy
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _enters:Vector.<Number> = new Vector.<Number>();
 
+        private var _counts:TreeCounts;
+
         /** @param counts counts the nodes that are visited; null if nobody asks */
         public function BoxSearch(counts:TreeCounts = null)
         {
-            this.counts = counts || new TreeCounts();
+            _counts = counts || new TreeCounts();
         }
 
         /** Sets the box's middle, and half of its extent along each axis. */
@@ -205,7 +202,7 @@ package starlogo.hierarchy
                 }
                 node = nodes[top];
             }
-            counts.nodeVisits += visits;
+            _counts.nodeVisits += visits;
         }
 
         // Whether the box's middle is nearer to the right child of a node than to the left one, along the axis of their split.
@@ -249,7 +246,7 @@ package starlogo.hierarchy
                 {
                     continue;
                 }
-                counts.nodeVisits++;
+                _counts.nodeVisits++;
                 if (tree.endsUpToDepth[node] >= depth)
                 {
                     visitor.visit(tree, node);

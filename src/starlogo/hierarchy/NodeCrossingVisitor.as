@@ -10,6 +10,7 @@ package starlogo.hierarchy
     {
         private var _ray:Ray = new Ray();
         private var _all:RayCrossings = null;
+        private var _search:BoxSearch = new BoxSearch();
         private var _box:Box = BoxTree.newBox();
 
         public function NodeCrossingVisitor()
@@ -30,7 +31,9 @@ package starlogo.hierarchy
         {
             _ray.copyFrom(ray);
             _all = out;
-            visitAlong(ray, tree, depth);
+            limit = ray.to;
+            _search.setRay(ray);
+            _search.find(tree, depth, this);
         }
 
         /** @inheritDoc */

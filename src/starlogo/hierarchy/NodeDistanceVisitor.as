@@ -8,6 +8,9 @@ package starlogo.hierarchy
     /** Finds the distance of a structure from the boxes of a tree. The results are nested, as those of DistanceTraversal. @private */
     public final class NodeDistanceVisitor extends NodeVisitor
     {
+        // Finds the nodes near the structure.
+        private var _search:BoxSearch;
+
         private var _structure:BoundingStructure;
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _nearest:ClosestPoints;
@@ -17,7 +20,7 @@ package starlogo.hierarchy
         /** @param counts counts the nodes that are visited */
         public function NodeDistanceVisitor(counts:TreeCounts)
         {
-            super(counts);
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -32,17 +35,17 @@ package starlogo.hierarchy
         {
             _structure = pose.placeWidened(structure);
             _structure.extentsInto(_extents);
-            search.setExtents(_extents, 0);
+            _search.setExtents(_extents, 0);
             _nearest = out;
             limit = out.distance = Infinity;
-            search.findNear(tree, depth, this);
+            _search.findNear(tree, depth, this);
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
             PairTable.findClosest(tree.writeBox(node, _box), _structure, _measured);
-            DistanceTraversal.reduce(_measured, tree.levelOf(node), 0, tree.radius + search.halfX + search.halfY + search.halfZ);
+            DistanceTraversal.reduce(_measured, tree.levelOf(node), 0, tree.radius + _search.halfX + _search.halfY + _search.halfZ);
             if (_measured.distance < limit)
             {
                 limit = _measured.distance;

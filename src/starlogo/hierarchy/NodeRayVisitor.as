@@ -16,6 +16,7 @@ package starlogo.hierarchy
     {
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
+        private var _search:BoxSearch = new BoxSearch();
         private var _box:Box = BoxTree.newBox();
 
         // The node that the ray meets first, or -1.
@@ -40,7 +41,9 @@ package starlogo.hierarchy
         {
             _ray.copyFrom(ray);
             _first = -1;
-            visitAlong(ray, tree, depth);
+            limit = ray.to;
+            _search.setRay(ray);
+            _search.find(tree, depth, this);
             return _first >= 0 && rayBox(_ray, tree.writeBox(_first, _box), out);
         }
 

@@ -5,16 +5,31 @@ package starlogo.hierarchy
     import starlogo.convex.RelativeMotion;
     import starlogo.intersection.PairTable;
 
-    /** Decides when a structure first touches the boxes of a tree. The kernel of the two decides about a node. @private */
-    public final class NodeTouchVisitor extends TouchVisitor
+    /**
+     * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two decides
+     * about a node.
+     *
+     * @private
+     */
+    public final class NodeTouchVisitor extends NodeVisitor
     {
+        // Finds the nodes near the structure.
+        private var _search:BoxSearch;
+
         private var _structure:BoundingStructure;
+
+        // The structure's motion, which receives the time of the first touch, and a copy that has the times of one node. The node that is touched first.
+        private var _motion:RelativeMotion;
+        private var _sweep:RelativeMotion = new RelativeMotion();
+        private var _found:int = -1;
+
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts the nodes that are visited */
         public function NodeTouchVisitor(counts:TreeCounts)
         {
-            super(counts);
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -29,24 +44,37 @@ package starlogo.hierarchy
         public function findTouch(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             _structure = pose.placeWidened(structure);
-            _structure.extentsInto(extents);
-            search.setExtents(extents, 0);
-            setMotion(motion);
-            return findFirst(tree, depth);
+            _sweep.copyVector(motion);
+            _sweep.earliest = motion.earliest;
+            _motion = motion;
+            _found = -1;
+            motion.time = RelativeMotion.NEVER;
+            limit = motion.isStill ? 0 : motion.latest;
+            _structure.extentsInto(_extents);
+            _search.setExtents(_extents, 0);
+            _search.setMotion(motion);
+            _search.find(tree, depth, this);
+            return _found;
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
+            tree.writeBox(node, _box);
+            var sweep:RelativeMotion = _sweep;
             if (sweep.isStill)
             {
-                sweep.time = PairTable.areTouching(tree.writeBox(node, _box), _structure) ? 0 : RelativeMotion.NEVER;
+                sweep.time = PairTable.areTouching(_box, _structure) ? 0 : RelativeMotion.NEVER;
             }
             else
             {
-                PairTable.findTime(_structure, tree.writeBox(node, _box), sweep);
+                sweep.latest = limit;
+                PairTable.findTime(_structure, _box, sweep);
             }
-            keepEarlier(node);
+            if (keepEarlier(sweep, _motion))
+            {
+                _found = node;
+            }
         }
     }
 }

@@ -1,10 +1,10 @@
 package starlogo.hierarchy
 {
     import flash.errors.IllegalOperationError;
-    import starlogo.intersection.ray.Ray;
+    import starlogo.convex.RelativeMotion;
 
     /**
-     * Decides about the nodes at which its search ends. The BoxSearch calls it for each one, in the order in which its box may meet them, or from the
+     * Decides about the nodes at which a BoxSearch ends, which calls it for each one, in the order in which its box may meet them, or from the
      * nearest on. Abstract. A Node visitor decides by the boxes of the nodes. The package solid has others, which know the items.
      *
      * @private
@@ -18,27 +18,32 @@ package starlogo.hierarchy
          */
         public var limit:Number = 0;
 
-        /** Finds the nodes. */
-        protected var search:BoxSearch;
-
-        /** @param counts counts the nodes that are visited; null if nobody asks */
-        public function NodeVisitor(counts:TreeCounts = null)
-        {
-            search = new BoxSearch(counts);
-        }
-
-        /** Visits the nodes that a ray may meet. @param depth how many of the tree's levels are visited */
-        protected final function visitAlong(ray:Ray, tree:BoxTree, depth:int):void
-        {
-            limit = ray.to;
-            search.setRay(ray);
-            search.find(tree, depth, this);
-        }
-
         /** Ends the search: no node is within the limit any more. */
         protected final function endSearch():void
         {
             limit = -Infinity;
+        }
+
+        /**
+         * Keeps the time of a touch if it is within the limit and earlier than those of all touches before. Then the limit is that time. The search ends
+         * if it is 0, because nothing is touched earlier than at the beginning.
+         *
+         * @param motion has the time
+         * @param earliest has the time of the earliest touch so far; receives this one if it is earlier
+         * @return whether it is
+         */
+        protected final function keepEarlier(motion:RelativeMotion, earliest:RelativeMotion):Boolean
+        {
+            if (!(motion.time <= limit && motion.time < earliest.time))
+            {
+                return false;
+            }
+            limit = earliest.time = motion.time;
+            if (!(limit > 0))
+            {
+                endSearch();
+            }
+            return true;
         }
 
         /**

@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.engine;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.TriangleMesh;
@@ -13,6 +14,7 @@ package starlogo.solid
     /** Finds all triangles of a model that a ray meets. */
     internal final class TriangleCrossingVisitor extends NodeVisitor
     {
+        private var _search:BoxSearch = new BoxSearch();
         private var _mesh:TriangleMesh;
         private var _ray:ShearedRay = new ShearedRay();
         private var _all:RayCrossings;
@@ -29,7 +31,9 @@ package starlogo.solid
             _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _all = out;
-            visitAlong(ray, model.boxTree, BoxTree.EXACT);
+            limit = ray.to;
+            _search.setRay(ray);
+            _search.find(model.boxTree, BoxTree.EXACT, this);
         }
 
         /** @inheritDoc */

@@ -3,6 +3,7 @@ package starlogo.solid
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.RelativePose;
@@ -15,6 +16,10 @@ package starlogo.solid
     /** Finds the distance of a solid structure from the triangles of a model. */
     internal final class TriangleDistanceVisitor extends NodeVisitor
     {
+        // Finds the nodes near the structure's extents.
+        private var _search:BoxSearch;
+        private var _counts:TreeCounts;
+
         private var _mesh:TriangleMesh;
         private var _kernel:TriangleKernel = new TriangleKernel();
 
@@ -28,7 +33,8 @@ package starlogo.solid
         /** @param counts counts the nodes that are visited and the triangles that are tested */
         public function TriangleDistanceVisitor(counts:TreeCounts)
         {
-            super(counts);
+            _counts = counts;
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -47,8 +53,8 @@ package starlogo.solid
             _nearest = out;
             _slot = -1;
             limit = out.distance = Infinity;
-            search.setExtents(_extents, 0);
-            search.findNear(model.boxTree, BoxTree.EXACT, this);
+            _search.setExtents(_extents, 0);
+            _search.findNear(model.boxTree, BoxTree.EXACT, this);
             out.swap();
             return _slot;
         }
@@ -61,7 +67,7 @@ package starlogo.solid
             {
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < limit * limit)
                 {
-                    search.counts.triangleTests++;
+                    _counts.triangleTests++;
                     if (_kernel.findCloser(_mesh.corners, 9 * i, _nearest))
                     {
                         limit = _nearest.distance;

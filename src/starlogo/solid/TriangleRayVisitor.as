@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.engine;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.TriangleMesh;
@@ -13,6 +14,7 @@ package starlogo.solid
     /** Finds the first triangle of a model that a ray meets. */
     internal final class TriangleRayVisitor extends NodeVisitor
     {
+        private var _search:BoxSearch = new BoxSearch();
         private var _mesh:TriangleMesh;
         private var _ray:ShearedRay = new ShearedRay();
 
@@ -28,7 +30,9 @@ package starlogo.solid
         {
             _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
-            visitAlong(ray, model.boxTree, BoxTree.EXACT);
+            limit = ray.to;
+            _search.setRay(ray);
+            _search.find(model.boxTree, BoxTree.EXACT, this);
             var slot:int = _ray.first.slot;
             if (slot < 0)
             {

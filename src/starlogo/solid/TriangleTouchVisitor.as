@@ -8,9 +8,10 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.hierarchy.TouchVisitor;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
@@ -21,10 +22,22 @@ package starlogo.solid
      * Decides when a solid structure first touches a triangle of a model, and whether it does if it is still. Most triangles are ruled out by their
      * extents. If the structure moves, SweptAxes rules out most of the others. Their planes come last.
      */
-    internal final class TriangleTouchVisitor extends TouchVisitor
+    internal final class TriangleTouchVisitor extends NodeVisitor
     {
+        // Finds the nodes near the structure's extents.
+        private var _search:BoxSearch;
+        private var _counts:TreeCounts;
+
         private var _mesh:TriangleMesh;
+
+        // The structure's motion, which receives the time of the first touch, and a copy that has the times of one triangle.
+        private var _motion:RelativeMotion;
+        private var _sweep:RelativeMotion = new RelativeMotion();
         private var _kernel:TriangleKernel = new TriangleKernel();
+
+        // The extents of the structure's core and of its motion until the limit: minX, maxX, minY, ... The core of a round structure is a point or
+        // a segment.
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // The radius around the structure's core, with the tolerance and a margin for rounding.
         private var _radius:Number = 0;
@@ -35,10 +48,14 @@ package starlogo.solid
         // The plane of a triangle.
         private var _plane:TrianglePlane = new TrianglePlane();
 
+        // The slot of the triangle that is touched first.
+        private var _found:int = -1;
+
         /** @param counts counts the nodes that are visited and the triangles that are tested */
         public function TriangleTouchVisitor(counts:TreeCounts)
         {
-            super(counts);
+            _counts = counts;
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -52,84 +69,91 @@ package starlogo.solid
          */
         public function findTouch(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
-            setMotion(motion);
-            _mesh = model.mesh;
-            setStructure(model, structure, pose);
-            return findFirst(model.boxTree, BoxTree.EXACT);
+            limit = motion.isStill ? 0 : motion.latest;
+            begin(model, structure, pose, motion);
+            motion.time = RelativeMotion.NEVER;
+            _found = -1;
+            _search.find(_mesh.tree, BoxTree.EXACT, this);
+            return _found;
         }
 
-        private function setStructure(model:ModelTree, structure:BoundingStructure, pose:RelativePose):void
+        private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            _kernel.setStructure(structure, pose.placement).extentsInto(extents);
+            _mesh = model.mesh;
+            _motion = motion;
+            _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
             _kernel.shape.margin += pose.tolerance + Touching.marginOfSurface(model.boxTree.radius);
             var shape:ConvexShape = _kernel.shape;
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)
             {
-                size += Math.max(Math.abs(extents[i]), Math.abs(extents[int(i + 1)]));
+                size += Math.max(Math.abs(_extents[i]), Math.abs(_extents[int(i + 1)]));
             }
             var rounding:Number = Tolerances.EXTENTS * size;
             _radius = shape.radius + shape.margin + rounding;
-            search.setExtents(extents, shape.margin + rounding);
+            _search.setExtents(_extents, shape.margin + rounding);
+            _search.setMotion(motion);
             sweepExtents();
+            _sweep.copyVector(motion);
             if (!motion.isStill)
             {
                 _separatingAxes.setTo(shape, _radius, motion);
             }
         }
 
-        // Sets the extents to those of the structure's core while it moves, from the motion's earliest time to the limit. The core of a round structure is a
-        // point or a segment.
+        // Sets the extents to those of the structure's core while it moves, from the motion's earliest time to the limit.
         private function sweepExtents():void
         {
-            sweepAlong(0, search.x, search.halfX - _radius, motion.x);
-            sweepAlong(2, search.y, search.halfY - _radius, motion.y);
-            sweepAlong(4, search.z, search.halfZ - _radius, motion.z);
+            sweepAlong(0, _search.x, _search.halfX - _radius, _motion.x);
+            sweepAlong(2, _search.y, _search.halfY - _radius, _motion.y);
+            sweepAlong(4, _search.z, _search.halfZ - _radius, _motion.z);
         }
 
         // Does it along an axis. The middle and the half-extent are those of the core at time 0. The travel is the whole motion's.
         private function sweepAlong(axis:int, middle:Number, half:Number, travel:Number):void
         {
-            var begin:Number = travel * motion.earliest;
+            var begin:Number = travel * _motion.earliest;
             var end:Number = travel * limit;
             var low:Number = begin < end ? begin : end;
             var high:Number = begin < end ? end : begin;
-            extents[axis] = middle - half + low;
-            extents[int(axis + 1)] = middle + half + high;
+            _extents[axis] = middle - half + low;
+            _extents[int(axis + 1)] = middle + half + high;
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            var isStill:Boolean = motion.isStill;
+            var isStill:Boolean = _motion.isStill;
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
             {
-                if (squaredDistanceToExtents(extents, _mesh.corners, 9 * i) > _radius * _radius)
+                if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) > _radius * _radius)
                 {
                     continue;
                 }
-                if (!isStill && _separatingAxes.stayApart(_mesh.corners, 9 * i, sweep))
+                _sweep.latest = limit;
+                if (!isStill && _separatingAxes.stayApart(_mesh.corners, 9 * i, _sweep))
                 {
                     continue;
                 }
                 _plane.setTriangle(_mesh.corners, 9 * i);
-                sweep.earliest = Math.max(motion.earliest, _plane.findEntry(_kernel.shape, _radius, motion));
-                if (sweep.earliest > limit)
+                _sweep.earliest = Math.max(_motion.earliest, _plane.findEntry(_kernel.shape, _radius, _motion));
+                if (_sweep.earliest > limit)
                 {
                     continue;
                 }
-                search.counts.triangleTests++;
+                _counts.triangleTests++;
                 if (isStill)
                 {
-                    sweep.time = _kernel.areTouching(_mesh.corners, 9 * i) ? 0 : RelativeMotion.NEVER;
+                    _sweep.time = _kernel.areTouching(_mesh.corners, 9 * i) ? 0 : RelativeMotion.NEVER;
                 }
                 else
                 {
-                    _kernel.findTime(_mesh.corners, 9 * i, sweep);
+                    _kernel.findTime(_mesh.corners, 9 * i, _sweep);
                 }
-                if (keepEarlier(i))
+                if (keepEarlier(_sweep, _motion))
                 {
+                    _found = i;
                     sweepExtents();
                 }
             }

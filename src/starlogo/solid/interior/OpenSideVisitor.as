@@ -2,6 +2,7 @@ package starlogo.solid.interior
 {
     import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
 
@@ -13,6 +14,8 @@ package starlogo.solid.interior
      */
     public final class OpenSideVisitor extends NodeVisitor
     {
+        private var _search:BoxSearch = new BoxSearch();
+
         // Whether the current ray has met a node.
         private var _isHit:Boolean = false;
 
@@ -21,13 +24,13 @@ package starlogo.solid.interior
         {
             // Corners may move when seams are welded.
             var margin:Number = 8 * Tolerances.WELDING * (tree.radius + Math.abs(tree.boxes[0]) + Math.abs(tree.boxes[1]) + Math.abs(tree.boxes[2]));
-            search.setPlace(point.x, point.y, point.z, margin);
+            _search.setPlace(point.x, point.y, point.z, margin);
             for (var i:int = 5; i >= 0; i--)
             {
-                search.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
+                _search.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
                 _isHit = false;
                 limit = Infinity;
-                search.find(tree, BoxTree.EXACT, this);
+                _search.find(tree, BoxTree.EXACT, this);
                 if (!_isHit)
                 {
                     return true;

@@ -68,6 +68,12 @@ package starlogo.solid.interior
             return signedShells[triangle] < 0;
         }
 
+        /** Whether a shell bounds a cavity in another one. */
+        public function boundsCavity(shell:int):Boolean
+        {
+            return shellStates[shell] >= 0;
+        }
+
         /** Whether at least one shell of the surface is closed, so that the surface has an inside. */
         public function get hasClosedShell():Boolean
         {

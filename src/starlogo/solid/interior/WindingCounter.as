@@ -2,6 +2,7 @@ package starlogo.solid.interior
 {
     import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.TriangleMesh;
@@ -33,6 +34,8 @@ package starlogo.solid.interior
         // come back to 0 on the ray. Shells of points before may come after them.
         private var _crossed:Vector.<int> = new Vector.<int>();
         private var _crossedCount:int = 0;
+
+        private var _search:BoxSearch = new BoxSearch();
 
         // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
         private var _axis:int;
@@ -144,16 +147,15 @@ package starlogo.solid.interior
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _a < _crowdedPlace;
             var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
-            search.setPlace(x, y, z, margin);
-            search.setAxis(_axis, _isBackward ? -1 : 1);
-            search.find(mesh.tree, BoxTree.EXACT, this);
+            _search.setPlace(x, y, z, margin);
+            _search.setAxis(_axis, _isBackward ? -1 : 1);
+            _search.find(mesh.tree, BoxTree.EXACT, this);
             for (var i:int = 0; i < _crossedCount; i++)
             {
                 var shell:int = _crossed[i];
-                var outer:int = surface.shellStates[shell];
-                if (outer >= 0 && _windings[shell] != 0)
+                if (surface.boundsCavity(shell) && _windings[shell] != 0)
                 {
-                    _windings[outer] = 0;
+                    _windings[surface.shellStates[shell]] = 0;
                 }
             }
         }

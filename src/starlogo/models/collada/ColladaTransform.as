@@ -21,6 +21,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "matrix":
+                    return matrix(element);
                 case "bind_shape_matrix":
                     return matrix(element);
                 case "translate":

@@ -71,14 +71,15 @@ export class Bodies {
 
 	/**
 	 * The texts of a constructor's first statements, the last of which is super(). They may set fields before there is a this: these are constants until
-	 * then. Returns the statements up to super(), and those that set the fields after it.
+	 * then. Returns the statements up to super(), and those after it: they set the fields, and the variable in which functions inside find this.
 	 */
 	untilSuper(statements) {
+		const isSelf = (text) => text === "var self = this;";
 		this.#beforeSuper = new Map();
-		const until = statements.map((statement) => this.text(statement));
+		const texts = statements.map((statement) => this.text(statement));
 		const held = [...this.#beforeSuper].map(([name, local]) => `this.${name} = ${local};`);
 		this.#beforeSuper = null;
-		return { until, held };
+		return { until: texts.filter((text) => !isSelf(text)), held: [...texts.filter(isSelf), ...held] };
 	}
 
 	/** The texts of statements. The compiler's three statements for a "for each" become one. */

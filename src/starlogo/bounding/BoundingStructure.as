@@ -56,9 +56,6 @@ package starlogo.bounding
          */
         engine static const NAMES:Vector.<String> = new <String>["sphere", "capsule", "box", "hull"];
 
-        /** @private The placement of a structure that stays where it is. */
-        engine static const UNPLACED:Placement = new Placement();
-
         private static var sBox:Vector.<Number> = new Vector.<Number>(6, true);
 
         // The limits of coordinates and lengths. The tests of pairs multiply four of them.
@@ -118,7 +115,17 @@ package starlogo.bounding
          */
         public function rotate(rotation:Matrix3D):BoundingStructure
         {
-            return placeWithin(placementOf(rotation));
+            requireGiven("the rotation", rotation);
+            var m:Vector.<Number> = rotation.rawData;
+            var isAffine:Boolean = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
+            var isCentred:Boolean = m[12] == 0 && m[13] == 0 && m[14] == 0;
+            var turning:Placement = new Placement();
+            turning.readRotation(new <Number>[m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], 0);
+            if (!isAffine || !isCentred || !turning.isOrthonormal)
+            {
+                throw new ArgumentError("a rotation must rotate about the origin and do nothing else: " + m);
+            }
+            return placeWithin(turning);
         }
 
         /**
@@ -229,7 +236,7 @@ package starlogo.bounding
          */
         public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            rotatedBoxInto(UNPLACED, sBox);
+            rotatedBoxInto(Placement.IDENTITY, sBox);
             for (var axis:int = 0; axis < 3; axis++)
             {
                 out[int(offset + 2 * axis)] = sBox[axis] - sBox[int(axis + 3)];
@@ -354,22 +361,6 @@ package starlogo.bounding
             {
                 throw new RangeError(what + " must have a size of 0, or of at least " + SMALLEST + ": " + size);
             }
-        }
-
-        // Checks a rotation matrix, and returns its placement. Throws an ArgumentError if it is null or not a rotation.
-        private static function placementOf(rotation:Matrix3D):Placement
-        {
-            requireGiven("the rotation", rotation);
-            var m:Vector.<Number> = rotation.rawData;
-            var isAffine:Boolean = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
-            var isCentred:Boolean = m[12] == 0 && m[13] == 0 && m[14] == 0;
-            var turning:Placement = new Placement();
-            turning.readRotation(new <Number>[m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], 0);
-            if (!isAffine || !isCentred || !turning.isOrthonormal)
-            {
-                throw new ArgumentError("a rotation must rotate about the origin and do nothing else: " + rotation.rawData);
-            }
-            return turning;
         }
 
         /**

@@ -135,19 +135,7 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function get volume():Number
         {
-            var sum:Number = 0;
-            var indices:Vector.<int> = topology.faces;
-            for (var i:int = 0; topology.dimension == 3 && i < indices.length; i += 3)
-            {
-                // six times the volume of the tetrahedron from the centre to the face
-                var a:int = indices[i];
-                var b:int = indices[i + 1];
-                var c:int = indices[i + 2];
-                sum += points[a] * (points[b + 1] * points[c + 2] - points[b + 2] * points[c + 1])
-                    + points[a + 1] * (points[b + 2] * points[c] - points[b] * points[c + 2])
-                    + points[a + 2] * (points[b] * points[c + 1] - points[b + 1] * points[c]);
-            }
-            return sum / 6;
+            return topology.dimension == 3 ? ConvexHull.volumeInside(points, faces, 0, 0, 0) : 0;
         }
 
         /** @inheritDoc */
@@ -185,7 +173,7 @@ package starlogo.bounding
             checkVector(center, "the centre of a hull");
             checkLength(radius, "the radius around a hull's corners");
             checkSize(checkLength(measureRadius(), "the radius of a hull"), "a hull");
-            return place(UNPLACED, new Hull(POINT));
+            return place(Placement.IDENTITY, new Hull(POINT));
         }
 
         /** @inheritDoc */
@@ -361,7 +349,7 @@ package starlogo.bounding
         private function setBox():void
         {
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
-            rotatedBoxInto(UNPLACED, extents);
+            rotatedBoxInto(Placement.IDENTITY, extents);
             var by:Number = (Tolerances.OUTER - 1) * measureRadius();
             _box.center.setTo(extents[0], extents[1], extents[2]);
             _box.halfX = extents[3] + by;

@@ -21,6 +21,9 @@ package starlogo.geometry
         /** @private The largest coordinate in the world: Agent.LARGEST_COORDINATE. */
         engine static const LARGEST_COORDINATE:Number = 1e9;
 
+        /** @private The placement of what stays where it is. Not to be changed. */
+        engine static const IDENTITY:Placement = new Placement();
+
         /** The x coordinate of the model's origin in the world, in patches. */
         public var x:Number = 0;
 
@@ -211,7 +214,7 @@ package starlogo.geometry
             r02 = data[8] / size;
             r12 = data[9] / size;
             r22 = data[10] / size;
-            isUnrotated = hasIdentityNumbers();
+            isUnrotated = hasRotationOf(IDENTITY);
             return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1 && isRotation;
         }
 
@@ -426,12 +429,7 @@ package starlogo.geometry
             r20 = from[int(at + 6)];
             r21 = from[int(at + 7)];
             r22 = from[int(at + 8)];
-            isUnrotated = hasIdentityNumbers();
-        }
-
-        private function hasIdentityNumbers():Boolean
-        {
-            return r00 == 1 && r01 == 0 && r02 == 0 && r10 == 0 && r11 == 1 && r12 == 0 && r20 == 0 && r21 == 0 && r22 == 1;
+            isUnrotated = hasRotationOf(IDENTITY);
         }
 
         // The comparison is false for NaN.

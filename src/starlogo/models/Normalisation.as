@@ -194,9 +194,9 @@ package starlogo.models
             for each (var labels:TriangleLabels in [_data.materials, _data.meshes])
             {
                 labels.close(_data.triangles.length / 3);
-                if (isMirror && labels.numbers != null)
+                if (isMirror)
                 {
-                    labels.numbers.reverse();
+                    labels.reverse();
                 }
             }
             if (isMirror)

@@ -10,15 +10,13 @@ package starlogo.models
         /** The name of each number, or null for a number without a name. Null if nothing gives names. */
         public var names:Vector.<String>;
 
-        /** The number of each triangle, -1 for none; after <code>close()</code>. Null if no triangle has one. */
-        public var numbers:Vector.<int> = null;
-
-        /** The number of the triangles that come next. */
-        public var next:int = -1;
-
-        // Until close(): the first triangle of each run of triangles with the same number, and the number.
+        // The first triangle of each run of triangles with the same number, and the number. After close() a last entry of the former is the number of
+        // triangles.
         private var _starts:Vector.<int> = new <int>[0];
         private var _runs:Vector.<int> = new <int>[-1];
+
+        // The number of each triangle, after it was first asked for.
+        private var _list:Vector.<int> = null;
 
         // The number of each key. A "#" stands before a key, so that none is the name of a property that every Object has.
         private var _known:Object = {};
@@ -45,42 +43,81 @@ package starlogo.models
             return names.push(name) - 1;
         }
 
+        /** The number of the triangles that come next. */
+        public function get next():int
+        {
+            return _runs[_runs.length - 1];
+        }
+
         /** Gives a number to all triangles from one on. It must not be before the last run. */
         public function beginRun(number:int, triangle:int):void
         {
             if (number != next)
             {
-                next = number;
                 _starts.push(triangle);
                 _runs.push(number);
             }
         }
 
-        /** Lists the numbers, when all triangles are known. If none has a number, there are no names either. @param count the number of triangles */
+        /** Ends the last run. If then no triangle has a number, there are no names either. @param count the number of triangles */
         public function close(count:int):void
         {
-            var list:Vector.<int> = _runs.length == 1 ? null : new Vector.<int>(count, true);
-            var isUsed:Boolean = false;
             _starts.push(count);
-            for (var run:int = 0; run < _runs.length && list != null; run++)
+            for (var run:int = 0; run < _runs.length; run++)
             {
-                var number:int = _runs[run];
-                var end:int = _starts[run + 1];
-                isUsed ||= number >= 0 && _starts[run] < end;
-                for (var i:int = _starts[run]; i < end; i++)
+                if (_runs[run] >= 0 && _starts[run] < _starts[run + 1])
                 {
-                    list[i] = number;
+                    return;
                 }
             }
-            numbers = isUsed ? list : null;
-            names = isUsed ? names : null;
-            _starts = _runs = null;
+            _runs.length = 1; // triangles before the first number have none
+            names = null;
         }
 
-        /** The number of a triangle; -1 if it has none. */
+        /** Reverses the order of the triangles, after <code>close()</code>. */
+        public function reverse():void
+        {
+            var count:int = _starts[_runs.length];
+            _runs.reverse();
+            _starts.reverse();
+            for (var i:int = 0; i < _starts.length; i++)
+            {
+                _starts[i] = count - _starts[i];
+            }
+        }
+
+        /** The number of each triangle, -1 for none, after <code>close()</code>. Always the same list. Null if no triangle has a number. */
+        public function get numbers():Vector.<int>
+        {
+            if (_list == null && _runs.length > 1)
+            {
+                _list = new Vector.<int>(_starts[_runs.length], true);
+                for (var i:int = 0; i < _list.length; i++)
+                {
+                    _list[i] = numberOf(i);
+                }
+            }
+            return _list;
+        }
+
+        /** The number of a triangle, after <code>close()</code>; -1 if it has none. */
         public function numberOf(triangle:int):int
         {
-            return numbers == null ? -1 : numbers[triangle];
+            var low:int = 0;
+            var high:int = _runs.length - 1;
+            while (low < high)
+            {
+                var middle:int = (low + high + 1) >> 1;
+                if (_starts[middle] <= triangle)
+                {
+                    low = middle;
+                }
+                else
+                {
+                    high = middle - 1;
+                }
+            }
+            return _runs[low];
         }
 
         /** The name of a number; null if it has none. */

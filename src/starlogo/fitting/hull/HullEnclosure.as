@@ -35,16 +35,12 @@ package starlogo.fitting.hull
          */
         public function HullEnclosure(session:FitSession, most:int)
         {
+            var simplification:HullSimplification = new HullSimplification(session, most);
             _session = session;
-            addSteps(new HullSimplification(session, most));
-        }
-
-        // Most hulls need to be scaled. So the first rounds measure the few vertices of the convex hull, and only the last ones measure all.
-        private function addSteps(simplification:HullSimplification):void
-        {
             add(simplification).call(function():void
                 {
                     hull = new Hull(simplification.listCorners());
+                    // Most hulls need to be scaled. So the first rounds measure the few vertices of the convex hull, and only the last ones measure all.
                     addRound(_session.hull.points, 0);
                 });
         }

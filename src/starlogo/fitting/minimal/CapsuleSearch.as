@@ -40,11 +40,6 @@ package starlogo.fitting.minimal
         public function CapsuleSearch(session:FitSession, sphereFit:Fit)
         {
             _session = session;
-            addSteps(sphereFit);
-        }
-
-        private function addSteps(sphereFit:Fit):void
-        {
             add(sphereFit).call(function():void
                 {
                     start(Sphere(sphereFit.structure));

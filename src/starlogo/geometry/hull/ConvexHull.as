@@ -112,26 +112,32 @@ package starlogo.geometry.hull
         /** The volume of the hull, in cubic units; 0 without triangles. No convex shape around the vertices has a smaller volume. */
         public function get volume():Number
         {
-            // the sum of the volumes of the tetrahedra from the first corner to each triangle
-            var places:Vector.<Number> = points;
-            var corners:Vector.<int> = triangles;
-            var fromX:Number = places[0];
-            var fromY:Number = places[1];
-            var fromZ:Number = places[2];
+            return volumeInside(points, triangles, points[0], points[1], points[2]);
+        }
+
+        /**
+         * The volume inside of a closed surface: the sum of the tetrahedra from a point to each triangle.
+         *
+         * @param points x, y, z of each corner
+         * @param triangles three corners each, counter-clockwise seen from outside
+         * @private
+         */
+        engine static function volumeInside(points:Vector.<Number>, triangles:Vector.<int>, fromX:Number, fromY:Number, fromZ:Number):Number
+        {
             var sum:Number = 0;
-            for (var i:int = 0; i < corners.length; i += 3)
+            for (var i:int = 0; i < triangles.length; i += 3)
             {
-                var a:int = 3 * corners[i];
-                var b:int = 3 * corners[i + 1];
-                var c:int = 3 * corners[i + 2];
-                var bX:Number = places[b] - fromX;
-                var bY:Number = places[b + 1] - fromY;
-                var bZ:Number = places[b + 2] - fromZ;
-                var cX:Number = places[c] - fromX;
-                var cY:Number = places[c + 1] - fromY;
-                var cZ:Number = places[c + 2] - fromZ;
-                sum += (places[a] - fromX) * (bY * cZ - bZ * cY) + (places[a + 1] - fromY) * (bZ * cX - bX * cZ)
-                    + (places[a + 2] - fromZ) * (bX * cY - bY * cX);
+                var a:int = 3 * triangles[i];
+                var b:int = 3 * triangles[i + 1];
+                var c:int = 3 * triangles[i + 2];
+                var bX:Number = points[b] - fromX;
+                var bY:Number = points[b + 1] - fromY;
+                var bZ:Number = points[b + 2] - fromZ;
+                var cX:Number = points[c] - fromX;
+                var cY:Number = points[c + 1] - fromY;
+                var cZ:Number = points[c + 2] - fromZ;
+                sum += (points[a] - fromX) * (bY * cZ - bZ * cY) + (points[a + 1] - fromY) * (bZ * cX - bX * cZ)
+                    + (points[a + 2] - fromZ) * (bX * cY - bY * cX);
             }
             return sum / 6;
         }
@@ -202,17 +208,12 @@ package starlogo.geometry.hull
         // The steps that number the corners and find their neighbours. @param corners the triangles' corners, as indices of vertices
         private function joining(corners:Vector.<int>):Steps
         {
-            // a corner and a neighbour of it
-            var pairs:Vector.<int> = new Vector.<int>();
             return new StepSequence().call(function():void
                 {
                     numberCorners(corners);
                 }).call(function():void
                 {
-                    joinCorners(corners, pairs);
-                }).call(function():void
-                {
-                    fillNeighbors(pairs);
+                    listNeighbors(corners);
                 });
         }
 
@@ -244,26 +245,42 @@ package starlogo.geometry.hull
             triangles = dimension == 3 ? corners : triangles;
         }
 
-        // Finds each edge's pair, and where each corner's neighbours begin.
-        private function joinCorners(corners:Vector.<int>, pairs:Vector.<int>):void
+        // Lists the neighbours of each corner: the ends of the edges that begin there. There are no edges to the apex.
+        private function listNeighbors(corners:Vector.<int>):void
         {
             var first:Vector.<int> = new Vector.<int>(indices.length + 1);
             var i:int;
             for (i = 0; i < corners.length; i++)
             {
-                var from:int = corners[i];
-                var to:int = corners[i % 3 == 2 ? i - 2 : i + 1];
-                if (from >= 0 && to >= 0)
+                if (isEdge(i, corners))
                 {
-                    pairs.push(from, to);
-                    first[from + 1]++;
+                    first[corners[i] + 1]++;
                 }
             }
             for (i = 0; i < indices.length; i++)
             {
                 first[i + 1] += first[i];
             }
-            firstNeighbor = first;
+            firstNeighbor = first.concat();
+            neighbors = new Vector.<int>(first[indices.length]);
+            for (i = 0; i < corners.length; i++)
+            {
+                if (isEdge(i, corners))
+                {
+                    neighbors[first[corners[i]]++] = endOf(i, corners);
+                }
+            }
+        }
+
+        private static function isEdge(i:int, corners:Vector.<int>):Boolean
+        {
+            return corners[i] >= 0 && endOf(i, corners) >= 0;
+        }
+
+        // The end of the edge that begins at an entry of a list of triangles' corners.
+        private static function endOf(edge:int, corners:Vector.<int>):int
+        {
+            return corners[edge % 3 == 2 ? edge - 2 : edge + 1];
         }
 
         // The index of the point above a plane's vertices.
@@ -288,17 +305,6 @@ package starlogo.geometry.hull
                 }
             }
             return found;
-        }
-
-        private function fillNeighbors(pairs:Vector.<int>):void
-        {
-            var length:int = pairs.length;
-            var next:Vector.<int> = firstNeighbor.concat();
-            neighbors = new Vector.<int>(length / 2);
-            for (var i:int = 0; i < length; i += 2)
-            {
-                neighbors[next[pairs[i]]++] = pairs[int(i + 1)];
-            }
         }
     }
 }

@@ -92,11 +92,7 @@ package starlogo.geometry.hull
         private function addCorner():void
         {
             corners.push(_farthest);
-            if (corners.length > 1 && !addDimension())
-            {
-                return;
-            }
-            if (dimension < 3)
+            if ((corners.length == 1 || addDimension()) && dimension < 3)
             {
                 findCorner();
             }

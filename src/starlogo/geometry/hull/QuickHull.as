@@ -249,19 +249,14 @@ package starlogo.geometry.hull
             }
             if (corners.length < _faces.length / 2 + 2)
             {
-                restart(corners);
+                var base:HullFace = newFace(corners[0], corners[1], corners[2]);
+                var apex:int = 3;
+                while (base.side(_points, corners[apex]) == 0)
+                {
+                    apex++;
+                }
+                build(corners[0], corners[1], corners[2], corners[apex], corners);
             }
-        }
-
-        private function restart(corners:Vector.<int>):void
-        {
-            var base:HullFace = newFace(corners[0], corners[1], corners[2]);
-            var i:int = 3;
-            while (base.side(_points, corners[i]) == 0)
-            {
-                i++;
-            }
-            build(corners[0], corners[1], corners[2], corners[i], corners);
         }
     }
 }

@@ -34,11 +34,7 @@ package starlogo.models.collada
         {
             this.geometry = geometry;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
-            addSteps(new Triangulator(geometry.limits, vertices, triangles));
-        }
-
-        private function addSteps(triangulator:Triangulator):void
-        {
+            var triangulator:Triangulator = new Triangulator(geometry.limits, vertices, triangles);
             var isUsed:Vector.<uint> = new Vector.<uint>();
             var hasPrimitives:Boolean = false;
             for each (var element:ColladaElement in _mesh == null ? null : _mesh.children)

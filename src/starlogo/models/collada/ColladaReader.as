@@ -32,14 +32,10 @@ package starlogo.models.collada
         {
             super(name, upAxis == null ? "z" : upAxis, scaling);
             refuseIf(text == null, name, "there is no text to read");
-            addSteps(new XmlReader(text, new FileLimits(name, text.length)), upAxis != null);
-        }
-
-        private function addSteps(xml:XmlReader, isAxisNamed:Boolean):void
-        {
+            var xml:XmlReader = new XmlReader(text, new FileLimits(name, text.length));
             add(xml).begin(function():Steps
                 {
-                    return readingDocument(xml.root, isAxisNamed);
+                    return readingDocument(xml.root, upAxis != null);
                 }).begin(normalising);
         }
 

@@ -87,7 +87,9 @@ package starlogo.models.collada
                     addController(element, node);
                     break;
                 case "instance_node":
-                    enter(new ColladaPlace(instanced(element, node), node, node.transform));
+                    var inner:ColladaElement = element.target("url", ["node"]);
+                    element.refuseIf(node.isWithin(inner), "recursive instance_node: it places the node \"" + TextWords.shorten(inner.id) + "\" within itself");
+                    enter(new ColladaPlace(inner, node, node.transform));
                     break;
                 case "node":
                     enter(new ColladaPlace(element, node, node.transform));
@@ -96,13 +98,6 @@ package starlogo.models.collada
                     var local:AffineTransform = element.toTransform();
                     node.transform = local == null ? node.transform : node.transform.after(local);
             }
-        }
-
-        private function instanced(element:ColladaElement, node:ColladaPlace):ColladaElement
-        {
-            var target:ColladaElement = element.target("url", ["node"]);
-            element.refuseIf(node.isWithin(target), "recursive instance_node: it places the node \"" + TextWords.shorten(target.id) + "\" within itself");
-            return target;
         }
 
         // Follows controllers down to the geometry. A skin stays where its bind shape matrix puts it. A morph is its base shape.

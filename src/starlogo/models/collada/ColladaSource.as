@@ -26,11 +26,7 @@ package starlogo.models.collada
         {
             _points = points;
             var accessor:ColladaElement = source.requiredChild("technique_common").requiredChild("accessor");
-            addSteps(accessor, accessor.target("source", ["float_array", "int_array"], source));
-        }
-
-        private function addSteps(accessor:ColladaElement, array:ColladaElement):void
-        {
+            var array:ColladaElement = accessor.target("source", ["float_array", "int_array"], source);
             var text:ColladaWords = new ColladaWords(new <ColladaElement>[array]);
             accessor.limits.count(FileLimits.NUMBERS, text.length / 2, accessor);
             accessor.limits.count(FileLimits.THINGS, accessor.children.length, accessor);

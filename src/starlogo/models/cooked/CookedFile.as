@@ -60,7 +60,6 @@ package starlogo.models.cooked
         public var isOfOtherVersion:Boolean = false;
 
         private var _bytes:ByteArray = newBytes();
-        private var _whole:Fingerprint = new Fingerprint();
 
         // whether the file is complete and unchanged; false until all steps are done
         private var _isWhole:Boolean = false;
@@ -79,7 +78,14 @@ package starlogo.models.cooked
             {
                 _bytes.writeBytes(bytes);
                 _bytes.position = 0;
-                slices(bytes.length / Fingerprint.LENGTH - 1, WORDS_PER_STEP, addWords).call(check);
+                var whole:Fingerprint = new Fingerprint();
+                slices(bytes.length / Fingerprint.LENGTH - 1, WORDS_PER_STEP, function(first:int, end:int):void
+                    {
+                        whole.addBytes(_bytes, end - first);
+                    }).call(function():void
+                    {
+                        check(whole.isNextOf(_bytes));
+                    });
             }
         }
 
@@ -189,15 +195,9 @@ package starlogo.models.cooked
             return _bytes.readInt();
         }
 
-        private function addWords(first:int, end:int):void
-        {
-            _whole.addBytes(_bytes, end - first);
-        }
-
-        private function check():void
+        private function check(isSealed:Boolean):void
         {
             var rest:Number = _bytes.length - HEAD_LENGTH - Fingerprint.LENGTH;
-            var isSealed:Boolean = _whole.isNextOf(_bytes);
             for (var i:int = 0; i < SECTIONS; i++)
             {
                 var length:int = lengthOf(i);

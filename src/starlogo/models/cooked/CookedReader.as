@@ -40,11 +40,7 @@ package starlogo.models.cooked
         public function CookedReader(name:String, bytes:ByteArray, modelKey:Fingerprint = null)
         {
             super(name, "z", null);
-            addSteps(new CookedFile(bytes), modelKey);
-        }
-
-        private function addSteps(file:CookedFile, modelKey:Fingerprint):void
-        {
+            var file:CookedFile = new CookedFile(bytes);
             add(file).begin(function():Steps
                 {
                     return reading(file, modelKey);

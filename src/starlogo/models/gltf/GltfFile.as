@@ -71,7 +71,11 @@ package starlogo.models.gltf
             }
             text = TextWords.withoutByteOrderMark(text);
             limits = new FileLimits(name, text.length);
-            addSteps(new JsonScanner(text, limits));
+            var scanner:JsonScanner = new JsonScanner(text, limits);
+            add(scanner).call(function():void
+                {
+                    parse(scanner.marked);
+                });
         }
 
         /** Reads a file at once. @param buffers the content of each other file, by its address; null if there are none */
@@ -84,14 +88,6 @@ package starlogo.models.gltf
                 });
             finish(file);
             return file;
-        }
-
-        private function addSteps(scanner:JsonScanner):void
-        {
-            add(scanner).call(function():void
-                {
-                    parse(scanner.marked);
-                });
         }
 
         /** Whether bytes begin like a binary glTF file. */

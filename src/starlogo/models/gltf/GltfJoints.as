@@ -28,11 +28,6 @@ package starlogo.models.gltf
                 matrices.json.refuseIf(matrices.count < skin.count("joints"), "there are " + skin.count("joints") + " joints, but fewer matrices");
                 add(matrices);
             }
-            addSteps(skin, scene, matrices);
-        }
-
-        private function addSteps(skin:GltfJson, scene:GltfScene, matrices:GltfAccessor):void
-        {
             slices(skin.count("joints"), JOINTS_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)

@@ -30,11 +30,6 @@ package starlogo.models.gltf
         {
             super(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
-            addSteps(animation, time);
-        }
-
-        private function addSteps(animation:GltfAnimation, time:Number):void
-        {
             add(_file).begin(function():Steps
                 {
                     return _scene = new GltfScene(_file, turnToZUp(), animation, time);

@@ -68,7 +68,8 @@ package starlogo.models.obj
         {
             if (word == "v")
             {
-                readVertex();
+                _lines.readPoint(data.vertices, data.vertices.length);
+                _lines.skipLine();
             }
             else if (word == "f")
             {
@@ -93,12 +94,6 @@ package starlogo.models.obj
         {
             var label:String = _lines.readRest().join(" ");
             labels.beginRun(label == "" ? -1 : labels.addKey(label, label), data.triangles.length / 3);
-        }
-
-        private function readVertex():void
-        {
-            _lines.readPoint(data.vertices, data.vertices.length);
-            _lines.skipLine();
         }
 
         private function readFace():void

@@ -229,7 +229,7 @@ package starlogo.queries
         engine function treeOfExtents():RowTree
         {
             table.refreshWorld();
-            return build(_extents, table.places.extents);
+            return build(_extents, table.extents);
         }
 
         private function build(tree:RowTree, points:Points):RowTree

@@ -101,7 +101,7 @@ package starlogo.search
             // also if the search throws, because the table has been read
             _keptPairs.forget();
             var members:IntList = findMembers(input);
-            var extents:Extents = table.places.extents;
+            var extents:Extents = table.extents;
             if (_motions.areNeeded)
             {
                 _motions.findMotions(table.list.rows);

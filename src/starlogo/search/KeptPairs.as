@@ -126,7 +126,7 @@ package starlogo.search
         {
             if (isLikeLast(input))
             {
-                _cells.begin(_motions.areNeeded ? _motions.extents : _table.places.extents, members.numbers, members.count, _table.list.agents.length);
+                _cells.begin(_motions.areNeeded ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
                 _areValid = true;
                 return;
             }

@@ -129,7 +129,7 @@ package starlogo.search
             }
             var table:AgentTable = _table;
             var body:Body = table.bodyOf(row);
-            var extents:Extents = table.places.extents;
+            var extents:Extents = table.extents;
             var slack:Number = level.slack;
             // two spheres or two boxes need no test of their extents, except for the heights
             var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;

@@ -75,12 +75,12 @@ package starlogo.search
                 if (_table.shapes[row] != null)
                 {
                     findMotion(row);
+                    findExtents(row);
                 }
             }
         }
 
-        // Finds the motion of a row, and the extents of the whole motion. If the agent has jumped, or the search before the last has not seen it, the
-        // motion is 0.
+        // Finds the motion of a row. If the agent has jumped, or the search before the last has not seen it, it is 0.
         private function findMotion(row:int):void
         {
             var start:RowPlaces = _table.places.previous;
@@ -94,7 +94,15 @@ package starlogo.search
             _motions.y[row] = motionY;
             _motions.z[row] = motionZ;
             _sweeps[row] = hasMotion && agent.isSweeping;
-            var standing:Extents = _table.places.extents;
+        }
+
+        // Finds the extents of the whole motion of a row.
+        private function findExtents(row:int):void
+        {
+            var standing:Extents = _table.extents;
+            var motionX:Number = _motions.x[row];
+            var motionY:Number = _motions.y[row];
+            var motionZ:Number = _motions.z[row];
             var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
             var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
             extents.x[row] = standing.x[row] - motionX / 2;
@@ -120,7 +128,7 @@ package starlogo.search
             motion.time = RelativeMotion.NEVER;
             if (!eitherSweeps(a, b))
             {
-                if (level == null || _table.places.extents.areNear(a, b, level.slack))
+                if (level == null || _table.extents.areNear(a, b, level.slack))
                 {
                     testStanding(a, b, 1, motion, out);
                 }
@@ -194,7 +202,7 @@ package starlogo.search
         private function sweep(level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             var areSpheres:Boolean = _table.shapes[a].form == BoundingStructure.SPHERE && _table.shapes[b].form == BoundingStructure.SPHERE;
-            if (level != null && !areSpheres && !overlapOnMotions(_table.places.extents, level.slack, a, b))
+            if (level != null && !areSpheres && !overlapOnMotions(_table.extents, level.slack, a, b))
             {
                 return;
             }

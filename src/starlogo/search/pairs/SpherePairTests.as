@@ -52,11 +52,10 @@ package starlogo.search.pairs
          */
         public function keepTouching(table:AgentTable, level:BinLevel, row:int, others:Vector.<int>, count:int):int
         {
-            var extents:Extents = table.places.extents;
-            var xs:Vector.<Number> = extents.x;
-            var ys:Vector.<Number> = extents.y;
-            var zs:Vector.<Number> = extents.z;
-            var radii:Vector.<Number> = extents.radius;
+            var xs:Vector.<Number> = table.extents.x;
+            var ys:Vector.<Number> = table.extents.y;
+            var zs:Vector.<Number> = table.extents.z;
+            var radii:Vector.<Number> = table.extents.radius;
             var atX:Number = xs[row];
             var atY:Number = ys[row];
             var atZ:Number = zs[row];
@@ -76,12 +75,7 @@ package starlogo.search.pairs
                 {
                     // if the gap is not larger than rounding errors, the exact test decides
                     across += slack;
-                    if (squared > across * across)
-                    {
-                        continue;
-                    }
-                    setToRows(table, row, other);
-                    if (!isGapClosed())
+                    if (squared > across * across || !areOverlapping(table.bodyOf(row), table.bodyOf(other)))
                     {
                         continue;
                     }
@@ -96,8 +90,7 @@ package starlogo.search.pairs
         override public function areTouching(a:Body, b:Body):Boolean
         {
             _testCount++;
-            setTo(a, b);
-            return isGapClosed();
+            return areOverlapping(a, b);
         }
 
         /** @inheritDoc */
@@ -139,6 +132,12 @@ package starlogo.search.pairs
             _testCount = 0;
         }
 
+        private function areOverlapping(a:Body, b:Body):Boolean
+        {
+            setTo(a, b);
+            return isGapClosed();
+        }
+
         private function setTo(a:Body, b:Body):void
         {
             // Body.margin written out: it would be two calls more for each pair
@@ -154,7 +153,7 @@ package starlogo.search.pairs
 
         private function setToRows(table:AgentTable, a:int, b:int):void
         {
-            var extents:Extents = table.places.extents;
+            var extents:Extents = table.extents;
             var places:RowPlaces = table.places.last;
             var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
             var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));

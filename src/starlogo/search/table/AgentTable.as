@@ -2,6 +2,7 @@ package starlogo.search.table
 {
     import starlogo.agents.Agent;
     import starlogo.broadphase.BinLevels;
+    import starlogo.broadphase.Extents;
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -43,6 +44,9 @@ package starlogo.search.table
         private var _bodies:Vector.<Body> = new Vector.<Body>();
         private var _placedRevisions:Vector.<int> = new Vector.<int>();
 
+        /** By row: the extents of the shape. */
+        engine var extents:Extents;
+
         // By row: the agent's bodyRevision at which its body was read. It is STALE if the row has no agent or a new one, if the model was replaced,
         // and while the model is loading.
         private var _bodyRevisions:Vector.<int> = new Vector.<int>();
@@ -72,6 +76,7 @@ package starlogo.search.table
         {
             _choice = choice;
             places = new PlaceHistory(levels);
+            extents = places.extents;
             grow(ListedAgents.FIRST_LISTED);
         }
 
@@ -94,7 +99,7 @@ package starlogo.search.table
                 emptyArrived();
                 readChanged(agents, list.proposed);
             }
-            findShapes();
+            findShapes(_reshaped, _newShapes);
             // nothing below throws
             if (!isSame)
             {
@@ -102,7 +107,7 @@ package starlogo.search.table
                 followList();
             }
             places.accept(list.rows.count);
-            loadingCount = takeShapes();
+            loadingCount = takeShapes(_reshaped, _newShapes);
         }
 
         /**
@@ -120,8 +125,8 @@ package starlogo.search.table
             {
                 _reshaped.count = 0;
                 _reshaped.add(row);
-                findShapes();
-                takeShapes();
+                findShapes(_reshaped, _newShapes);
+                takeShapes(_reshaped, _newShapes);
             }
             places.readNow(row, agent);
         }
@@ -152,7 +157,8 @@ package starlogo.search.table
             {
                 breeds[row] = agent.breedNumber;
                 readSurface(row);
-                places.readNow(row, agent);
+                places.last.read(row, agent);
+                places.previous.read(row, agent);
             }
         }
 
@@ -232,7 +238,7 @@ package starlogo.search.table
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var end:int = agents.length;
             var changed:IntList = places.proposed;
-            var next:RowPlaces = places.previous;
+            var next:RowPlaces = places.next;
             var xs:Vector.<Number> = next.x;
             var ys:Vector.<Number> = next.y;
             var zs:Vector.<Number> = next.z;
@@ -303,7 +309,7 @@ package starlogo.search.table
         private function empty(row:int):void
         {
             shapes[row] = null;
-            places.extents.level[row] = 0;
+            extents.level[row] = 0;
             _bodyRevisions[row] = STALE;
         }
 
@@ -360,30 +366,30 @@ package starlogo.search.table
             _placedRevisions[row] = STALE;
         }
 
-        // Finds the new shapes of the reshaped rows. All shapes are found before any row changes, because an error must change no row.
-        private function findShapes():void
+        // Finds the shapes of rows. All shapes are found before any row changes, because an error must change no row.
+        private function findShapes(reshaped:IntList, out:Vector.<ModelShape>):void
         {
-            if (_reshaped.count > _newShapes.length)
+            if (reshaped.count > out.length)
             {
-                _newShapes.length = _reshaped.count;
+                out.length = reshaped.count;
             }
-            for (var i:int = 0; i < _reshaped.count; i++)
+            for (var i:int = 0; i < reshaped.count; i++)
             {
-                _newShapes[i] = _choice.shapeOf(list.agents[_reshaped.numbers[i]]);
+                out[i] = _choice.shapeOf(list.agents[reshaped.numbers[i]]);
             }
         }
 
-        // Gives the reshaped rows the shapes that findShapes has found, and reads their bodies. Returns the number of rows whose models are loading.
-        // These are read again in every search.
-        private function takeShapes():int
+        // Gives rows the shapes that findShapes has found, and reads their bodies. Returns the number of rows whose models are loading. These
+        // are read again in every search.
+        private function takeShapes(reshaped:IntList, found:Vector.<ModelShape>):int
         {
             var loading:int = 0;
-            for (var i:int = 0; i < _reshaped.count; i++)
+            for (var i:int = 0; i < reshaped.count; i++)
             {
-                var row:int = _reshaped.numbers[i];
-                var shape:ModelShape = _newShapes[i];
+                var row:int = reshaped.numbers[i];
+                var shape:ModelShape = found[i];
                 // a shape of a model that is replaced later would stay in memory
-                _newShapes[i] = null;
+                found[i] = null;
                 if (shape !== shapes[row])
                 {
                     setShape(row, shape);

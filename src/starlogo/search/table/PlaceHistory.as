@@ -24,10 +24,7 @@ package starlogo.search.table
         /** The places in the last search. */
         public var last:RowPlaces = new RowPlaces();
 
-        /**
-         * The places in the search before the last. A row that has not changed has the same place in both. The next search writes its places here,
-         * because nobody needs these any more. If it is refused, the one after it reads the same rows again.
-         */
+        /** The places in the search before the last. A row that has not changed has the same place in both. */
         public var previous:RowPlaces = new RowPlaces();
 
         /** The rows that the last search has read again, because their agents had changed. */
@@ -56,7 +53,16 @@ package starlogo.search.table
         }
 
         /**
-         * Makes the places that were read and the proposed rows those of the last search.
+         * The places of the next search, before it is accepted: those of the search before the last, which nobody needs any more. If the next search is
+         * refused, the one after it reads the same rows again.
+         */
+        internal function get next():RowPlaces
+        {
+            return previous;
+        }
+
+        /**
+         * Makes the next places and the proposed rows those of the last search.
          *
          * @param listedCount the number of agents in the list
          */
@@ -95,7 +101,7 @@ package starlogo.search.table
             assignLevel(row);
         }
 
-        /** Reads the place of one agent as it is now. The agent has no motion then. */
+        /** Reads the place of one agent as it is now. It has no motion then. */
         public function readNow(row:int, agent:Agent):void
         {
             last.read(row, agent);

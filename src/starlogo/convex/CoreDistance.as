@@ -34,7 +34,11 @@ package starlogo.convex
             }
             else
             {
-                _simplex.nearest.direction.setTo(cores.x, cores.y, cores.z);
+                // not setTo, because V8 makes objects of the Numbers where it does not inline the call
+                var direction:Vector3D = _simplex.nearest.direction;
+                direction.x = cores.x;
+                direction.y = cores.y;
+                direction.z = cores.z;
             }
             search(cores, out);
         }

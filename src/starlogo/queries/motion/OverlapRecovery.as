@@ -131,7 +131,16 @@ package starlogo.queries.motion
                 for (var i:int = 0; i < body.obstacles.count; i++)
                 {
                     var row:int = body.obstacles.numbers[i];
-                    if (!(lift != null ? findPushOut(body, row, place, round, _contact) : findPushOff(body, row, place, round, _contact)))
+                    var isPushed:Boolean;
+                    if (lift != null)
+                    {
+                        isPushed = findPushOut(body, row, place, round, _contact);
+                    }
+                    else
+                    {
+                        isPushed = findPushOff(body, row, place, round, _contact);
+                    }
+                    if (!isPushed)
                     {
                         continue;
                     }

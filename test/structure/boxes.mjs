@@ -26,6 +26,7 @@ const COLD = {
 	'starlogo.hierarchy.BoxTreeBuilder': 'when a model loads',
 	'starlogo.hierarchy.TreeItems': 'when a model loads',
 	'starlogo.solid.interior.DisjointSets': 'when a model loads',
+	'starlogo.queries.motion.RowOverlap.warnIfInside': 'once, for a warning',
 	'starlogo.solid.interior.CavityFinder': 'when a model loads',
 	'starlogo.solid.interior.ClosedShell': 'when a model loads',
 	'starlogo.solid.interior.EdgeMatcher': 'when a model loads',

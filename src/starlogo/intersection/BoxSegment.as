@@ -107,7 +107,11 @@ package starlogo.intersection
             isInside = lastIn <= firstOut && lastIn <= 1 && firstOut >= 0;
             if (lastIn <= firstOut)
             {
-                nearest = ((lastIn > 0 ? (lastIn < 1 ? lastIn : 1) : 0) + (firstOut > 0 ? (firstOut < 1 ? firstOut : 1) : 0)) / 2;
+                var begin:Number = lastIn > 0 ? lastIn : 0;
+                var end:Number = firstOut > 0 ? firstOut : 0;
+                begin = begin < 1 ? begin : 1;
+                end = end < 1 ? end : 1;
+                nearest = (begin + end) / 2;
                 return;
             }
             // The line misses the box: it leaves one slab before it enters another, and is closest between these two places. How far it is outside of
@@ -115,25 +119,31 @@ package starlogo.intersection
             var dx:Number = outX == firstOut || inX == lastIn ? ux : 0;
             var dy:Number = outY == firstOut || inY == lastIn ? uy : 0;
             var dz:Number = outZ == firstOut || inZ == lastIn ? uz : 0;
-            var slope:Number = dx * (outX == firstOut ? px - halfX : px + halfX) + dy * (outY == firstOut ? py - halfY : py + halfY)
-                + dz * (outZ == firstOut ? pz - halfZ : pz + halfZ);
+            var beyondX:Number = outX == firstOut ? px - halfX : px + halfX;
+            var beyondY:Number = outY == firstOut ? py - halfY : py + halfY;
+            var beyondZ:Number = outZ == firstOut ? pz - halfZ : pz + halfZ;
+            var slope:Number = dx * beyondX + dy * beyondY + dz * beyondZ;
             var curvature:Number = dx * dx + dy * dy + dz * dz;
             var share:Number = -slope / curvature;
             // The third slab also counts if the line is outside of it at the minimum found without it.
             if (dx == 0 && (share < inX || share > outX))
             {
-                share = -(slope + ux * (share < inX ? px + halfX : px - halfX)) / (curvature + ux * ux);
+                beyondX = share < inX ? px + halfX : px - halfX;
+                share = -(slope + ux * beyondX) / (curvature + ux * ux);
             }
             else if (dy == 0 && (share < inY || share > outY))
             {
-                share = -(slope + uy * (share < inY ? py + halfY : py - halfY)) / (curvature + uy * uy);
+                beyondY = share < inY ? py + halfY : py - halfY;
+                share = -(slope + uy * beyondY) / (curvature + uy * uy);
             }
             else if (dz == 0 && (share < inZ || share > outZ))
             {
-                share = -(slope + uz * (share < inZ ? pz + halfZ : pz - halfZ)) / (curvature + uz * uz);
+                beyondZ = share < inZ ? pz + halfZ : pz - halfZ;
+                share = -(slope + uz * beyondZ) / (curvature + uz * uz);
             }
             // The comparison is false for NaN too.
-            nearest = share > 0 ? (share < 1 ? share : 1) : 0;
+            share = share > 0 ? share : 0;
+            nearest = share < 1 ? share : 1;
         }
     }
 }

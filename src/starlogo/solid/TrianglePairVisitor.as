@@ -197,8 +197,10 @@ package starlogo.solid
             var r:Number = _moved[int(at + 6)];
             var low:Number = q < p ? q : p;
             var high:Number = q < p ? p : q;
-            low = (r < low ? r : low) - _outerTolerance;
-            high = (r > high ? r : high) + _outerTolerance;
+            low = r < low ? r : low;
+            high = r > high ? r : high;
+            low -= _outerTolerance;
+            high += _outerTolerance;
             _extents[int(2 * axis)] = travel < 0 ? low + travel : low;
             _extents[int(2 * axis + 1)] = travel > 0 ? high + travel : high;
         }

@@ -163,8 +163,9 @@ package starlogo.intersection.ray
             {
                 return crossing.distance <= _ray.to;
             }
-            var latest:Number = Math.min(_ray.to, first.side == RayCrossings.EDGE_ON ? first.distance + first.slack : first.distance);
-            return (crossing.side == RayCrossings.EDGE_ON ? crossing.distance + crossing.slack : crossing.distance) < latest;
+            var latest:Number = first.side == RayCrossings.EDGE_ON ? first.distance + first.slack : first.distance;
+            var distance:Number = crossing.side == RayCrossings.EDGE_ON ? crossing.distance + crossing.slack : crossing.distance;
+            return distance < Math.min(_ray.to, latest);
         }
 
         // Finds the next triangle that the line meets where the ray begins or later. It shears the corners as seen from the line, finds the sides on which

@@ -113,7 +113,11 @@ package starlogo.queries.motion
             var form:int = body.bodyOf(row).form;
             var isTree:Boolean = form == ModelShape.TREE;
             var source:Body = body.source;
-            var allowed:Number = (isTree ? 1 : WITH_ROOM) * OverlapMiddle.halfAlong(source, contact);
+            var allowed:Number = OverlapMiddle.halfAlong(source, contact);
+            if (!isTree)
+            {
+                allowed *= WITH_ROOM;
+            }
             if (form != ModelShape.GROUND && contact.depth > allowed)
             {
                 var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;

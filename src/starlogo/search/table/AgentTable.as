@@ -188,7 +188,8 @@ package starlogo.search.table
             var ground:ModelShape = shapes[ListedAgents.GROUND_ROW];
             if (ground != null && isHeld != _isWorldHeld)
             {
-                ground.grid.holders += isHeld ? 1 : -1;
+                var change:int = isHeld ? 1 : -1;
+                ground.grid.holders += change;
             }
             _isWorldHeld = isHeld;
         }

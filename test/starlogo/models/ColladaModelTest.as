@@ -129,7 +129,8 @@ package starlogo.models
             const NUMBERS:String = '<source id="s"><float_array id="f" count="17">9 9 0 0 0 5 9 1 0 0 5 9 1 1 0 5 7</float_array></source>';
             const VIEW:String = '<source id="p"><technique_common><accessor source="#f" count="3" stride="5" offset="1">' +
                 '<param type="float"/><param name="X"/><param name="Y"/><param name="Z"/><param name="W"/></accessor></technique_common></source>';
-            const MESH:String = VIEW + '<vertices id="v"><input semantic="NORMAL" source="#none"/><input semantic="POSITION" source="#p"/></vertices>' +
+            const MESH:String = VIEW + '<vertices id="v"><instance_material semantic="POSITION"/><input semantic="NORMAL" source="#none"/>' +
+                '<input semantic="POSITION" source="#p"/></vertices>' +
                 '<triangles count="1"><input semantic="TEXCOORD" source="#none" offset="0" set="1"/><input semantic="VERTEX" source="#v" offset="2"/>' +
                 '<p>9 9 0 9 9 1 9 9 2</p></triangles>';
             var model:Model = read(Collada.document('<library_geometries><geometry id="other"><mesh>' + NUMBERS +

@@ -131,8 +131,16 @@ package starlogo.models.collada
                 _first = {};
                 for each (var child:ColladaElement in children)
                 {
-                    var keys:Array = ["<" + child.name, "<" + child.name + "#" + child.id, "@" + child.attribute("semantic"), "$" + child.attribute("symbol")];
-                    for each (var each:String in keys.slice(0, child.name == "input" ? 3 : (child.name == "instance_material" ? 4 : 2)))
+                    var keys:Array = ["<" + child.name, "<" + child.name + "#" + child.id];
+                    if (child.name == "input")
+                    {
+                        keys.push("@" + child.attribute("semantic"));
+                    }
+                    else if (child.name == "instance_material")
+                    {
+                        keys.push("$" + child.attribute("symbol"));
+                    }
+                    for each (var each:String in keys)
                     {
                         _first[each] ||= child;
                     }

@@ -11,7 +11,7 @@ package starlogo.models.collada
         /** The node's element, or the element that places the geometry. If there is no scene, the geometry's own element. */
         public var element:ColladaElement;
 
-        /** The node around it, or null. */
+        /** The node around this one; null for the scene and for an instance. */
         public var parent:ColladaPlace;
 
         /** Takes points to the scene, with z up. For a node, it grows with each of its transform elements that is visited. */
@@ -20,12 +20,12 @@ package starlogo.models.collada
         /** The geometry's vertices and triangles; null for a node. All instances of a geometry share them. */
         public var mesh:ColladaMesh;
 
-        /** The number of nodes around it. */
+        /** The number of nodes around this one. */
         public var depth:int;
 
         /**
          * @param element the element
-         * @param parent the node around it, or null
+         * @param parent the node around this one; null for the scene and for an instance
          * @param transform takes its points to the scene
          * @param mesh the geometry's vertices and triangles; null for a node
          */

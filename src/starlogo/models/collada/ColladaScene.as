@@ -81,10 +81,10 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    addInstance(element, element.target("url", ["geometry"]), node, node.transform);
+                    addInstance(element, element.target("url", ["geometry"]), node.transform);
                     break;
                 case "instance_controller":
-                    addController(element, node);
+                    addController(element, node.transform);
                     break;
                 case "instance_node":
                     var inner:ColladaElement = element.target("url", ["node"]);
@@ -101,9 +101,8 @@ package starlogo.models.collada
         }
 
         // Follows controllers down to the geometry. A skin stays where its bind shape matrix puts it. A morph is its base shape.
-        private function addController(element:ColladaElement, node:ColladaPlace):void
+        private function addController(element:ColladaElement, transform:AffineTransform):void
         {
-            var transform:AffineTransform = node.transform;
             var target:ColladaElement = element.target("url", ["controller"]);
             for (var i:int = 0; target.name == "controller"; i++)
             {
@@ -116,14 +115,14 @@ package starlogo.models.collada
                 element.refuseIf(i == MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
                         " controllers follow one another, or they refer to each other in a circle");
             }
-            addInstance(element, target, node, transform);
+            addInstance(element, target, transform);
         }
 
         // Each geometry is read once, even if it is in the scene many times.
-        private function addInstance(element:ColladaElement, geometry:ColladaElement, node:ColladaPlace, transform:AffineTransform):void
+        private function addInstance(element:ColladaElement, geometry:ColladaElement, transform:AffineTransform):void
         {
             var mesh:ColladaMesh = _meshes["#" + geometry.id] ||= new ColladaMesh(geometry);
-            instances.push(new ColladaPlace(element, node, transform, mesh));
+            instances.push(new ColladaPlace(element, null, transform, mesh));
         }
     }
 }

@@ -158,15 +158,14 @@ package starlogo.models.cooked
                 VarInt.write(label == null ? -1 : bytes.length, out);
                 out.writeBytes(bytes);
             }
+            var numbers:Vector.<int> = labels.numbers || new Vector.<int>();
             var runs:Vector.<int> = new Vector.<int>();
-            var last:int = -1;
             var start:int = 0;
-            for (var i:int = 0; labels.numbers != null && i < labels.numbers.length; i++)
+            for (var i:int = 0; i < numbers.length; i++)
             {
-                if (labels.numbers[i] != last)
+                if (numbers[i] != (i == 0 ? -1 : numbers[i - 1]))
                 {
-                    runs.push(i - start, labels.numbers[i]);
-                    last = labels.numbers[i];
+                    runs.push(i - start, numbers[i]);
                     start = i;
                 }
             }

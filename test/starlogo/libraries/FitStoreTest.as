@@ -167,7 +167,7 @@ package starlogo.libraries
             var large:Model = new Model("large", PointSets.cloud(new SeededRandom(21), 3000, 1, 1, 1));
             newGame(_store).addModel(large);
             assertTrue("it is refused", _storage.refusalCount > 0);
-            assertEquals("the others are put back", 3, _storage.names.length);
+            assertEquals("the others stay", 3, _storage.names.length);
             assertEquals("and listed", 3, listedCount());
             _fitter.count = 0;
             newGame(_store).addModel(models[2]);

@@ -17,7 +17,7 @@ package starlogo.fitting
      */
     public final class HullFitter extends Fitter
     {
-        /** The smallest number of corners that may be asked for: a box has as many. */
+        /** The smallest number of corners that may be asked for. A box has 8 corners. */
         public static const LEAST_CORNERS:int = 8;
 
         private var _maxCorners:int;

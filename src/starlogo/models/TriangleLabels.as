@@ -10,8 +10,8 @@ package starlogo.models
         /** The name of each number, or null for a number without a name. Null if nothing gives names. */
         public var names:Vector.<String>;
 
-        // The first triangle of each run of triangles with the same number, and the number. After close() a last entry of the former is the number of
-        // triangles.
+        // Triangles that follow one another and have the same number are a run. The first triangle of each run, and its number. close() adds the
+        // number of triangles to _starts. So each run ends where the next entry begins.
         private var _starts:Vector.<int> = new <int>[0];
         private var _runs:Vector.<int> = new <int>[-1];
 

@@ -57,7 +57,7 @@ package starlogo.fitting.hull
                 });
         }
 
-        // For each half-space of the hull, raises the height along its normal as far as some vertices are high.
+        // Raises the height of each half-space of the hull, along its normal, until the half-space contains the vertices from first to end.
         private function measure(vertices:Vector.<Number>, first:int, end:int, heights:Vector.<Number>):void
         {
             var halfSpaces:Vector.<Number> = hull.halfSpaces;

@@ -32,8 +32,10 @@ package starlogo.fitting.hull
         // By face: 1 if it is inside of the solid by now, otherwise 0.
         private var _isInside:Vector.<int> = new Vector.<int>();
 
-        // By face: the number of the search that found it last. The present search comes after.
+        // By face: the number of the search that found it last.
         private var _foundBy:Vector.<int> = new Vector.<int>();
+
+        // The number of the present search.
         private var _search:int = 0;
 
         // The number of faces that are not inside.

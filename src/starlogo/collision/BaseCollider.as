@@ -155,9 +155,10 @@ package starlogo.collision
         /** @private Tells the engine's collider that this one is or contains what its Collision does: see Collider.IDLE. */
         engine function enterPhase(phase:int):void
         {
-            if (_collisionSystem is BaseCollider)
+            var inner:Collider = innerCollider;
+            if (inner != null)
             {
-                BaseCollider(_collisionSystem).enterPhase(phase);
+                inner.enterPhase(phase);
             }
         }
 

@@ -48,7 +48,7 @@ package starlogo.ground
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
-            latest = search.motion.latest;
+            latest = motion.latest;
             alongX.firstCell = grid.x - search.origin.x - border;
             alongY.firstCell = grid.y - search.origin.y - border;
             zeroHeight = -search.origin.z;
@@ -122,16 +122,16 @@ package starlogo.ground
         private function narrowAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):void
         {
             var width:Number = widthAt(level);
-            var speed:Number = axis.travel;
-            if (speed == 0)
+            var travel:Number = axis.travel;
+            if (travel == 0)
             {
                 var beside:Number = Math.max(0, Math.abs(axis.middle - axis.firstCell - (square + 0.5) * width) - width / 2 - axis.half);
                 passage.besideSquared += beside * beside;
                 passage.to = beside > search.maxDistance ? -1 : passage.to;
                 return;
             }
-            var low:Number = (axis.firstCell + square * width - (axis.middle + axis.half)) / speed;
-            var high:Number = (axis.firstCell + (square + 1) * width - (axis.middle - axis.half)) / speed;
+            var low:Number = (axis.firstCell + square * width - (axis.middle + axis.half)) / travel;
+            var high:Number = (axis.firstCell + (square + 1) * width - (axis.middle - axis.half)) / travel;
             passage.from = Math.max(passage.from, Math.min(low, high));
             passage.to = Math.min(passage.to, Math.max(low, high));
         }

@@ -181,8 +181,8 @@ package starlogo.ground
             // without ground it is infinite
             if (!_pairs.pieces.isTree && out.distance < Infinity)
             {
-                _pairs.begin(RelativeMotion.NONE, 0);
-                _pairs.nextPiece();
+                _pairs.pieces.begin(false);
+                _pairs.pieces.next();
                 _pairs.kernel.setTriangle(pointAsTriangle(x, y, z));
                 _pairs.kernel.findCloser(out);
             }

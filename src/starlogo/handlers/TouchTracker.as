@@ -34,8 +34,8 @@ package starlogo.handlers
         // The indices of the objects for later touches.
         private var _free:IntList = new IntList();
 
-        // The pairs of the frame. By pair: the index of its touch, or NONE; and the same of the frame before. The number of
-        // the search that has found the pairs, or NONE if not each pair has got its touch.
+        // The pairs of the frame. By pair: the index of its touch, or NONE. A list for the pairs of this frame, and one for the pairs of the frame
+        // before. The number of the search that has found the pairs, or NONE if not each pair has got its touch.
         private var _pairs:FoundPairs = null;
         private var _touches:Vector.<int> = new Vector.<int>();
         private var _touchesBefore:Vector.<int> = new Vector.<int>();
@@ -221,8 +221,9 @@ package starlogo.handlers
                     nextAdded++;
                     continue;
                 }
-                for (; nextDropped < dropped.count && dropped.numbers[nextDropped] == before; nextDropped++)
+                while (nextDropped < dropped.count && dropped.numbers[nextDropped] == before)
                 {
+                    nextDropped++;
                     before++;
                 }
                 _touches[pair] = _touchesBefore[before];

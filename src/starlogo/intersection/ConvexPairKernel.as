@@ -11,12 +11,12 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * The kernel of any two convex structures. It makes shapes of the two, about which ConvexKernel decides. PairTable has it for pairs with a hull,
-     * BoxBoxKernel extends it, and RoundKernel asks it where it does not answer itself.
+     * Answers for any two convex structures. It makes shapes of the two, about which ConvexKernel decides. PairTable has it for pairs with a hull,
+     * and other kernels ask it where they do not answer themselves.
      *
      * @private
      */
-    public class ConvexPairKernel extends PairKernel
+    public final class ConvexPairKernel extends PairKernel
     {
         private var _kernel:ConvexKernel = new ConvexKernel();
         private var _a:ConvexShape = new ConvexShape();

@@ -125,7 +125,7 @@ package starlogo.intersection
             var ofCapsule:int = KINDS * BoundingStructure.CAPSULE;
             kernels[ofCapsule + BoundingStructure.CAPSULE] = new RoundKernel(new CapsuleCapsuleGapFinder(), CONVEX);
             kernels[ofCapsule + BoundingStructure.BOX] = new RoundKernel(new CapsuleBoxGapFinder(), CONVEX);
-            kernels[KINDS * BoundingStructure.BOX + BoundingStructure.BOX] = new BoxBoxKernel();
+            kernels[KINDS * BoundingStructure.BOX + BoundingStructure.BOX] = new BoxBoxKernel(CONVEX);
             return kernels;
         }
     }

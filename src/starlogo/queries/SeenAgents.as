@@ -59,8 +59,8 @@ package starlogo.queries
         // The body of an agent that has changed since the last update.
         private var _made:Body = new Body();
 
-        /** @private The number of questions under way that are calling a filter's <code>accepts</code>. Meanwhile the agents must not change. */
-        engine var locks:int = 0;
+        // The number of questions under way that are calling a filter's accepts.
+        private var _locks:int = 0;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -149,6 +149,18 @@ package starlogo.queries
         {
             _needs.push(addTo);
             addTo(narrowPhase);
+        }
+
+        /** @private While a filter's <code>accepts</code> is called, the agents must not change. */
+        engine function lock():void
+        {
+            _locks++;
+        }
+
+        /** @private Call this once for each <code>lock()</code>. */
+        engine function unlock():void
+        {
+            _locks--;
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
@@ -249,7 +261,7 @@ package starlogo.queries
 
         private function requireUnlocked(what:String):void
         {
-            if (locks > 0)
+            if (_locks > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
             }

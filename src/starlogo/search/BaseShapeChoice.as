@@ -37,9 +37,6 @@ package starlogo.search
         /** The models, or null if the shapes need no models. */
         public var greatLand:GreatLand;
 
-        /** @private The collision system that the shapes belong to: OWN, BIN and so on. Snapshots have this number. */
-        engine var system:int = OWN;
-
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;
 
@@ -58,6 +55,12 @@ package starlogo.search
         public function BaseShapeChoice(greatLand:GreatLand)
         {
             this.greatLand = greatLand;
+        }
+
+        /** @private The collision system that the shapes belong to: OWN, BIN and so on. Snapshots have this number. */
+        engine function get system():int
+        {
+            return OWN;
         }
 
         /**

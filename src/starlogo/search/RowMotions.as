@@ -10,6 +10,7 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.intersection.boxes.AxisMotion;
     import starlogo.intersection.boxes.ContactInterval;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.RowPlaces;
@@ -42,6 +43,7 @@ package starlogo.search
 
         // When the extents of a pair overlap.
         private var _interval:ContactInterval = new ContactInterval();
+        private var _axisMotion:AxisMotion = new AxisMotion();
 
         /**
          * @param table has the rows
@@ -221,7 +223,7 @@ package starlogo.search
         private function overlapOnMotions(standing:Extents, slack:Number, a:int, b:int):Boolean
         {
             _interval.begin(1);
-            _interval.margin = slack;
+            _axisMotion.margin = slack;
             return narrow(standing.x, standing.halfX, _motions.x, a, b) && narrow(standing.y, standing.halfY, _motions.y, a, b)
                 && narrow(standing.z, standing.halfZ, _motions.z, a, b);
         }
@@ -230,10 +232,10 @@ package starlogo.search
         private function narrow(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
         {
             var speed:Number = motion[a] - motion[b];
-            _interval.offset = at[a] - at[b] - speed;
-            _interval.travel = speed;
-            _interval.halfExtents = half[a] + half[b];
-            return _interval.narrow();
+            _axisMotion.offset = at[a] - at[b] - speed;
+            _axisMotion.travel = speed;
+            _axisMotion.halfExtents = half[a] + half[b];
+            return _interval.narrow(_axisMotion);
         }
     }
 }

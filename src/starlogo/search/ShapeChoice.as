@@ -10,8 +10,7 @@ package starlogo.search
      * Lets a game choose the shape of each agent's model for a Collider. Extend this abstract class if none of the engine's four colliders has
      * the shapes that your game wants.
      *
-     * <p>The Collider adds everything else: bins, sweeping, contacts, questions, snapshots and statistics. The engine's own choices of structures and
-     * hierarchies extend this class too.</p>
+     * <p>The Collider adds everything else: bins, sweeping, contacts, questions, snapshots and statistics.</p>
      */
     public class ShapeChoice extends BaseShapeChoice
     {

@@ -20,7 +20,12 @@ package starlogo.search
         public function SphereChoice(greatLand:GreatLand)
         {
             super(greatLand);
-            system = BIN;
+        }
+
+        /** @private */
+        override engine function get system():int
+        {
+            return BIN;
         }
 
         /** @private */

@@ -2,8 +2,10 @@ package starlogo.search
 {
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.libraries.BoundingStructuresLibrary;
+    import starlogo.search.pairs.StructurePairTests;
 
     use namespace engine;
 
@@ -13,13 +15,25 @@ package starlogo.search
      *
      * @private
      */
-    public final class TightestFitChoice extends ShapeChoice
+    public final class TightestFitChoice extends BaseShapeChoice
     {
         /** @param greatLand the models' structures */
         public function TightestFitChoice(greatLand:GreatLand)
         {
             super(greatLand);
-            system = TIGHTEST_FIT;
+            requireGiven("greatLand", greatLand);
+        }
+
+        /** @private */
+        override engine function get system():int
+        {
+            return TIGHTEST_FIT;
+        }
+
+        /** @private */
+        override engine function addTests(narrowPhase:NarrowPhase):void
+        {
+            StructurePairTests.addTo(narrowPhase);
         }
 
         /** @inheritDoc */

@@ -4,7 +4,9 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
+    import starlogo.search.pairs.StructurePairTests;
     import starlogo.search.pairs.TreePairTests;
 
     use namespace engine;
@@ -15,7 +17,7 @@ package starlogo.search
      *
      * @private
      */
-    public final class TreeChoice extends ShapeChoice
+    public final class TreeChoice extends BaseShapeChoice
     {
         // The kind of a model's shape that is its tree. The shapes of TightestFitChoice have lower kinds.
         private static const TREE_KIND:int = BoundingStructure.KIND_COUNT;
@@ -32,14 +34,20 @@ package starlogo.search
         public function TreeChoice(greatLand:GreatLand, fits:TightestFitChoice = null)
         {
             super(greatLand);
+            requireGiven("greatLand", greatLand);
             _fits = fits;
-            system = fits == null ? HIERARCHICAL : COMBINATION;
+        }
+
+        /** @private */
+        override engine function get system():int
+        {
+            return _fits == null ? HIERARCHICAL : COMBINATION;
         }
 
         /** @private The structures are those of fits, or of questions. */
         override engine function addTests(narrowPhase:NarrowPhase):void
         {
-            super.addTests(narrowPhase);
+            StructurePairTests.addTo(narrowPhase);
             TreePairTests.addTo(narrowPhase);
         }
 

@@ -24,7 +24,8 @@ package starlogo.intersection.boxes
         private var _edges:Vector.<Number> = new Vector.<Number>(9, true);
         private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
 
-        private var _interval:ContactInterval = new ContactInterval();
+        private var _times:ContactInterval = new ContactInterval();
+        private var _along:AxisMotion = new AxisMotion();
 
         // The pair of two boxes that are given as structures.
         private var _boxes:BoxPair = new BoxPair();
@@ -69,57 +70,58 @@ package starlogo.intersection.boxes
         public function findTimeOfFaces(pair:BoxPair):void
         {
             pair.time = RelativeMotion.NEVER;
-            var interval:ContactInterval = _interval;
+            var times:ContactInterval = _times;
             var b:BoxAxes = pair.axes;
-            interval.begin(pair.latest);
-            interval.margin = pair.margin;
+            var along:AxisMotion = _along;
+            times.begin(pair.latest);
+            along.margin = pair.margin;
             var fromX:Number = pair.x;
             var fromY:Number = pair.y;
             var fromZ:Number = pair.z;
             var halfX:Number = pair.bX;
             var halfY:Number = pair.bY;
             var halfZ:Number = pair.bZ;
-            interval.offset = fromX;
-            interval.travel = pair.motionX;
-            interval.halfExtents = pair.aX + halfX * b.abs00 + halfY * b.abs01 + halfZ * b.abs02;
-            if (!interval.narrow())
+            along.offset = fromX;
+            along.travel = pair.motionX;
+            along.halfExtents = pair.aX + halfX * b.abs00 + halfY * b.abs01 + halfZ * b.abs02;
+            if (!times.narrow(along))
             {
                 return;
             }
-            interval.offset = fromY;
-            interval.travel = pair.motionY;
-            interval.halfExtents = pair.aY + halfX * b.abs10 + halfY * b.abs11 + halfZ * b.abs12;
-            if (!interval.narrow())
+            along.offset = fromY;
+            along.travel = pair.motionY;
+            along.halfExtents = pair.aY + halfX * b.abs10 + halfY * b.abs11 + halfZ * b.abs12;
+            if (!times.narrow(along))
             {
                 return;
             }
-            interval.offset = fromZ;
-            interval.travel = pair.motionZ;
-            interval.halfExtents = pair.aZ + halfX * b.abs20 + halfY * b.abs21 + halfZ * b.abs22;
-            if (!interval.narrow())
+            along.offset = fromZ;
+            along.travel = pair.motionZ;
+            along.halfExtents = pair.aZ + halfX * b.abs20 + halfY * b.abs21 + halfZ * b.abs22;
+            if (!times.narrow(along))
             {
                 return;
             }
-            interval.offset = fromX * b.m00 + fromY * b.m10 + fromZ * b.m20;
-            interval.travel = b.m00 * pair.motionX + b.m10 * pair.motionY + b.m20 * pair.motionZ;
-            interval.halfExtents = halfX + pair.aX * b.abs00 + pair.aY * b.abs10 + pair.aZ * b.abs20;
-            if (!interval.narrow())
+            along.offset = fromX * b.m00 + fromY * b.m10 + fromZ * b.m20;
+            along.travel = b.m00 * pair.motionX + b.m10 * pair.motionY + b.m20 * pair.motionZ;
+            along.halfExtents = halfX + pair.aX * b.abs00 + pair.aY * b.abs10 + pair.aZ * b.abs20;
+            if (!times.narrow(along))
             {
                 return;
             }
-            interval.offset = fromX * b.m01 + fromY * b.m11 + fromZ * b.m21;
-            interval.travel = b.m01 * pair.motionX + b.m11 * pair.motionY + b.m21 * pair.motionZ;
-            interval.halfExtents = halfY + pair.aX * b.abs01 + pair.aY * b.abs11 + pair.aZ * b.abs21;
-            if (!interval.narrow())
+            along.offset = fromX * b.m01 + fromY * b.m11 + fromZ * b.m21;
+            along.travel = b.m01 * pair.motionX + b.m11 * pair.motionY + b.m21 * pair.motionZ;
+            along.halfExtents = halfY + pair.aX * b.abs01 + pair.aY * b.abs11 + pair.aZ * b.abs21;
+            if (!times.narrow(along))
             {
                 return;
             }
-            interval.offset = fromX * b.m02 + fromY * b.m12 + fromZ * b.m22;
-            interval.travel = b.m02 * pair.motionX + b.m12 * pair.motionY + b.m22 * pair.motionZ;
-            interval.halfExtents = halfZ + pair.aX * b.abs02 + pair.aY * b.abs12 + pair.aZ * b.abs22;
-            if (interval.narrow())
+            along.offset = fromX * b.m02 + fromY * b.m12 + fromZ * b.m22;
+            along.travel = b.m02 * pair.motionX + b.m12 * pair.motionY + b.m22 * pair.motionZ;
+            along.halfExtents = halfZ + pair.aX * b.abs02 + pair.aY * b.abs12 + pair.aZ * b.abs22;
+            if (times.narrow(along))
             {
-                pair.time = interval.touch < interval.last ? interval.touch : interval.last;
+                pair.time = times.touch < times.last ? times.touch : times.last;
             }
         }
 
@@ -176,14 +178,15 @@ package starlogo.intersection.boxes
                 halves[int(i + 6)] = pair.bZ * edges[int(i + 6)];
             }
             var areTouching:Boolean = narrowAcross(pair, 0, 3, 6) && narrowAcross(pair, 3, 6, 0) && narrowAcross(pair, 6, 0, 3);
-            pair.time = areTouching ? (_interval.touch < _interval.last ? _interval.touch : _interval.last) : RelativeMotion.NEVER;
+            pair.time = areTouching ? (_times.touch < _times.last ? _times.touch : _times.last) : RelativeMotion.NEVER;
         }
 
         // Narrows the interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is
         // left.
         private function narrowAcross(pair:BoxPair, p:int, q:int, r:int):Boolean
         {
-            var interval:ContactInterval = _interval;
+            var times:ContactInterval = _times;
+            var along:AxisMotion = _along;
             var halves:Vector.<Number> = _halves;
             var pX:Number = _edges[p];
             var pY:Number = _edges[int(p + 1)];
@@ -203,11 +206,11 @@ package starlogo.intersection.boxes
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeY + sizeZ > SHORTEST)
             {
-                interval.offset = pair.z * pY - pair.y * pZ;
-                interval.travel = pair.motionZ * pY - pair.motionY * pZ;
-                interval.halfExtents = pair.aY * sizeZ + pair.aZ * sizeY + alongQ + alongR;
-                interval.margin = pair.margin * (sizeY + sizeZ);
-                if (!interval.narrow())
+                along.offset = pair.z * pY - pair.y * pZ;
+                along.travel = pair.motionZ * pY - pair.motionY * pZ;
+                along.halfExtents = pair.aY * sizeZ + pair.aZ * sizeY + alongQ + alongR;
+                along.margin = pair.margin * (sizeY + sizeZ);
+                if (!times.narrow(along))
                 {
                     return false;
                 }
@@ -218,11 +221,11 @@ package starlogo.intersection.boxes
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeX + sizeZ > SHORTEST)
             {
-                interval.offset = pair.x * pZ - pair.z * pX;
-                interval.travel = pair.motionX * pZ - pair.motionZ * pX;
-                interval.halfExtents = pair.aZ * sizeX + pair.aX * sizeZ + alongQ + alongR;
-                interval.margin = pair.margin * (sizeX + sizeZ);
-                if (!interval.narrow())
+                along.offset = pair.x * pZ - pair.z * pX;
+                along.travel = pair.motionX * pZ - pair.motionZ * pX;
+                along.halfExtents = pair.aZ * sizeX + pair.aX * sizeZ + alongQ + alongR;
+                along.margin = pair.margin * (sizeX + sizeZ);
+                if (!times.narrow(along))
                 {
                     return false;
                 }
@@ -235,11 +238,11 @@ package starlogo.intersection.boxes
             alongQ = alongQ < 0 ? -alongQ : alongQ;
             alongR = rY * pX - rX * pY;
             alongR = alongR < 0 ? -alongR : alongR;
-            interval.offset = pair.y * pX - pair.x * pY;
-            interval.travel = pair.motionY * pX - pair.motionX * pY;
-            interval.halfExtents = pair.aX * sizeY + pair.aY * sizeX + alongQ + alongR;
-            interval.margin = pair.margin * (sizeX + sizeY);
-            return interval.narrow();
+            along.offset = pair.y * pX - pair.x * pY;
+            along.travel = pair.motionY * pX - pair.motionX * pY;
+            along.halfExtents = pair.aX * sizeY + pair.aY * sizeX + alongQ + alongR;
+            along.margin = pair.margin * (sizeX + sizeY);
+            return times.narrow(along);
         }
     }
 }

@@ -3,25 +3,13 @@ package starlogo.intersection.boxes
     import starlogo.geometry.Tolerances;
 
     /**
-     * The interval of time in which no axis tried so far separates two moving shapes, and the projections of the shapes on the next axis. The axis may
-     * have any length. The margins are included in the decision whether they touch at all. The time of impact does not include them.
+     * The interval of time in which no axis tried so far separates two moving shapes. The margins are included in the decision whether they
+     * touch at all. The time of impact does not include them.
      *
      * @private
      */
     public final class ContactInterval
     {
-        /** On the axis, the place of the second shape's middle at time 0, seen from the first one's. */
-        public var offset:Number = 0;
-
-        /** How far the second shape moves along the axis until time 1. */
-        public var travel:Number = 0;
-
-        /** The half-extents of both shapes along the axis, added. */
-        public var halfExtents:Number = 0;
-
-        /** The gap on the axis across which the shapes still touch. */
-        public var margin:Number = 0;
-
         /** The end of the interval, with the margins included. Read only. */
         public var last:Number = 1;
 
@@ -42,26 +30,31 @@ package starlogo.intersection.boxes
         }
 
         /**
-         * Narrows the interval to the time in which the axis does not separate the shapes.
+         * Narrows the interval to the time in which an axis does not separate the shapes.
          *
+         * @param axis how the shapes move along it
          * @return whether anything is left. If not, the shapes do not touch
          */
-        public function narrow():Boolean
+        public function narrow(axis:AxisMotion):Boolean
         {
+            var from:Number = axis.offset;
+            var travel:Number = axis.travel;
+            var near:Number = axis.halfExtents;
             // mirrored, so that the motion is upwards
-            var side:int = travel < 0 ? -1 : 1;
-            var from:Number = side * offset;
-            var speed:Number = side * travel;
-            var near:Number = halfExtents;
-            var wide:Number = near * Tolerances.TOUCHING + margin;
+            if (travel < 0)
+            {
+                travel = -travel;
+                from = -from;
+            }
+            var wide:Number = near * Tolerances.TOUCHING + axis.margin;
             var time:Number;
             if (from < -wide)
             {
-                if (!(speed > 0))
+                if (!(travel > 0))
                 {
                     return false;
                 }
-                time = (-wide - from) / speed;
+                time = (-wide - from) / travel;
                 if (time > last)
                 {
                     return false;
@@ -70,7 +63,7 @@ package starlogo.intersection.boxes
                 {
                     _first = time;
                 }
-                time = (-near - from) / speed;
+                time = (-near - from) / travel;
                 if (time > touch)
                 {
                     touch = time;
@@ -80,9 +73,9 @@ package starlogo.intersection.boxes
             {
                 return false;
             }
-            if (from + last * speed > wide)
+            if (from + last * travel > wide)
             {
-                time = (wide - from) / speed;
+                time = (wide - from) / travel;
                 if (time < _first)
                 {
                     return false;

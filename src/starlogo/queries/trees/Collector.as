@@ -99,7 +99,7 @@ package starlogo.queries.trees
                     {
                         return row;
                     }
-                    search.tree.passedOver++;
+                    search.tree.passOver(1);
                 }
             }
             return -1;
@@ -160,7 +160,7 @@ package starlogo.queries.trees
         private function admitTo(end:int):void
         {
             var decide:Function = filter.accepts;
-            _seen.locks++;
+            _seen.lock();
             isAsking = true;
             try
             {
@@ -176,7 +176,7 @@ package starlogo.queries.trees
             finally
             {
                 isAsking = false;
-                _seen.locks--;
+                _seen.unlock();
             }
         }
 

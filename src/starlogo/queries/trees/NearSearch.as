@@ -250,7 +250,7 @@ package starlogo.queries.trees
                     limit = found.limit;
                 }
             }
-            _tree.passedOver += passedOver;
+            _tree.passOver(passedOver);
             return counted;
         }
     }

@@ -60,8 +60,8 @@ package starlogo.queries.trees
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        /** How many rows that do not count searches have tested since the nodes learned their breeds. The searches count them. */
-        public var passedOver:int = 0;
+        // How many rows that do not count searches have tested since the nodes learned their breeds. A test reads it.
+        engine var passedOver:int = 0;
 
         // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
         private var _breedSets:Vector.<int> = new Vector.<int>();
@@ -125,6 +125,12 @@ package starlogo.queries.trees
         public static function breedBit(breed:int):int
         {
             return 1 << breed % BREED_BITS;
+        }
+
+        /** Counts rows that a filter does not let through, by their breeds or otherwise. */
+        public function passOver(rows:int):void
+        {
+            passedOver += rows;
         }
 
         /** Lets the nodes learn their breeds, if searches have passed over so many rows that this takes no longer. */

@@ -23,7 +23,7 @@ export class Layout {
 
 	/**
 	 * @param {HTMLElement} main contains the view
-	 * @param {object} parts the programs, the lessons' card, the bar for building and the panel, with their elements
+	 * @param {object} parts the programs with the lessons' card, the bar for building and the panel
 	 * @param {object} on what the controls do: run, step, reset, useSystem, putBeside, useCamera, setSpeed, goBack, showSeen; closeMenus, and playOn, which
 	 * gives the keyboard back to the game
 	 */

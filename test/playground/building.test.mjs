@@ -1,7 +1,7 @@
 /** A level that is built in the world, by mouse: kept in the program as blocks, and undone like them. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { SIZES, begin, drag, open, rest } from './browser.mjs';
+import { SIZES, begin, drag, open } from './browser.mjs';
 import { parts } from './parts.mjs';
 
 let site;

@@ -70,26 +70,34 @@ package starlogo.queries
         /** See AgentWalks.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return idle.readStructure(structure).cast(null, dx, dy, dz, filter, hit);
+            var asked:MoveQueries = idle;
+            asked._body.readStructure(structure);
+            return asked.cast(null, dx, dy, dz, filter, hit);
         }
 
         /** See AgentWalks.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return idle.readStructure(structure).castAll(null, dx, dy, dz, filter, out);
+            var asked:MoveQueries = idle;
+            asked._body.readStructure(structure);
+            return asked.castAll(null, dx, dy, dz, filter, out);
         }
 
         /** See AgentWalks.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return idle.readAgent(agent).cast(agent, dx, dy, dz, filter, hit);
+            var asked:MoveQueries = idle;
+            asked._body.readCastAgent(agent);
+            return asked.cast(agent, dx, dy, dz, filter, hit);
         }
 
         /** See AgentWalks.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return idle.readAgent(agent).castAll(agent, dx, dy, dz, filter, out);
+            var asked:MoveQueries = idle;
+            asked._body.readCastAgent(agent);
+            return asked.castAll(agent, dx, dy, dz, filter, out);
         }
 
         /** See AgentWalks.moveUntilTouch. */
@@ -164,20 +172,6 @@ package starlogo.queries
                 write(i, hits[i]);
             }
             return hits;
-        }
-
-        // Makes a structure the body that moves. Returns these questions.
-        private function readStructure(structure:BoundingStructure):MoveQueries
-        {
-            _body.readStructure(structure);
-            return this;
-        }
-
-        // Makes an agent that is cast the body that moves. Returns these questions.
-        private function readAgent(agent:Agent):MoveQueries
-        {
-            _body.readCastAgent(agent);
-            return this;
         }
 
         // The asker is null if a structure is cast.

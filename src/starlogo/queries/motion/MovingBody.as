@@ -1,7 +1,8 @@
 // This folder moves a body among the rows of a table. A MovingBody is what moves. Its BodyCore is the same body, smaller by a slop; CoreSweep finds what
-// the core meets, so the body may touch what it stands on or runs along. OverlapRecovery frees the body at the beginning of a motion (StartLift). Two classes make a motion of these: TouchSweep ends it in the touch of a row, for casts and moveUntilTouch; Slider ends it before the
-// touch, or goes on along what the body meets (SlidePlanes). WalkMover makes a walk of slides and straight motions, and Foothold says where an agent
-// stands. The other files are records. Read this file first, then TouchSweep, Slider and WalkMover.
+// the core meets, so the body may touch what it stands on or runs along. OverlapRecovery frees the body at the beginning of a motion (StartLift). Two
+// classes make a motion of these: TouchSweep ends it in the touch of a row, for casts and moveUntilTouch; Slider ends it before the touch, or goes on along
+// what the body meets (SlidePlanes). WalkMover makes a walk of slides and straight motions, and Foothold says where an agent stands. The other files are
+// records. Read this file first, then TouchSweep, Slider and WalkMover.
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
@@ -229,10 +230,10 @@ package starlogo.queries.motion
                 && Math.abs(moved.z - z - other.z) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
         }
 
-        /** Whether a body, this or its core, touches another where it is. */
-        public function areTouching(moved:Body, other:Body):Boolean
+        // Whether the whole body, where it was placed, touches another.
+        private function areTouching(whole:Body, other:Body):Boolean
         {
-            return isNear(moved, other, RelativeMotion.NONE) && _seen.narrowPhase.areTouching(moved, other);
+            return isNear(whole, other, RelativeMotion.NONE) && _seen.narrowPhase.areTouching(whole, other);
         }
 
         /** The larger extent of the body and another. The ground's extents are those of a cell, and do not count. */

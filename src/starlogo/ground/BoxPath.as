@@ -88,14 +88,20 @@ package starlogo.ground
         public function firstOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
             var least:Number = axis.middle - axis.firstCell + Math.min(passage.from * axis.travel, passage.to * axis.travel);
-            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor((least - (axis.half + search.maxDistance)) / widthAt(level))));
+            return squareAt(least - (axis.half + search.maxDistance), level);
         }
 
         /** The last column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function lastOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
             var greatest:Number = axis.middle - axis.firstCell + Math.max(passage.from * axis.travel, passage.to * axis.travel);
-            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor((greatest + (axis.half + search.maxDistance)) / widthAt(level))));
+            return squareAt(greatest + (axis.half + search.maxDistance), level);
+        }
+
+        // The column or row of a level that is so far from the first one; -1 for all before that one.
+        private function squareAt(distance:Number, level:int):int
+        {
+            return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor(distance / widthAt(level))));
         }
 
         /**

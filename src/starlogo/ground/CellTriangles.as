@@ -23,21 +23,17 @@ package starlogo.ground
         private var _next:int = 0;
         private var _end:int = 0;
 
-        // How the box passes over the cell within the present limits of the search. Triangles above and below it are left out.
+        // How the box passes over the cell within the limits that the search had when it came to the cell. Triangles above and below it are left out.
         private var _passage:SquarePassage;
 
         // How the box passes over the cell until the latest time at the beginning of the search. Tall walls are cut above and below it, so no corner
         // depends on what the latest time has become.
         private var _wholePassage:SquarePassage = new SquarePassage();
 
-        /**
-         * @param path of the boxes over the ground
-         * @param passage of the box over the current cell. GroundTriangles writes it before it enters the cell
-         */
-        public function CellTriangles(path:BoxPath, passage:SquarePassage)
+        /** @param path of the boxes over the ground */
+        public function CellTriangles(path:BoxPath)
         {
             _path = path;
-            _passage = passage;
         }
 
         /** Leaves the cell, if there is one: there are no more triangles. */
@@ -46,8 +42,13 @@ package starlogo.ground
             _next = _end = 0;
         }
 
-        /** Goes on to a cell. @param isAtBorder whether it is at a border of the grid */
-        public function enter(column:int, row:int, isAtBorder:Boolean):void
+        /**
+         * Goes on to a cell.
+         *
+         * @param isAtBorder whether it is at a border of the grid
+         * @param passage how the box passes over the cell; kept until the next cell
+         */
+        public function enter(column:int, row:int, isAtBorder:Boolean, passage:SquarePassage):void
         {
             var grid:HeightGrid = _path.search.grid;
             var at:int = row * grid.columns + column;
@@ -59,6 +60,7 @@ package starlogo.ground
             var hasWalls:Boolean = isAtBorder || grid.isBlocky || grid.isBesideHole(at);
             _column = column;
             _row = row;
+            _passage = passage;
             readTops(at);
             var greatest:Number = Math.max(Math.max(_tops[0], _tops[1]), Math.max(_tops[2], _tops[3]));
             var least:Number = Math.min(Math.min(_tops[0], _tops[1]), Math.min(_tops[2], _tops[3]));

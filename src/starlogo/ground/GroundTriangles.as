@@ -24,7 +24,7 @@ package starlogo.ground
         // Of the current square: how the box passes over it, its heights, and if it is a cell, its triangles.
         private var _passage:SquarePassage = new SquarePassage();
         private var _heights:HeightRange = new HeightRange();
-        private var _cell:CellTriangles = new CellTriangles(_path, _passage);
+        private var _cell:CellTriangles = new CellTriangles(_path);
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
         private var _squares:Vector.<int> = new Vector.<int>();
@@ -103,7 +103,7 @@ package starlogo.ground
             var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastColumnAt(level) || row == grid.lastRowAt(level);
             if (level == 0)
             {
-                _cell.enter(column, row, isAtBorder);
+                _cell.enter(column, row, isAtBorder, _passage);
                 return;
             }
             readHeights(level, column, row, isAtBorder);

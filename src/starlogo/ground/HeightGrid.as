@@ -41,8 +41,8 @@ package starlogo.ground
         /** Bounds of the heights. Update it after a change of heights or holes. */
         public var pyramid:HeightPyramid;
 
-        /** The number of frames that need the ground as it is. While there are any, it must not change. */
-        public var holders:int = 0;
+        // The number of frames that need the ground as it is.
+        private var _holders:int = 0;
 
         private var _point:GroundPoint = new GroundPoint();
 
@@ -71,10 +71,23 @@ package starlogo.ground
             pyramid.update(0, 0, columns - 1, rows - 1);
         }
 
+        /** Whether a frame needs the ground as it is. While one does, it must not change. */
+        public function get isHeld():Boolean
+        {
+            return _holders > 0;
+        }
+
+        /** Notes that one more frame needs the ground as it is, or that one needs it no longer. */
+        public function hold(isNeeded:Boolean):void
+        {
+            var change:int = isNeeded ? 1 : -1;
+            _holders += change;
+        }
+
         /** Returns a copy that no frame holds. An earlier copy is used again. */
         public function copy():HeightGrid
         {
-            if (_spare == null || _spare.holders > 0)
+            if (_spare == null || _spare.isHeld)
             {
                 _spare = new HeightGrid(columns, rows, cellWidth, x, y);
             }

@@ -18,7 +18,7 @@ package starlogo.queries
     {
         private var _seen:SeenAgents;
         private var _found:Collector;
-        private var _near:NearSearch = new NearSearch();
+        private var _near:NearSearch;
         private var _cone:Cone = new Cone();
 
         // Answers what an accepts asks while these questions call it.
@@ -35,6 +35,7 @@ package starlogo.queries
             requireGiven("seen", seen);
             _seen = seen;
             _found = new Collector(seen);
+            _near = new NearSearch(_found);
         }
 
         /**
@@ -185,7 +186,7 @@ package starlogo.queries
             requireNotNegative("radius", radius);
             _found.begin(wanted, radius * radius, asker, filter);
             var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
-            _near.find(_seen.treeOfPlaces(), x, y, z, _found, cone);
+            _near.find(_seen.treeOfPlaces(), x, y, z, cone);
             return _found;
         }
 
@@ -193,7 +194,7 @@ package starlogo.queries
         {
             requireNotNegative("radius", radius);
             _found.begin(Collector.ALL, radius * radius, asker, filter);
-            return _near.count(_seen.treeOfPlaces(), x, y, z, _found);
+            return _near.count(_seen.treeOfPlaces(), x, y, z);
         }
     }
 }

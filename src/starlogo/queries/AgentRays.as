@@ -11,7 +11,6 @@ package starlogo.queries
     import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.rays.Hits;
     import starlogo.queries.rays.RowRayQuery;
-    import starlogo.queries.rays.RowSurfaceQuery;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -27,7 +26,6 @@ package starlogo.queries
         private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _rowRays:RowRayQuery;
-        private var _rowSurfaces:RowSurfaceQuery;
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
         private var _hits:Hits;
@@ -51,8 +49,7 @@ package starlogo.queries
             _seen = seen;
             _found = new Collector(seen);
             _rowRays = new RowRayQuery(seen);
-            _rowSurfaces = new RowSurfaceQuery(seen);
-            _hits = new Hits(seen, _found, RayHit);
+            _hits = new Hits(seen, RayHit);
         }
 
         /**
@@ -139,7 +136,7 @@ package starlogo.queries
         {
             begin(1, requireOrigin(origin), direction, maxDistance, filter);
             collect();
-            return _hits.end() == 0 ? null : write(0, hit || new RayHit());
+            return _hits.end(_found) == 0 ? null : write(0, hit || new RayHit());
         }
 
         private function castThrough(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>,
@@ -154,7 +151,7 @@ package starlogo.queries
             {
                 collect();
             }
-            _hits.resize(out, _hits.end());
+            _hits.resize(out, _hits.end(_found));
             for (var i:int = 0; i < out.length; i++)
             {
                 write(i, out[i]);
@@ -245,7 +242,7 @@ package starlogo.queries
         {
             for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_rowSurfaces.findSurfaces(row, _ray, _hits))
+                if (_rowRays.findSurfaces(row, _ray, _hits))
                 {
                     _found.add(row, _hits.firstKeyOf(row));
                 }

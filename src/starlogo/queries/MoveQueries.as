@@ -32,6 +32,10 @@ package starlogo.queries
     public final class MoveQueries
     {
         private var _seen:SeenAgents;
+
+        // Collects the rows near the way; then, for casts and moveUntilTouch, those of them that stop the body.
+        private var _found:Collector;
+
         private var _touches:TouchSweep = new TouchSweep();
         private var _slider:Slider = new Slider();
         private var _hits:Hits;
@@ -58,34 +62,42 @@ package starlogo.queries
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
+            _found = new Collector(seen);
             _body = new MovingBody(seen);
-            // when the rows near the way are known, their collector is free for those that stop the body
-            _hits = new Hits(seen, _body.found, ShapeHit);
+            _hits = new Hits(seen, ShapeHit);
         }
 
         /** See AgentWalks.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return idle.readStructure(structure).cast(null, dx, dy, dz, filter, hit);
+            var asked:MoveQueries = idle;
+            asked._body.readStructure(structure);
+            return asked.cast(null, dx, dy, dz, filter, hit);
         }
 
         /** See AgentWalks.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return idle.readStructure(structure).castAll(null, dx, dy, dz, filter, out);
+            var asked:MoveQueries = idle;
+            asked._body.readStructure(structure);
+            return asked.castAll(null, dx, dy, dz, filter, out);
         }
 
         /** See AgentWalks.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return idle.readAgent(agent).cast(agent, dx, dy, dz, filter, hit);
+            var asked:MoveQueries = idle;
+            asked._body.readCastAgent(agent);
+            return asked.cast(agent, dx, dy, dz, filter, hit);
         }
 
         /** See AgentWalks.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return idle.readAgent(agent).castAll(agent, dx, dy, dz, filter, out);
+            var asked:MoveQueries = idle;
+            asked._body.readCastAgent(agent);
+            return asked.castAll(agent, dx, dy, dz, filter, out);
         }
 
         /** See AgentWalks.moveUntilTouch. */
@@ -105,7 +117,7 @@ package starlogo.queries
         // These questions, or the nested ones while a filter's accepts is being called.
         private function get idle():MoveQueries
         {
-            return _body.found.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
+            return _found.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
         }
 
         private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
@@ -135,7 +147,8 @@ package starlogo.queries
         {
             _body.readAgent(agent);
             setMotion(agent, dx, dy, dz);
-            _body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
+            _found.begin(Collector.ALL, 1, agent, filter);
+            _body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, _found);
             var fraction:Number = _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
             _slider.restoreClearance(_body, _slid.place);
             if (dx != 0 || dy != 0 || dz != 0)
@@ -161,20 +174,6 @@ package starlogo.queries
             return hits;
         }
 
-        // Makes a structure the body that moves. Returns these questions.
-        private function readStructure(structure:BoundingStructure):MoveQueries
-        {
-            _body.readStructure(structure);
-            return this;
-        }
-
-        // Makes an agent that is cast the body that moves. Returns these questions.
-        private function readAgent(agent:Agent):MoveQueries
-        {
-            _body.readCastAgent(agent);
-            return this;
-        }
-
         // The asker is null if a structure is cast.
         private function setMotion(asker:Agent, dx:Number, dy:Number, dz:Number):void
         {
@@ -189,21 +188,22 @@ package starlogo.queries
         private function findStops(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, wanted:int, end:Vector3D):int
         {
             setMotion(asker, dx, dy, dz);
-            _body.findRowsAlong(_motion, asker, filter);
+            _found.begin(Collector.ALL, 1, asker, filter);
+            _body.findRowsAlong(_motion, _found);
             _lift.clear();
             // a floor may be many rows: what is lifted out of one of them does not run into the next
             if (collectLifted(wanted, end) && _touches.findLift(_body, _body.rows, _from, _motion, _lift))
             {
                 collectLifted(wanted, end);
             }
-            return _hits.end();
+            return _hits.end(_found);
         }
 
         // Finds the rows that stop the body if it begins with the lift. Returns whether a common lift of all rows could change the answer.
         private function collectLifted(wanted:int, end:Vector3D):Boolean
         {
             var rows:IntList = _body.rows;
-            var found:Collector = _body.found;
+            var found:Collector = _found;
             var mayLift:Boolean = false;
             found.begin(wanted, Infinity, null, null);
             _hits.begin();

@@ -53,7 +53,7 @@ package starlogo.queries
         // These questions, or the nested ones while a filter's accepts is being called.
         private function get idle():WalkQueries
         {
-            return _walk.body.found.isAsking ? (_nested ||= new WalkQueries(_seen)).idle : this;
+            return _walk.found.isAsking ? (_nested ||= new WalkQueries(_seen)).idle : this;
         }
 
         private function walkOn(agent:Agent, dx:Number, dy:Number, options:WalkOptions, footing:Footing):Footing
@@ -106,7 +106,7 @@ package starlogo.queries
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.turn = link.carry(_seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && walk.body.found.askFilter(row, walk.agent, walk.options.filter))
+                if ((walk.turn != 0 || walk.carry.length > 0) && walk.found.askFilter(row, walk.agent, walk.options.filter))
                 {
                     return row;
                 }

@@ -57,7 +57,7 @@ package starlogo.search
         public function beginChange():HeightGrid
         {
             revision++;
-            if (surface.grid.holders > 0)
+            if (surface.grid.isHeld)
             {
                 surface = ModelShape.ofWorld(surface.grid.copy(), null, surface.addTests);
             }

@@ -1,8 +1,8 @@
 // This folder moves a body among the rows of a table. A MovingBody is what moves. Its BodyCore is the same body, smaller by a slop; CoreSweep finds what
-// the core meets, so the body may touch what it stands on or runs along. OverlapRecovery frees the body at the beginning of a motion (RowOverlap,
-// StartLift). Two classes make a motion of these: TouchSweep ends it in the touch of a row, for casts and moveUntilTouch; Slider ends it before the
-// touch, or goes on along what the body meets (SlidePlanes). WalkMover makes a walk of slides and straight motions, and Foothold says where an agent
-// stands. The other files are records. Read this file first, then TouchSweep, Slider and WalkMover.
+// the core meets, so the body may touch what it stands on or runs along. OverlapRecovery frees the body at the beginning of a motion (StartLift). Two
+// classes make a motion of these: TouchSweep ends it in the touch of a row, for casts and moveUntilTouch; Slider ends it before the touch, or goes on along
+// what the body meets (SlidePlanes). WalkMover makes a walk of slides and straight motions, and Foothold says where an agent stands. The other files are
+// records. Read this file first, then TouchSweep, Slider and WalkMover.
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
@@ -13,19 +13,19 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.pairs.PairTests;
+    import starlogo.search.penetration.OverlapMiddle;
 
     use namespace engine;
 
     /**
-     * A body that moves, and the rows near its way. It tells whether the body or its core touches a row, at the places that a motion tries. The classes
-     * that move it know rows only through it.
+     * A body that moves, and the rows near its way. It tells whether the body or its core touches a row, and how the body overlaps it, at the places that
+     * a motion tries. The classes that move it know rows only through it.
      *
      * @private
      */
@@ -33,6 +33,9 @@ package starlogo.queries.motion
     {
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
         private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
+
+        // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
+        private static const WITH_ROOM:Number = 2.1;
 
         /** The body where it begins: a copy, because a filter's <code>accepts</code> may move the agent. Read only. */
         public var source:Body = new Body();
@@ -46,22 +49,20 @@ package starlogo.queries.motion
         /** Its core, and the tolerances of its present motion. Read only. */
         public var core:BodyCore;
 
-        /** Collects the rows near its way. While it calls a filter's <code>accepts</code>, this must not find rows. Read only. */
-        public var found:Collector;
-
         private var _seen:SeenAgents;
 
         // Finds the rows near its way.
         private var _search:SweptBoxSearch = new SweptBoxSearch();
 
-        // The body at the place of its last test.
+        // The body at the place of its last test, a smaller copy of a row's body, and the contact with a one-way row.
         private var _whole:Body = new Body();
+        private var _smaller:Body = new Body();
+        private var _contact:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows, and decides which of them touch */
         public function MovingBody(seen:SeenAgents)
         {
             _seen = seen;
-            found = new Collector(seen);
             core = new BodyCore(source);
         }
 
@@ -122,13 +123,19 @@ package starlogo.queries.motion
             return 2 * source.largestHalf;
         }
 
-        /** Finds the rows near a straight motion. The asker is the agent that moves, or null. */
-        public function findRowsAlong(motion:Vector3D, asker:Agent, filter:AgentFilter):void
+        /**
+         * Finds the rows near a straight motion.
+         *
+         * @param found has begun, with a limit of 1. It says which rows count
+         */
+        public function findRowsAlong(motion:Vector3D, found:Collector):void
         {
-            if (beginRows())
+            rows.count = 0;
+            if (hasShape)
             {
+                _search.beginAround(_seen.treeOfExtents(), source);
                 _search.moveAlong(motion.x, motion.y, motion.z, 1);
-                collectRows(asker, filter);
+                found.listRows(_search, rows);
             }
         }
 
@@ -138,39 +145,16 @@ package starlogo.queries.motion
          * @param range how far it may go in any direction
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
-         * @param asker the agent that moves
+         * @param found has begun. It says which rows count
          */
-        public function findRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
-        {
-            if (beginRows())
-            {
-                _search.widen(range, up, down);
-                collectRows(asker, filter);
-            }
-        }
-
-        // Begins without rows. Returns false if the model of the body is loading.
-        private function beginRows():Boolean
+        public function findRowsWithin(range:Number, up:Number, down:Number, found:Collector):void
         {
             rows.count = 0;
             if (hasShape)
             {
                 _search.beginAround(_seen.treeOfExtents(), source);
-            }
-            return hasShape;
-        }
-
-        private function collectRows(asker:Agent, filter:AgentFilter):void
-        {
-            found.begin(Collector.ALL, 1, asker, filter);
-            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
-            {
-                found.add(row, 0);
-            }
-            var count:int = found.end();
-            for (var i:int = 0; i < count; i++)
-            {
-                rows.add(found.rowAt(i));
+                _search.widen(range, up, down);
+                found.listRows(_search, rows);
             }
         }
 
@@ -191,12 +175,6 @@ package starlogo.queries.motion
         public function bodyOf(row:int):Body
         {
             return _seen.table.bodyOf(row);
-        }
-
-        /** The agents, by row. */
-        public function get agents():Vector.<Agent>
-        {
-            return _seen.table.list.agents;
         }
 
         /** The tests for two bodies: see NarrowPhase. */
@@ -227,7 +205,7 @@ package starlogo.queries.motion
         /** Whether a row stops only what comes from above. See Agent.isOneWay. */
         public function isOneWay(row:int):Boolean
         {
-            return agents[row].isOneWay;
+            return _seen.table.list.agents[row].isOneWay;
         }
 
         /** Whether a row is one-way, and the body, which meets it with a contact, does not come from above. Then the body goes on through the row. */
@@ -252,10 +230,10 @@ package starlogo.queries.motion
                 && Math.abs(moved.z - z - other.z) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
         }
 
-        /** Whether a body, this or its core, touches another where it is. */
-        public function areTouching(moved:Body, other:Body):Boolean
+        // Whether the whole body, where it was placed, touches another.
+        private function areTouching(whole:Body, other:Body):Boolean
         {
-            return isNear(moved, other, RelativeMotion.NONE) && _seen.narrowPhase.areTouching(moved, other);
+            return isNear(whole, other, RelativeMotion.NONE) && _seen.narrowPhase.areTouching(whole, other);
         }
 
         /** The larger extent of the body and another. The ground's extents are those of a cell, and do not count. */
@@ -263,6 +241,71 @@ package starlogo.queries.motion
         {
             var ofOther:Number = other.form == ModelShape.GROUND ? 0 : 2 * other.largestHalf;
             return Math.max(ofOther, extent);
+        }
+
+        /**
+         * Finds the contact of the whole body with a row that it touches when it stands at a place.
+         *
+         * @param isSure true: the contact separates the two. False: a shallow contact of two of their parts is enough. The ground can be
+         *     floor and wall at once, and a contact with one does not lead away from the other
+         * @param out receives the contact
+         * @return whether the contact is shallow
+         */
+        public function findContact(row:int, place:Vector3D, isSure:Boolean, out:ContactPoint):Boolean
+        {
+            var other:Body = bodyOf(row);
+            var whole:Body = wholeAt(place);
+            var shallow:Number = BodyCore.SHALLOW * extentWith(other);
+            var pairTests:PairTests = pairTestsFor(whole, other);
+            pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
+            if (isSure || out.depth > shallow)
+            {
+                pairTests.separate(whole, other, RelativeMotion.NONE, out);
+            }
+            return out.depth <= shallow;
+        }
+
+        /**
+         * Whether the whole body overlaps a row that its core touches. If a concave body has something exactly between two of its sides, its core may
+         * touch that, but the body does not overlap it. So the row is made smaller instead, and must touch the body then. In the ground, a piece of
+         * the body must be deep.
+         */
+        public function overlaps(row:int, place:Vector3D):Boolean
+        {
+            var other:Body = bodyOf(row);
+            var whole:Body = wholeAt(place);
+            if (other.form == ModelShape.GROUND)
+            {
+                return _seen.narrowPhase.groundTestsOf(other).isDeeper(whole, other, core.slop);
+            }
+            _smaller.readShrunk(other, null, BodyCore.shrinkOf(other, core.slop));
+            return areTouching(whole, _smaller);
+        }
+
+        /** Whether the body passes a row that its core touches, because the row is one-way, and the body does not rest on it. */
+        public function passesAt(row:int, place:Vector3D):Boolean
+        {
+            return isOneWay(row) && (!findContact(row, place, true, _contact) || passes(row, _contact));
+        }
+
+        /**
+         * Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. Warns
+         * too if all of the body begins inside of another structure, with room to spare: inside of the structure around a level, for example.
+         */
+        public function warnIfInside(row:int, contact:ContactPoint):void
+        {
+            var form:int = bodyOf(row).form;
+            var isTree:Boolean = form == ModelShape.TREE;
+            var allowed:Number = OverlapMiddle.halfAlong(source, contact);
+            if (!isTree)
+            {
+                allowed *= WITH_ROOM;
+            }
+            if (form != ModelShape.GROUND && contact.depth > allowed)
+            {
+                var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
+                warnOfInside(_seen.table.list.agents, row, source.shape.modelName, source.placement, below, contact.depth, isTree);
+            }
         }
     }
 }

@@ -30,8 +30,6 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
-        private var _overlap:RowOverlap = new RowOverlap();
-
         // Where the pushes begin.
         private var _before:Vector3D = new Vector3D();
 
@@ -93,14 +91,14 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.numbers[i];
                 var isOverlapped:Boolean = body.coreTouches(row, place);
-                if (isOverlapped && _overlap.passesAt(body, row, place))
+                if (isOverlapped && body.passesAt(row, place))
                 {
                     continue;
                 }
                 if (isOverlapped && findDeep(body, row, place, isOfAll, _contact))
                 {
                     planes.add(_contact, row);
-                    RowOverlap.warnIfInside(body, row, _contact);
+                    body.warnIfInside(row, _contact);
                     continue;
                 }
                 isLeft ||= isOverlapped;
@@ -115,8 +113,8 @@ package starlogo.queries.motion
         // all count. A narrower core is free of the obstacle: then the motion has this core. Only the core overlaps the obstacle, not the body.
         private function findDeep(body:MovingBody, row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
         {
-            var isShallow:Boolean = _overlap.findContact(body, row, place, isOfAll, out);
-            return (isOfAll || !isShallow) && !body.core.narrow(body, row, place) && _overlap.wholeOverlaps(body, row, place);
+            var isShallow:Boolean = body.findContact(row, place, isOfAll, out);
+            return (isOfAll || !isShallow) && !body.core.narrow(body, row, place) && body.overlaps(row, place);
         }
 
         // Pushes a body out of one obstacle after the other until it needs no push: out of those that its core overlaps, with a lift, which receives the
@@ -131,15 +129,7 @@ package starlogo.queries.motion
                 for (var i:int = 0; i < body.obstacles.count; i++)
                 {
                     var row:int = body.obstacles.numbers[i];
-                    var isPushed:Boolean;
-                    if (lift != null)
-                    {
-                        isPushed = findPushOut(body, row, place, round, _contact);
-                    }
-                    else
-                    {
-                        isPushed = findPushOff(body, row, place, round, _contact);
-                    }
+                    var isPushed:Boolean = lift == null ? findPushOff(body, row, place, round, _contact) : findPushOut(body, row, place, round, _contact);
                     if (!isPushed)
                     {
                         continue;
@@ -196,10 +186,10 @@ package starlogo.queries.motion
         // Finds the contact with a row that the body touches at a place. Returns whether it is shallow.
         private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
-            var isShallow:Boolean = _overlap.findContact(body, row, place, round >= SURE_ROUND, out);
+            var isShallow:Boolean = body.findContact(row, place, round >= SURE_ROUND, out);
             if (round < SURE_ROUND && isOpposite(out))
             {
-                isShallow = _overlap.findContact(body, row, place, true, out);
+                isShallow = body.findContact(row, place, true, out);
             }
             return isShallow;
         }

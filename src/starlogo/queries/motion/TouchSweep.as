@@ -21,7 +21,7 @@ package starlogo.queries.motion
         private var _sweep:CoreSweep = new CoreSweep();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
-        // The row of a question; and how the beginning lifts the body, the plane of a deep overlap, and how the core meets the row.
+        // The row of a question, as a list; and how the beginning lifts the body, the plane of a deep overlap, and how the core meets the row.
         private var _rows:IntList = new IntList();
         private var _lift:StartLift = new StartLift();
         private var _planes:SlidePlanes = new SlidePlanes();
@@ -55,10 +55,8 @@ package starlogo.queries.motion
          */
         public function findTouch(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
         {
-            _rows.count = 0;
-            _rows.add(row);
             _lift.copyFrom(lift);
-            findStop(body, from, motion, out);
+            findStop(body, row, from, motion, _lift, out);
             _lift.findEnd(from, motion, out.fraction, body.core.slop, out.place);
         }
 
@@ -88,50 +86,52 @@ package starlogo.queries.motion
             result.place.copyFrom(result.corePlace);
         }
 
-        // Finds whether and how the row stops a motion that begins with a lift. The lift receives what else the body is lifted out of. The result receives all
+        // Finds whether and how a row stops a motion that begins with a lift. The lift receives what else the body is lifted out of. The result receives all
         // but its place.
-        private function findStop(body:MovingBody, from:Vector3D, motion:Vector3D, out:MotionResult):void
+        private function findStop(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
         {
+            _rows.count = 0;
+            _rows.add(row);
             out.row = -1;
             out.fraction = 1;
             out.contact.setNormal(0, 0, 0);
             out.isDeep = out.isLifted = false;
             if (!body.beginMotion(_rows, from, motion))
             {
-                _lift.clear();
+                lift.clear();
                 return;
             }
-            _lift.place.copyFrom(from);
-            if (_lift.isLifted || !_sweep.findFirstIfFree(body, from, motion, _impact))
+            lift.place.copyFrom(from);
+            if (lift.isLifted || !_sweep.findFirstIfFree(body, from, motion, _impact))
             {
                 _planes.begin(motion, SlideLimits.NONE);
-                _recovery.leaveOverlaps(body, from, _planes, _lift);
+                _recovery.leaveOverlaps(body, from, _planes, lift);
                 out.isDeep = _planes.count > 0;
-                out.isLifted = _lift.isLifted;
+                out.isLifted = lift.isLifted;
                 out.row = _planes.findCrossed(out.contact);
                 if (out.row >= 0)
                 {
                     out.fraction = 0;
                     return;
                 }
-                _sweep.findObstacle(body, _lift.place, motion, _impact);
+                _sweep.findObstacle(body, lift.place, motion, _impact);
             }
             if (_impact.row >= 0)
             {
-                takeImpact(body, from, motion, out);
+                takeImpact(body, from, motion, lift, out);
             }
         }
 
         // Finds where the body touches what its core, after the lift, has met.
-        private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, out:MotionResult):void
+        private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
         {
             out.row = _impact.row;
             out.contact.copyFrom(_impact.contact);
             out.contact.depth = 0;
-            var touchTime:Number = _sweep.findTouchTime(body, _lift.place, motion, _impact);
-            out.corePlace.setTo(_lift.place.x + _impact.time * motion.x, _lift.place.y + _impact.time * motion.y, _lift.place.z + _impact.time * motion.z);
+            var touchTime:Number = _sweep.findTouchTime(body, lift.place, motion, _impact);
+            out.corePlace.setTo(lift.place.x + _impact.time * motion.x, lift.place.y + _impact.time * motion.y, lift.place.z + _impact.time * motion.z);
             // without the lift the body would have touched earlier
-            var time:Number = touchTime + out.contact.along(_lift.displacement) / _impact.along;
+            var time:Number = touchTime + out.contact.along(lift.displacement) / _impact.along;
             out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
             if (-out.fraction * _impact.along < body.core.slop && body.touches(out.row, from))
             {

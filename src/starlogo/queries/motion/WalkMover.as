@@ -4,7 +4,13 @@ package starlogo.queries.motion
     import starlogo.agents.Agent;
     import starlogo.convex.ContactPoint;
     import starlogo.data.IntList;
+    import starlogo.engine;
     import starlogo.queries.SeenAgents;
+    import starlogo.queries.trees.Collector;
+    import starlogo.search.ModelShape;
+    import starlogo.search.penetration.OverlapMiddle;
+
+    use namespace engine;
 
     /**
      * Goes a Walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops
@@ -27,7 +33,6 @@ package starlogo.queries.motion
         private static const MOST_PUSHES:int = 8;
 
         private var _slider:Slider = new Slider();
-        private var _overlaps:RowOverlap = new RowOverlap();
         private var _foothold:Foothold;
 
         // How motions end: up or down, along the ground, and those that may be undone.
@@ -35,12 +40,14 @@ package starlogo.queries.motion
         private var _along:SlideResult = new SlideResult();
         private var _tried:SlideResult = new SlideResult();
 
-        // The vector and the limits of a motion, where a fall has come, the rows without the platform and where it carries the agent, and an overlap.
+        // The vector and the limits of a motion, where a fall has come, the rows without the platform and where it carries the agent, and contacts of
+        // overlaps: the deepest one, and another.
         private var _vector:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
         private var _fallen:Vector3D = new Vector3D();
         private var _others:IntList = new IntList();
         private var _carried:Vector3D = new Vector3D();
+        private var _deepest:ContactPoint = new ContactPoint();
         private var _overlap:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows */
@@ -52,9 +59,10 @@ package starlogo.queries.motion
         /** Finds the rows near a walk, and up to a distance from it. */
         public function findNear(walk:Walk, distance:Number):void
         {
+            walk.found.begin(Collector.ALL, 1, walk.agent, walk.options.filter);
             // the range has the way in it, whatever its direction
             walk.body.findRowsWithin(walk.range + distance, walk.pieces * walk.options.stepHeight,
-                    walk.pieces * walk.options.snap + walk.options.fall, walk.agent, walk.options.filter);
+                    walk.pieces * walk.options.snap + walk.options.fall, walk.found);
         }
 
         /**
@@ -157,23 +165,54 @@ package starlogo.queries.motion
         // agent is then from where the walk began.
         private function pushOut(walk:Walk):Number
         {
-            var left:Number = _overlaps.findDeepest(walk.body, walk.body.rows, walk.place, _overlap);
+            var left:Number = findDeepest(walk, _deepest);
             if (left > 0)
             {
                 findNear(walk, left);
             }
-            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _overlaps.findDeepest(walk.body, walk.body.rows, walk.place, _overlap) > 0; i++)
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && findDeepest(walk, _deepest) > 0; i++)
             {
-                var length:Number = Math.min(left, _overlap.depth);
+                var length:Number = Math.min(left, _deepest.depth);
                 left -= length;
                 _vector.setTo(0, 0, 0);
-                _overlap.push(_vector, length);
+                _deepest.push(_vector, length);
                 _slider.slide(walk.body, walk.body.rows, walk.place, _vector, SlideLimits.NONE, _along);
                 walk.place.copyFrom(_along.place);
             }
             _vector.copyFrom(walk.place);
             _vector.decrementBy(walk.start);
             return _vector.length;
+        }
+
+        // Finds the deepest overlap of the agent where it is. A shallow one does not count, nor one with a one-way row. A push along the contact's normal by
+        // its depth leads a clearance out of the row. Returns the sum of the depths of all overlaps; 0 if there is none.
+        private function findDeepest(walk:Walk, out:ContactPoint):Number
+        {
+            var body:MovingBody = walk.body;
+            var rows:IntList = body.rows;
+            var sum:Number = 0;
+            out.depth = 0;
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                var row:int = rows.numbers[i];
+                if (body.isOneWay(row) || !body.coreTouches(row, walk.place) || body.findContact(row, walk.place, true, _overlap)
+                        || !body.overlaps(row, walk.place))
+                {
+                    continue;
+                }
+                body.warnIfInside(row, _overlap);
+                _overlap.depth += body.core.clearance;
+                // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
+                if (body.bodyOf(row).form != ModelShape.TREE || _overlap.depth <= OverlapMiddle.halfAlong(body.source, _overlap))
+                {
+                    sum += _overlap.depth;
+                    if (_overlap.depth > out.depth)
+                    {
+                        out.copyFrom(_overlap);
+                    }
+                }
+            }
+            return sum;
         }
 
         // How far a piece leads up or down if it runs along the ground below the agent.

@@ -21,7 +21,6 @@ package starlogo.queries.rays
     public final class Hits
     {
         private var _seen:SeenAgents;
-        private var _found:Collector;
         private var _type:Class;
         private var _spare:Array = [];
 
@@ -42,13 +41,11 @@ package starlogo.queries.rays
 
         /**
          * @param seen has the rows
-         * @param found collects the rows that are met
          * @param type RayHit or ShapeHit
          */
-        public function Hits(seen:SeenAgents, found:Collector, type:Class)
+        public function Hits(seen:SeenAgents, type:Class)
         {
             _seen = seen;
-            _found = found;
             _type = type;
         }
 
@@ -101,14 +98,14 @@ package starlogo.queries.rays
             return _hits.keys[_firsts[row]];
         }
 
-        /** Ends the search. The answer has the hits of the rows that the collector has, sorted by their keys. Returns how many they are. */
-        public function end():int
+        /** Ends a collector's search. The answer has the hits of the rows that it has found, sorted by their keys. Returns how many they are. */
+        public function end(found:Collector):int
         {
-            var rows:int = _found.end();
+            var rows:int = found.end();
             _answer.count = 0;
             for (var i:int = 0; i < rows; i++)
             {
-                var row:int = _found.rowAt(i);
+                var row:int = found.rowAt(i);
                 for (var hit:int = _firsts[row]; hit < _hits.count && _hits.numbers[hit] == row; hit++)
                 {
                     _answer.add(hit, _hits.keys[hit]);

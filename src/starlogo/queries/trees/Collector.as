@@ -1,6 +1,7 @@
 package starlogo.queries.trees
 {
     import starlogo.agents.Agent;
+    import starlogo.data.IntList;
     import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
@@ -103,6 +104,20 @@ package starlogo.queries.trees
                 }
             }
             return -1;
+        }
+
+        /** Ends with all rows of a search that count and have a shape, in the order of the list. They are added to <code>out</code>. */
+        public function listRows(search:SweptBoxSearch, out:IntList):void
+        {
+            for (var row:int = nextOf(search); row >= 0; row = nextOf(search))
+            {
+                add(row, 0);
+            }
+            var count:int = end();
+            for (var i:int = 0; i < count; i++)
+            {
+                out.add(rowAt(i));
+            }
         }
 
         /** Takes a row that counts. This may lower the limit. */

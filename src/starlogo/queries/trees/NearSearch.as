@@ -14,8 +14,8 @@ package starlogo.queries.trees
      */
     public final class NearSearch
     {
-        private var _tree:RowTree;
         private var _found:Collector;
+        private var _tree:RowTree;
 
         // The place.
         private var _x:Number = 0;
@@ -26,6 +26,12 @@ package starlogo.queries.trees
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _squares:Vector.<Number> = new Vector.<Number>();
 
+        /** @param found says which rows are wanted, and collects them unsorted. It begins before each search */
+        public function NearSearch(found:Collector)
+        {
+            _found = found;
+        }
+
         /**
          * Finds the rows near a place.
          *
@@ -33,12 +39,12 @@ package starlogo.queries.trees
          * @param x the place
          * @param y the place
          * @param z the place
-         * @param found says which rows are wanted, and collects them unsorted
          * @param cone the rows must be in it too; null for none
          */
-        public function find(tree:RowTree, x:Number, y:Number, z:Number, found:Collector, cone:Cone = null):void
+        public function find(tree:RowTree, x:Number, y:Number, z:Number, cone:Cone = null):void
         {
-            setTo(tree, x, y, z, found);
+            var found:Collector = _found;
+            setTo(tree, x, y, z);
             var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
             var asker:int = found.filter.askerRow;
             var waiting:int = asker < 0 ? enqueue(RowTree.ROOT, 0) : beginBeside(tree.leafOf(asker));
@@ -70,17 +76,18 @@ package starlogo.queries.trees
         }
 
         /**
-         * Counts the rows near a place. If all rows count, a node that is wholly within the limit is counted without a look at its rows.
+         * Counts the rows near a place. If all rows count, a node that is wholly within the limit is counted without a look at its rows. The rows are
+         * collected only if the filter's <code>accepts</code> has to be asked.
          *
          * @param tree a tree of places
          * @param x the place
          * @param y the place
          * @param z the place
-         * @param found says which rows count. It collects them only if the filter's accepts has to be asked
          */
-        public function count(tree:RowTree, x:Number, y:Number, z:Number, found:Collector):int
+        public function count(tree:RowTree, x:Number, y:Number, z:Number):int
         {
-            setTo(tree, x, y, z, found);
+            var found:Collector = _found;
+            setTo(tree, x, y, z);
             var asks:Boolean = found.filter.accepts != null;
             var countsNodes:Boolean = !asks && !found.filter.excludes;
             var counted:int = 0;
@@ -105,10 +112,9 @@ package starlogo.queries.trees
             return asks ? found.end() : counted;
         }
 
-        private function setTo(tree:RowTree, x:Number, y:Number, z:Number, found:Collector):void
+        private function setTo(tree:RowTree, x:Number, y:Number, z:Number):void
         {
             _tree = tree;
-            _found = found;
             _x = x;
             _y = y;
             _z = z;

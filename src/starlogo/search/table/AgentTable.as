@@ -188,8 +188,7 @@ package starlogo.search.table
             var ground:ModelShape = shapes[ListedAgents.GROUND_ROW];
             if (ground != null && isHeld != _isWorldHeld)
             {
-                var change:int = isHeld ? 1 : -1;
-                ground.grid.holders += change;
+                ground.grid.hold(isHeld);
             }
             _isWorldHeld = isHeld;
         }

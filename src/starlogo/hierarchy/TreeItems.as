@@ -161,6 +161,23 @@ package starlogo.hierarchy
             return low <= high;
         }
 
+        /**
+         * Divides some items by their number: each stays in its place.
+         *
+         * @param first the slot of the first item
+         * @param end the slot after the last item
+         * @param axis the axis that counts as that of the division
+         */
+        public function halve(first:int, end:int, axis:int):void
+        {
+            middle = (first + end) >> 1;
+            this.axis = axis;
+            clear(leftExtents);
+            clear(rightExtents);
+            extend(leftExtents, first, middle);
+            extend(rightExtents, middle, end);
+        }
+
         // Twice the centre of an item's extents along an axis.
         private function sumOf(item:int, axis:int):Number
         {

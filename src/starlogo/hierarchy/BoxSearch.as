@@ -89,7 +89,7 @@ package starlogo.hierarchy
         /** Sets the motion. */
         public function setMotion(motion:RelativeMotion):void
         {
-            setVector(motion.x, motion.y, motion.z, motion.earliest);
+            setVector(motion.x, motion.y, motion.z, 0);
         }
 
         /** Sets a motion along an axis. @param axis 0, 1 or 2 @param side 1, or -1 towards the smaller coordinates */

@@ -94,7 +94,7 @@ package starlogo.solid
             axes[at] = _axis.x;
             axes[int(at + 1)] = _axis.y;
             axes[int(at + 2)] = _axis.z;
-            axes[int(at + 3)] = origin + _ofShape.least - radius + _motion.earliest * travel;
+            axes[int(at + 3)] = origin + _ofShape.least - radius;
             axes[int(at + 4)] = origin + _ofShape.greatest + radius;
             axes[int(at + 5)] = travel;
             _end = at + PER_AXIS;

@@ -82,7 +82,7 @@ package starlogo.solid
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
             _movedFrom = -1;
-            _tolerance = pair.pose.tolerance + Touching.marginOfSurface(pair.trees.a.radius + pair.trees.b.radius * _placement.size);
+            _tolerance = pair.pose.tolerance + Touching.marginOfSurface(pair.a.boxTree.radius + pair.b.boxTree.radius * _placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             return this;
         }

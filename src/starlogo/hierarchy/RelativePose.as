@@ -118,8 +118,8 @@ package starlogo.hierarchy
         }
 
         /**
-         * The structure of <code>place()</code>, enlarged by the tolerance. V8 allocates no object for the tolerance, because only this function
-         * reads it.
+         * The structure of <code>place()</code>, enlarged by the tolerance. It is enlarged here, because V8 would allocate an object for a tolerance
+         * that other classes pass.
          */
         public function placeWidened(structure:BoundingStructure):BoundingStructure
         {

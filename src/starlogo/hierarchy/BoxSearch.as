@@ -33,11 +33,10 @@ package starlogo.hierarchy
         private var _halfY:Number = 0;
         private var _halfZ:Number = 0;
 
-        // 1 divided by the motion along each axis, whether there is none, and the earliest time.
+        // 1 divided by the motion along each axis, and the time from which on nodes count.
         private var _inverseX:Number = SLOWEST;
         private var _inverseY:Number = SLOWEST;
         private var _inverseZ:Number = SLOWEST;
-        private var _isStill:Boolean = true;
         private var _from:Number = 0;
 
         // The nodes still to visit, and where the box meets them, or how far it is from them.
@@ -101,7 +100,6 @@ package starlogo.hierarchy
             _inverseX = inverseOf(x);
             _inverseY = inverseOf(y);
             _inverseZ = inverseOf(z);
-            _isStill = x == 0 && y == 0 && z == 0;
             _from = from;
         }
 
@@ -135,6 +133,7 @@ package starlogo.hierarchy
             var inverseX:Number = _inverseX;
             var inverseY:Number = _inverseY;
             var inverseZ:Number = _inverseZ;
+            var isStill:Boolean = inverseX == SLOWEST && inverseY == SLOWEST && inverseZ == SLOWEST;
             var absX:Number = inverseX < 0 ? -inverseX : inverseX;
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
@@ -176,7 +175,7 @@ package starlogo.hierarchy
                     if (meetsLeft && meetsRight)
                     {
                         // The nearer child is next, and the other one waits.
-                        var isRightNext:Boolean = _isStill ? isRightNearer(tree, node) : enter < enterLeft;
+                        var isRightNext:Boolean = isStill ? isRightNearer(tree, node) : enter < enterLeft;
                         nodes[top] = isRightNext ? left : left + 1;
                         enters[top] = isRightNext ? enterLeft : enter;
                         node = isRightNext ? left + 1 : left;

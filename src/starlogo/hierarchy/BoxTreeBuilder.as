@@ -52,9 +52,8 @@ package starlogo.hierarchy
         private var _waiting:Vector.<int> = new Vector.<int>();
         private var _areBelow:Vector.<Boolean> = new Vector.<Boolean>();
 
-        // Whether the next node is being divided, and whether along the axis of the largest spread.
+        // Whether the next node is being divided.
         private var _isDividing:Boolean = false;
-        private var _isBySpread:Boolean;
 
         /**
          * @param tree without nodes; receives them, and the order of its items
@@ -150,7 +149,6 @@ package starlogo.hierarchy
             {
                 split = _items.meanOf(_tree.first[node], _tree.end[node], axis);
             }
-            _isBySpread = false;
             _items.beginDivision(_tree.first[node], _tree.end[node], axis, split);
             return true;
         }
@@ -194,13 +192,9 @@ package starlogo.hierarchy
                 makeChildren(node);
                 return false;
             }
-            if (!_isBySpread)
+            if (_items.beginWhereCentresSpread(_tree.first[node], _tree.end[node]))
             {
-                _isBySpread = true;
-                if (_items.beginWhereCentresSpread(_tree.first[node], _tree.end[node]))
-                {
-                    return true;
-                }
+                return true;
             }
             // All centres are in one place.
             _areBelow[top] = true;

@@ -234,7 +234,7 @@ package starlogo.bounding
 
         private static function removeComponent(vector:Vector3D, along:Vector3D):void
         {
-            var amount:Number = vector.x * along.x + vector.y * along.y + vector.z * along.z;
+            var amount:Number = vector.dotProduct(along);
             vector.x -= amount * along.x;
             vector.y -= amount * along.y;
             vector.z -= amount * along.z;
@@ -242,7 +242,7 @@ package starlogo.bounding
 
         private static function normalise(vector:Vector3D):void
         {
-            var length:Number = Math.sqrt(vector.x * vector.x + vector.y * vector.y + vector.z * vector.z);
+            var length:Number = vector.length;
             vector.x /= length;
             vector.y /= length;
             vector.z /= length;

@@ -25,21 +25,18 @@ package starlogo.hierarchy
         // Smaller: such a touch may be missed. Larger: nodes are tested in vain.
         private static const SLACK:Number = 1.5e-8;
 
-        /** The middle of the box at time 0. */
-        public var x:Number = 0;
-        public var y:Number = 0;
-        public var z:Number = 0;
+        // The middle of the box at time 0, and half of its extents.
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+        private var _z:Number = 0;
+        private var _halfX:Number = 0;
+        private var _halfY:Number = 0;
+        private var _halfZ:Number = 0;
 
-        /** Half of the box's extents. */
-        public var halfX:Number = 0;
-        public var halfY:Number = 0;
-        public var halfZ:Number = 0;
-
-        // 1 divided by the motion along each axis, whether there is none, and the earliest time.
+        // 1 divided by the motion along each axis, and the time from which on nodes count.
         private var _inverseX:Number = SLOWEST;
         private var _inverseY:Number = SLOWEST;
         private var _inverseZ:Number = SLOWEST;
-        private var _isStill:Boolean = true;
         private var _from:Number = 0;
 
         // The nodes still to visit, and where the box meets them, or how far it is from them.
@@ -57,10 +54,10 @@ package starlogo.hierarchy
         /** Sets the box's middle, and half of its extent along each axis. */
         public function setPlace(x:Number, y:Number, z:Number, half:Number):void
         {
-            this.x = x;
-            this.y = y;
-            this.z = z;
-            halfX = halfY = halfZ = half;
+            _x = x;
+            _y = y;
+            _z = z;
+            _halfX = _halfY = _halfZ = half;
         }
 
         /**
@@ -71,12 +68,12 @@ package starlogo.hierarchy
          */
         public function setExtents(extents:Vector.<Number>, margin:Number):void
         {
-            x = (extents[0] + extents[1]) / 2;
-            y = (extents[2] + extents[3]) / 2;
-            z = (extents[4] + extents[5]) / 2;
-            halfX = (extents[1] - extents[0]) / 2 + margin;
-            halfY = (extents[3] - extents[2]) / 2 + margin;
-            halfZ = (extents[5] - extents[4]) / 2 + margin;
+            _x = (extents[0] + extents[1]) / 2;
+            _y = (extents[2] + extents[3]) / 2;
+            _z = (extents[4] + extents[5]) / 2;
+            _halfX = (extents[1] - extents[0]) / 2 + margin;
+            _halfY = (extents[3] - extents[2]) / 2 + margin;
+            _halfZ = (extents[5] - extents[4]) / 2 + margin;
         }
 
         /** Sets the box and its motion to a ray. */
@@ -89,7 +86,7 @@ package starlogo.hierarchy
         /** Sets the motion. */
         public function setMotion(motion:RelativeMotion):void
         {
-            setVector(motion.x, motion.y, motion.z, motion.earliest);
+            setVector(motion.x, motion.y, motion.z, 0);
         }
 
         /** Sets a motion along an axis. @param axis 0, 1 or 2 @param side 1, or -1 towards the smaller coordinates */
@@ -103,7 +100,6 @@ package starlogo.hierarchy
             _inverseX = inverseOf(x);
             _inverseY = inverseOf(y);
             _inverseZ = inverseOf(z);
-            _isStill = x == 0 && y == 0 && z == 0;
             _from = from;
         }
 
@@ -127,16 +123,17 @@ package starlogo.hierarchy
          */
         public function find(tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
-            var slack:Number = SLACK * (tree.radius + halfX + halfY + halfZ);
-            var fromX:Number = x;
-            var fromY:Number = y;
-            var fromZ:Number = z;
-            var widerX:Number = halfX + slack;
-            var widerY:Number = halfY + slack;
-            var widerZ:Number = halfZ + slack;
+            var slack:Number = SLACK * (tree.radius + _halfX + _halfY + _halfZ);
+            var fromX:Number = _x;
+            var fromY:Number = _y;
+            var fromZ:Number = _z;
+            var widerX:Number = _halfX + slack;
+            var widerY:Number = _halfY + slack;
+            var widerZ:Number = _halfZ + slack;
             var inverseX:Number = _inverseX;
             var inverseY:Number = _inverseY;
             var inverseZ:Number = _inverseZ;
+            var isStill:Boolean = inverseX == SLOWEST && inverseY == SLOWEST && inverseZ == SLOWEST;
             var absX:Number = inverseX < 0 ? -inverseX : inverseX;
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
@@ -178,7 +175,7 @@ package starlogo.hierarchy
                     if (meetsLeft && meetsRight)
                     {
                         // The nearer child is next, and the other one waits.
-                        var isRightNext:Boolean = _isStill ? isRightNearer(tree, node) : enter < enterLeft;
+                        var isRightNext:Boolean = isStill ? isRightNearer(tree, node) : enter < enterLeft;
                         nodes[top] = isRightNext ? left : left + 1;
                         enters[top] = isRightNext ? enterLeft : enter;
                         node = isRightNext ? left + 1 : left;
@@ -210,14 +207,14 @@ package starlogo.hierarchy
         {
             var axis:int = tree.axisOf(node);
             var at:int = 6 * tree.left[node] + axis;
-            var place:Number = z;
+            var place:Number = _z;
             if (axis == 0)
             {
-                place = x;
+                place = _x;
             }
             else if (axis == 1)
             {
-                place = y;
+                place = _y;
             }
             return 2 * place - tree.boxes[int(at + 6)] - tree.boxes[at] >= 0;
         }
@@ -272,9 +269,9 @@ package starlogo.hierarchy
         // Writes how far the box is from the box of a node, less a slack.
         private function writeDistance(boxes:Vector.<Number>, at:int, slack:Number, out:Vector.<Number>, to:int):void
         {
-            var distanceX:Number = Math.max(0, Math.abs(boxes[at] - x) - boxes[int(at + 3)] - halfX);
-            var distanceY:Number = Math.max(0, Math.abs(boxes[int(at + 1)] - y) - boxes[int(at + 4)] - halfY);
-            var distanceZ:Number = Math.max(0, Math.abs(boxes[int(at + 2)] - z) - boxes[int(at + 5)] - halfZ);
+            var distanceX:Number = Math.max(0, Math.abs(boxes[at] - _x) - boxes[int(at + 3)] - _halfX);
+            var distanceY:Number = Math.max(0, Math.abs(boxes[int(at + 1)] - _y) - boxes[int(at + 4)] - _halfY);
+            var distanceZ:Number = Math.max(0, Math.abs(boxes[int(at + 2)] - _z) - boxes[int(at + 5)] - _halfZ);
             out[to] = Math.sqrt(distanceX * distanceX + distanceY * distanceY + distanceZ * distanceZ) - slack;
         }
     }

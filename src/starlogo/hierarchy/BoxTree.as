@@ -5,21 +5,19 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.vertices.VertexBounds;
-    import starlogo.steps.finish;
-    import starlogo.steps.StepSequence;
 
     use namespace engine;
 
     /**
      * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
      *
-     * <p>The package hierarchy keeps, builds and visits such trees. A BoxTreeBuilder makes a tree of a model's items. A <i>Search</i> visits the nodes
-     * of one tree, and a <i>Traversal</i> pairs of nodes of two trees (PosedTrees). Both call a <i>Visitor</i> at the nodes where they end, which decides
-     * about these. Read this class first, then BoxSearch and NodeVisitor, then OverlapTraversal and NodePairVisitor. A
-     * TriangleMesh has the corners of a tree's triangles, in the order of the tree.</p>
+     * <p>The package hierarchy keeps, builds and visits such trees. A BoxTreeBuilder divides a model's items, and a NodeMaker makes the nodes. A
+     * <i>Search</i> visits the nodes of one tree, and a <i>Traversal</i> pairs of nodes of two trees (PosedTrees). Both call a <i>Visitor</i> at the
+     * nodes where they end, which decides about these. Read this class first, then BoxSearch and NodeVisitor, then OverlapTraversal and
+     * NodePairVisitor. A TriangleMesh has the corners of a tree's triangles, in the order of the tree.</p>
      *
      * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. Once the
-     * tree is made, only <code>refit()</code> changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
+     * tree is made, only a BoxRefit changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
      *
      * <p>A leaf is a leaf of the thesis's tree. A tree of triangles goes on below its leaves, down to nodes with a few triangles, for exact tests.
      * A visit ends at the nodes that its depth limit says (<code>endsUpToDepth</code>). They are the nodes that decide, by their boxes or their
@@ -34,8 +32,6 @@ package starlogo.hierarchy
 
         /** The largest other depth limit. A visit with it ends at the leaves. */
         public static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
-
-        private static const NODES_PER_STEP:int = 300;
 
         /** The model's vertices: x, y, z of each. */
         public var vertices:Vector.<Number>;
@@ -67,20 +63,17 @@ package starlogo.hierarchy
          */
         public var endsUpToDepth:Vector.<int> = new Vector.<int>();
 
+        /** For each node, four times its level plus the axis along which it is split: see <code>levelOf()</code> and <code>axisOf()</code>. */
+        internal var splits:Vector.<int> = new Vector.<int>();
+
         /** The radius of the sphere around the root's box. Set with that box. */
         public var radius:Number = 0;
 
         /** The radius of a sphere around the origin that contains the model. Rounding errors are relative to it. Complete with the root's box. */
         public var radiusAboutOrigin:Number = 0;
 
-        // The number of nodes. While the tree is made, the columns are longer.
-        private var _count:int = 0;
-
-        // For each node, four times its level plus the axis along which it is split. The root's level is 1.
-        private var _splits:Vector.<int> = new Vector.<int>();
-
         /**
-         * Creates a tree without nodes. A BoxTreeBuilder or a CookedTree makes them.
+         * Creates a tree without nodes. A NodeMaker makes them.
          *
          * @param vertices x, y, z of each
          * @param triangles three vertex indices each, or null if the vertices are the items
@@ -91,10 +84,10 @@ package starlogo.hierarchy
             this.triangles = triangles;
         }
 
-        /** Whether there are nodes. When <code>complete()</code> has ended the making, only their boxes change. */
+        /** Whether there are nodes. */
         public function get isMade():Boolean
         {
-            return _count > 0;
+            return left.length > 0;
         }
 
         /** Whether the items are triangles; otherwise they are vertices. */
@@ -112,13 +105,13 @@ package starlogo.hierarchy
         /** The axis along which a node is split: 0, 1 or 2. */
         public function axisOf(node:int):int
         {
-            return _splits[node] & 3;
+            return splits[node] & 3;
         }
 
         /** The level of a node. The root has 1. */
         public function levelOf(node:int):int
         {
-            return _splits[node] >> 2;
+            return splits[node] >> 2;
         }
 
         /** A box for <code>writeBox()</code>. */
@@ -176,7 +169,7 @@ package starlogo.hierarchy
          * @param out receives the extents
          * @param at index at which they begin
          */
-        public function writeExtents(from:int, to:int, out:Vector.<Number>, at:int = 0):void
+        public function writeExtents(from:int, to:int, out:Vector.<Number>, at:int):void
         {
             var points:Vector.<Number> = vertices;
             var corners:Vector.<uint> = triangles;
@@ -219,120 +212,30 @@ package starlogo.hierarchy
         }
 
         /**
-         * Gives all nodes boxes around the places where the vertices are now. The division of the items stays. The boxes are those that a
-         * BoxTreeBuilder gives to this division, to the last bit. Cost: linear in the number of items.
-         */
-        engine function refit():void
-        {
-            finish(refitting());
-        }
-
-        /** For makers of trees: the work that computes all boxes, to be followed by <code>complete()</code>. Until it is done, there are extents in their place. */
-        engine function refitting():StepSequence
-        {
-            var count:int = _count;
-            return new StepSequence().slices(count, NODES_PER_STEP, function(from:int, to:int):void
-                {
-                    measureNodes(count - to, count - from);
-                }).call(function():void
-                {
-                    measureRadiusAboutOrigin(boxes);
-                }).slices(count, NODES_PER_STEP, encloseNodes);
-        }
-
-        // Writes the extents of the parts of some nodes in place of their boxes: minX, maxX, minY, maxY, minZ, maxZ of each. Children come after their
-        // parents, so the last node is the first.
-        private function measureNodes(from:int, to:int):void
-        {
-            var extents:Vector.<Number> = boxes;
-            for (var node:int = to - 1; node >= from; node--)
-            {
-                var at:int = 6 * node;
-                var child:int = 6 * left[node];
-                if (child == 0)
-                {
-                    writeExtents(first[node], end[node], extents, at);
-                    continue;
-                }
-                for (var i:int = 0; i < 6; i += 2)
-                {
-                    var a:Number = extents[int(child + i)];
-                    var b:Number = extents[int(child + 6 + i)];
-                    extents[int(at + i)] = b < a ? b : a;
-                    a = extents[int(child + 1 + i)];
-                    b = extents[int(child + 7 + i)];
-                    extents[int(at + 1 + i)] = b > a ? b : a;
-                }
-            }
-        }
-
-        private function encloseNodes(from:int, to:int):void
-        {
-            for (var node:int = from; node < to; node++)
-            {
-                enclose(node, boxes, 6 * node);
-            }
-        }
-
-        /** For makers of trees: adds the root, without children. */
-        engine function addRoot():void
-        {
-            addNode(0, itemCount, 1);
-        }
-
-        /** For makers of trees: removes all nodes of a tree that cannot be made. */
-        engine function clear():void
-        {
-            setRoom(0);
-            _count = 0;
-        }
-
-        /**
-         * For makers of trees: gives a node two children. They have no boxes yet.
-         *
-         * @param axis the axis along which it is split
-         * @param middle the slot of the right child's first item
-         * @param isBelow whether the node is a leaf, or below one
-         * @return the left child
-         */
-        engine function divide(node:int, axis:int, middle:int, isBelow:Boolean):int
-        {
-            var level:int = levelOf(node);
-            var child:int = _count;
-            left[node] = child;
-            endsUpToDepth[node] = isBelow ? LARGEST_DEPTH : level;
-            _splits[node] = level << 2 | axis;
-            addNode(first[node], middle, level + 1);
-            addNode(middle, end[node], level + 1);
-            return child;
-        }
-
-        /**
-         * For makers of trees: measures the radius about the origin, on which the boxes' margins depend. Must be called before
-         * <code>enclose()</code>.
+         * Measures the radius about the origin, on which the boxes' margins depend. Must be called before <code>enclose()</code>.
          *
          * @param extents the extents of the whole model; begins with minX, maxX, minY, maxY, minZ, maxZ
          * @throws ArgumentError if a coordinate is larger than 1e60
          */
-        engine function measureRadiusAboutOrigin(extents:Vector.<Number>):void
+        internal function measureRadiusAboutOrigin(extents:Vector.<Number>):void
         {
-            radiusAboutOrigin = 0;
+            var largest:Number = 0;
             for (var i:int = 0; i < 6; i++)
             {
-                radiusAboutOrigin = Math.max(radiusAboutOrigin, Math.abs(extents[i]));
+                largest = Math.max(largest, Math.abs(extents[i]));
             }
-            VertexBounds.requireWithin(radiusAboutOrigin);
-            radiusAboutOrigin *= Math.sqrt(3);
+            VertexBounds.requireWithin(largest);
+            radiusAboutOrigin = largest * Math.sqrt(3);
         }
 
         /**
-         * For makers of trees: sets a node's box, and the radius with that of the root. The box is larger than the node's part by a margin. So everything that touches the surface touches
-         * the boxes, and boxes are inside of their parents' boxes in spite of rounding.
+         * Sets a node's box, and the radius with that of the root. The box is larger than the node's part by a margin. So everything that touches the
+         * surface touches the boxes, and boxes are inside of their parents' boxes in spite of rounding.
          *
          * @param extents contains the extents of the part: minX, maxX, minY, maxY, minZ, maxZ. It may be the list of boxes
          * @param at index at which they begin
          */
-        engine function enclose(node:int, extents:Vector.<Number>, at:int = 0):void
+        internal function enclose(node:int, extents:Vector.<Number>, at:int = 0):void
         {
             var margin:Number = radiusAboutOrigin * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, Tolerances.NESTED_LEVELS - levelOf(node)));
             var minX:Number = extents[at];
@@ -354,36 +257,15 @@ package starlogo.hierarchy
             }
         }
 
-        /** For makers of trees: ends the making. The columns are copied, because lists that grew have room to spare. */
-        engine function complete():void
+        /** Keeps only the first nodes, so many. The columns are copied, because lists that grew have room to spare. */
+        engine function cutTo(count:int):void
         {
-            boxes = boxes.slice(0, 6 * _count);
-            left = left.slice(0, _count);
-            first = first.slice(0, _count);
-            end = end.slice(0, _count);
-            endsUpToDepth = endsUpToDepth.slice(0, _count);
-            _splits = _splits.slice(0, _count);
-        }
-
-        private function addNode(from:int, to:int, level:int):void
-        {
-            var node:int = _count;
-            if (node == left.length)
-            {
-                setRoom(2 * node + 1);
-            }
-            first[node] = from;
-            end[node] = to;
-            endsUpToDepth[node] = EXACT;
-            _splits[node] = level << 2;
-            _count = node + 1;
-        }
-
-        // Sets how many nodes the columns have room for.
-        private function setRoom(count:int):void
-        {
-            boxes.length = 6 * count;
-            left.length = first.length = end.length = endsUpToDepth.length = _splits.length = count;
+            boxes = boxes.slice(0, 6 * count);
+            left = left.slice(0, count);
+            first = first.slice(0, count);
+            end = end.slice(0, count);
+            endsUpToDepth = endsUpToDepth.slice(0, count);
+            splits = splits.slice(0, count);
         }
     }
 }

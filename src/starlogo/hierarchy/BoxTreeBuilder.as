@@ -42,6 +42,7 @@ package starlogo.hierarchy
         private static const ITEMS_PER_NODE:int = 10;
 
         private var _tree:BoxTree;
+        private var _nodes:NodeMaker;
         private var _minVerticesToSplit:int;
         private var _maxDepth:int;
         private var _splitByMean:Boolean;
@@ -51,9 +52,8 @@ package starlogo.hierarchy
         private var _waiting:Vector.<int> = new Vector.<int>();
         private var _areBelow:Vector.<Boolean> = new Vector.<Boolean>();
 
-        // Whether the next node is being divided, and whether along the axis of the largest spread.
+        // Whether the next node is being divided.
         private var _isDividing:Boolean = false;
-        private var _isBySpread:Boolean;
 
         /**
          * @param tree without nodes; receives them, and the order of its items
@@ -93,13 +93,13 @@ package starlogo.hierarchy
 
         private function finish():void
         {
-            _tree.complete();
+            _nodes.complete();
         }
 
         private function beginRoot():void
         {
             _tree.measureRadiusAboutOrigin(_items.bounds);
-            _tree.addRoot();
+            _nodes = new NodeMaker(_tree);
             _tree.enclose(0, _items.bounds);
             _waiting.push(0);
             _areBelow.push(false);
@@ -149,7 +149,6 @@ package starlogo.hierarchy
             {
                 split = _items.meanOf(_tree.first[node], _tree.end[node], axis);
             }
-            _isBySpread = false;
             _items.beginDivision(_tree.first[node], _tree.end[node], axis, split);
             return true;
         }
@@ -190,16 +189,12 @@ package starlogo.hierarchy
             var middle:int = _items.middle;
             if (middle > _tree.first[node] && middle < _tree.end[node])
             {
-                divideAt(middle, node, _items.axis);
+                makeChildren(node);
                 return false;
             }
-            if (!_isBySpread)
+            if (_items.beginWhereCentresSpread(_tree.first[node], _tree.end[node]))
             {
-                _isBySpread = true;
-                if (_items.beginWhereCentresSpread(_tree.first[node], _tree.end[node]))
-                {
-                    return true;
-                }
+                return true;
             }
             // All centres are in one place.
             _areBelow[top] = true;
@@ -213,16 +208,14 @@ package starlogo.hierarchy
         // Divides a node by the number of its items.
         private function halve(node:int):void
         {
-            var middle:int = (_tree.first[node] + _tree.end[node]) >> 1;
-            _tree.writeExtents(_tree.first[node], middle, _items.leftExtents);
-            _tree.writeExtents(middle, _tree.end[node], _items.rightExtents);
-            divideAt(middle, node, longestAxisOf(node));
+            _items.halve(_tree.first[node], _tree.end[node], longestAxisOf(node));
+            makeChildren(node);
         }
 
-        // Divides a node. The extents of its two parts are those of the items.
-        private function divideAt(middle:int, node:int, axis:int):void
+        // Makes the children of a node, whose items are divided.
+        private function makeChildren(node:int):void
         {
-            var child:int = _tree.divide(node, axis, middle, _areBelow[_waiting.length - 1]);
+            var child:int = _nodes.divide(node, _items.axis, _items.middle, _areBelow[_waiting.length - 1]);
             _tree.enclose(child, _items.leftExtents);
             _tree.enclose(child + 1, _items.rightExtents);
         }

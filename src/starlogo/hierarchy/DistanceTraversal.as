@@ -186,13 +186,8 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:PosedTrees, a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
+        override protected function measureBoxes(trees:PosedTrees, a:int, b:int, out:BestPair):void
         {
-            if (visitor != null)
-            {
-                visitor.findCloser(a, b, out);
-                return;
-            }
             var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.writeBox(b, _box));
             PairTable.findClosest(trees.a.writeBox(a, _box), placedB, _measured);
             reduce(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
@@ -201,6 +196,12 @@ package starlogo.hierarchy
                 out.least = _measured.distance;
                 out.points.copyFrom(_measured);
             }
+        }
+
+        /** @inheritDoc */
+        override protected function measureItems(a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
+        {
+            visitor.findCloser(a, b, out);
         }
 
         /**

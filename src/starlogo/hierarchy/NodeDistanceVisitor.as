@@ -12,6 +12,10 @@ package starlogo.hierarchy
         private var _search:BoxSearch;
 
         private var _structure:BoundingStructure;
+
+        // The radius of the tree, and half of the structure's extents, together. The rounding error is relative to it.
+        private var _radii:Number = 0;
+
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _nearest:ClosestPoints;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -35,6 +39,7 @@ package starlogo.hierarchy
         {
             _structure = pose.placeWidened(structure);
             _structure.extentsInto(_extents);
+            _radii = tree.radius + (_extents[1] - _extents[0]) / 2 + (_extents[3] - _extents[2]) / 2 + (_extents[5] - _extents[4]) / 2;
             _search.setExtents(_extents, 0);
             _nearest = out;
             limit = out.distance = Infinity;
@@ -45,7 +50,7 @@ package starlogo.hierarchy
         override public function visit(tree:BoxTree, node:int):void
         {
             PairTable.findClosest(tree.writeBox(node, _box), _structure, _measured);
-            DistanceTraversal.reduce(_measured, tree.levelOf(node), 0, tree.radius + _search.halfX + _search.halfY + _search.halfZ);
+            DistanceTraversal.reduce(_measured, tree.levelOf(node), 0, _radii);
             if (_measured.distance < limit)
             {
                 limit = _measured.distance;

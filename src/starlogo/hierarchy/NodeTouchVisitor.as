@@ -45,11 +45,10 @@ package starlogo.hierarchy
         {
             _structure = pose.placeWidened(structure);
             _sweep.copyVector(motion);
-            _sweep.earliest = motion.earliest;
             _motion = motion;
             _found = -1;
             motion.time = RelativeMotion.NEVER;
-            limit = motion.isStill ? 0 : motion.latest;
+            limit = motion.latest;
             _structure.extentsInto(_extents);
             _search.setExtents(_extents, 0);
             _search.setMotion(motion);

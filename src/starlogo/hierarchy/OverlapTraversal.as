@@ -61,7 +61,8 @@ package starlogo.hierarchy
         public function find(trees:PosedTrees, visitor:NodePairVisitor):int
         {
             var pose:RelativePose = trees.pose;
-            var axes:BoxAxes = _pair.axes;
+            var pair:BoxPair = _pair;
+            var axes:BoxAxes = pair.axes;
             var relative:Placement = pose.placement;
             var tolerance:Number = pose.tolerance;
             var boxesA:Vector.<Number> = trees.a.boxes;
@@ -70,7 +71,6 @@ package starlogo.hierarchy
             var endsB:Vector.<int> = trees.b.endsUpToDepth;
             var depthA:int = trees.depthA;
             var depthB:int = trees.depthB;
-            var pair:BoxPair = _pair;
             var stack:Vector.<int> = _nodes;
             var result:int = APART;
             var visits:int = 0;
@@ -113,18 +113,18 @@ package starlogo.hierarchy
                 pair.x = x;
                 pair.y = y;
                 pair.z = z;
-                var overlap:int = overlapBesideFirst(pose, boxesA, atA, boxesB, atB);
+                var overlap:int = overlapBesideFirst(pair, pose, boxesA, atA, boxesB, atB);
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && visitor == null;
-                if (overlap == APART || overlap == SHALLOW && doBoxesDecide && !overlapAcrossEdges(pose, boxesA, atA, boxesB, atB))
+                if (overlap == APART || overlap == SHALLOW && doBoxesDecide && !overlapAcrossEdges(pair, pose, boxesA, atA, boxesB, atB))
                 {
                     continue;
                 }
                 result = ONLY_ROOTS;
                 if (!aEnds || !bEnds)
                 {
-                    top = pushChildren(trees, a, aEnds, b, bEnds, overlap == DEEP, top);
+                    top = pushChildren(trees, pair, a, aEnds, b, bEnds, overlap == DEEP, top);
                 }
                 else if (doBoxesDecide || visitor.areTouching(a, b))
                 {
@@ -136,7 +136,7 @@ package starlogo.hierarchy
         }
 
         // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
-        private function pushChildren(trees:PosedTrees, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
+        private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
         {
             var stack:Vector.<int> = _nodes;
             var dividesA:Boolean = !aEnds && (bEnds || isDeep || trees.isFirstLarger(a, b));
@@ -144,19 +144,19 @@ package starlogo.hierarchy
             var nearer:int;
             if (dividesA)
             {
-                nearer = nearerChildOfA(trees.a, a);
+                nearer = nearerChildOfA(pair, trees.a, a);
                 stack[top] = 2 * trees.a.left[a] + 1 - nearer;
                 stack[top + 1] = b;
                 top += 2;
                 if (dividesB)
                 {
-                    beginPairAt(trees.a.boxes, 6 * nearer, 6 * a);
+                    beginPairAt(pair, trees.a.boxes, 6 * nearer, 6 * a);
                 }
                 a = nearer;
             }
             if (dividesB)
             {
-                nearer = nearerChildOfB(trees.pose.placement, trees.b, b);
+                nearer = nearerChildOfB(pair, trees.pose.placement, trees.b, b);
                 stack[top] = a;
                 stack[top + 1] = 2 * trees.b.left[b] + 1 - nearer;
                 top += 2;
@@ -169,13 +169,13 @@ package starlogo.hierarchy
 
         // How two boxes overlap that no axis of the first one separates: APART, SHALLOW or DEEP. The distance of b's middle from a is compared with
         // the spheres around b and inside of it; then the axes of b decide.
-        private function overlapBesideFirst(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):int
+        private static function overlapBesideFirst(pair:BoxPair, pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):int
         {
-            var axes:BoxAxes = _pair.axes;
+            var axes:BoxAxes = pair.axes;
             var scaleSquared:Number = pose.placement.size * pose.placement.size;
-            var x:Number = _pair.x;
-            var y:Number = _pair.y;
-            var z:Number = _pair.z;
+            var x:Number = pair.x;
+            var y:Number = pair.y;
+            var z:Number = pair.z;
             var halfX:Number = boxesA[int(a + 3)] + pose.tolerance;
             var halfY:Number = boxesA[int(a + 4)] + pose.tolerance;
             var halfZ:Number = boxesA[int(a + 5)] + pose.tolerance;
@@ -210,10 +210,9 @@ package starlogo.hierarchy
             return along <= radius && along >= -radius ? SHALLOW : APART;
         }
 
-        // Whether two boxes also overlap along the axes across an edge of each. Reads _pair.
-        private function overlapAcrossEdges(pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):Boolean
+        // Whether two boxes also overlap along the axes across an edge of each.
+        private static function overlapAcrossEdges(pair:BoxPair, pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):Boolean
         {
-            var pair:BoxPair = _pair;
             pair.aX = boxesA[int(a + 3)] + pose.tolerance;
             pair.aY = boxesA[int(a + 4)] + pose.tolerance;
             pair.aZ = boxesA[int(a + 5)] + pose.tolerance;
@@ -224,25 +223,24 @@ package starlogo.hierarchy
         }
 
         // Returns the child of a node of the first tree that is nearer to the second one's node.
-        private function nearerChildOfA(tree:BoxTree, node:int):int
+        private static function nearerChildOfA(pair:BoxPair, tree:BoxTree, node:int):int
         {
             var axis:int = tree.axisOf(node);
-            var along:Number = axis == 0 ? _pair.x : (axis == 1 ? _pair.y : _pair.z);
+            var along:Number = axis == 0 ? pair.x : (axis == 1 ? pair.y : pair.z);
             return along > 0 ? tree.left[node] + 1 : tree.left[node];
         }
 
-        // Makes the vector of _pair begin at another node of the first tree than before. The boxes' numbers begin at the two indices.
-        private function beginPairAt(boxes:Vector.<Number>, node:int, before:int):void
+        // Makes the vector of a pair begin at another node of the first tree than before. The boxes' numbers begin at the two indices.
+        private static function beginPairAt(pair:BoxPair, boxes:Vector.<Number>, node:int, before:int):void
         {
-            _pair.x += boxes[before] - boxes[node];
-            _pair.y += boxes[int(before + 1)] - boxes[int(node + 1)];
-            _pair.z += boxes[int(before + 2)] - boxes[int(node + 2)];
+            pair.x += boxes[before] - boxes[node];
+            pair.y += boxes[int(before + 1)] - boxes[int(node + 1)];
+            pair.z += boxes[int(before + 2)] - boxes[int(node + 2)];
         }
 
         // Returns the child of a node of the second tree that is nearer to the first one's node.
-        private function nearerChildOfB(rotation:Placement, tree:BoxTree, node:int):int
+        private static function nearerChildOfB(pair:BoxPair, rotation:Placement, tree:BoxTree, node:int):int
         {
-            var pair:BoxPair = _pair;
             var axis:int = tree.axisOf(node);
             var along:Number = rotation.r02 * pair.x + rotation.r12 * pair.y + rotation.r22 * pair.z;
             if (axis == 0)

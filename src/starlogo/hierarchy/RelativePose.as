@@ -74,7 +74,6 @@ package starlogo.hierarchy
             out.x = a.r00 * x + a.r10 * y + a.r20 * z;
             out.y = a.r01 * x + a.r11 * y + a.r21 * z;
             out.z = a.r02 * x + a.r12 * y + a.r22 * z;
-            out.earliest = worldMotion.earliest;
             out.latest = worldMotion.latest;
         }
 
@@ -119,8 +118,8 @@ package starlogo.hierarchy
         }
 
         /**
-         * The structure of <code>place()</code>, enlarged by the tolerance. V8 allocates no object for the tolerance, because only this function
-         * reads it.
+         * The structure of <code>place()</code>, enlarged by the tolerance. It is enlarged here, because V8 would allocate an object for a tolerance
+         * that other classes pass.
          */
         public function placeWidened(structure:BoundingStructure):BoundingStructure
         {

@@ -88,16 +88,17 @@ package starlogo.hierarchy
         }
 
         /**
-         * Begins a division at the midpoint of the axis along which the centres of some items are spread most.
+         * Begins a division at the midpoint of the axis along which the centres of some items are spread most. Both groups will have items.
          *
          * @param first the slot of the first item
          * @param end the slot after the last item
-         * @return false if all centres are in one place, because then no division is possible
+         * @return false if no division is possible, because all centres are in one place, or so near that no number is between them
          */
         public function beginWhereCentresSpread(first:int, end:int):Boolean
         {
             var widest:int = 0;
             var width:Number = 0;
+            var begin:Number = 0;
             var split:Number = 0;
             for (var along:int = 0; along < 3; along++)
             {
@@ -114,11 +115,12 @@ package starlogo.hierarchy
                 {
                     widest = along;
                     width = largest - least;
+                    begin = least;
                     split = least + 0.5 * width;
                 }
             }
             beginDivision(first, end, widest, split);
-            return width > 0;
+            return split > begin;
         }
 
         /**
@@ -159,6 +161,23 @@ package starlogo.hierarchy
             middle = low;
             _last = high;
             return low <= high;
+        }
+
+        /**
+         * Divides some items by their number: each stays in its place.
+         *
+         * @param first the slot of the first item
+         * @param end the slot after the last item
+         * @param axis the axis that counts as that of the division
+         */
+        public function halve(first:int, end:int, axis:int):void
+        {
+            middle = (first + end) >> 1;
+            this.axis = axis;
+            clear(leftExtents);
+            clear(rightExtents);
+            extend(leftExtents, first, middle);
+            extend(rightExtents, middle, end);
         }
 
         // Twice the centre of an item's extents along an axis.

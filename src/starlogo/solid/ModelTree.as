@@ -2,6 +2,7 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.hierarchy.BoxRefit;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
@@ -166,7 +167,7 @@ package starlogo.solid
             root = HierarchyNode.of(boxTree, 0);
             if (boxTree.isMade)
             {
-                boxTree.refit();
+                finish(new BoxRefit(boxTree));
             }
             if (_mesh != null)
             {

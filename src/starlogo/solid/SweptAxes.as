@@ -52,22 +52,29 @@ package starlogo.solid
             var shape:ConvexShape = _shape;
             var motion:RelativeMotion = _motion;
             var p:Vector.<Number> = shape.points;
-            if (shape.end <= ConvexShape.SEGMENT)
+            if (shape.end < ConvexShape.SEGMENT)
             {
-                var x:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[3] - p[0];
-                var y:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[4] - p[1];
-                var z:Number = shape.end < ConvexShape.SEGMENT ? 0 : p[5] - p[2];
+                addAxis(motion.x, motion.y, motion.z);
+            }
+            else if (shape.end == ConvexShape.SEGMENT)
+            {
+                var x:Number = p[3] - p[0];
+                var y:Number = p[4] - p[1];
+                var z:Number = p[5] - p[2];
                 var squared:Number = x * x + y * y + z * z;
                 var share:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
                 addAxis(motion.x - share * x, motion.y - share * y, motion.z - share * z);
             }
-            var edges:Vector.<int> = shape.edges;
-            for (var i:int = 1; shape.areEdgesPerpendicular && i < edges.length; i += 4)
+            if (shape.areEdgesPerpendicular)
             {
-                var to:int = edges[i];
-                addEdge(p[to] - p[0], p[int(to + 1)] - p[1], p[int(to + 2)] - p[2]);
+                var edges:Vector.<int> = shape.edges;
+                for (var i:int = 1; i < edges.length; i += 4)
+                {
+                    var to:int = edges[i];
+                    addEdge(p[to] - p[0], p[int(to + 1)] - p[1], p[int(to + 2)] - p[2]);
+                }
             }
-            if (!shape.areEdgesPerpendicular && shape.end > ConvexShape.SEGMENT)
+            else if (shape.end > ConvexShape.SEGMENT)
             {
                 addEdge(1, 0, 0);
                 addEdge(0, 1, 0);
@@ -94,7 +101,7 @@ package starlogo.solid
             axes[at] = _axis.x;
             axes[int(at + 1)] = _axis.y;
             axes[int(at + 2)] = _axis.z;
-            axes[int(at + 3)] = origin + _ofShape.least - radius + _motion.earliest * travel;
+            axes[int(at + 3)] = origin + _ofShape.least - radius;
             axes[int(at + 4)] = origin + _ofShape.greatest + radius;
             axes[int(at + 5)] = travel;
             _end = at + PER_AXIS;

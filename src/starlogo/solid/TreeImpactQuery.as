@@ -60,7 +60,7 @@ package starlogo.solid
             _pair.relateAt(motion, motion.time);
             RelativePose.relateMotion(_pair.placementA, motion, _motion);
             // Only what touches at once counts. The motion gives the contact its direction.
-            _motion.earliest = _motion.latest = 0;
+            _motion.latest = 0;
             _pair.findTouch(_motion, out);
             if (_motion.time == RelativeMotion.NEVER)
             {

@@ -38,9 +38,7 @@ package starlogo.solid
         // The corners of the moved triangles, by their index in the node: nine numbers each.
         private var _moved:Vector.<Number> = new Vector.<Number>();
 
-        // The current triangle of the second node: its index in the node, and the extents of it and its motion, with the tolerance of quick tests:
-        // minX, maxX, minY, ...
-        private var _index:int = 0;
+        // The extents of the current triangle of the second node and of its motion, with the tolerance of quick tests: minX, maxX, minY, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // A triangle of the first model, a triangle of the second, and what decides about them.
@@ -82,7 +80,7 @@ package starlogo.solid
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
             _movedFrom = -1;
-            _tolerance = pair.pose.tolerance + Touching.marginOfSurface(pair.trees.a.radius + pair.trees.b.radius * _placement.size);
+            _tolerance = pair.pose.tolerance + Touching.marginOfSurface(pair.a.boxTree.radius + pair.b.boxTree.radius * _placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             return this;
         }
@@ -141,7 +139,7 @@ package starlogo.solid
                 setSecond(i);
                 for (var slot:int = _firstMesh.tree.first[a]; slot < end; slot++)
                 {
-                    findCloserPoints(slot, points);
+                    findCloserPoints(slot, 9 * i, points);
                 }
             }
             best.least = points.distance;
@@ -177,21 +175,20 @@ package starlogo.solid
             return count;
         }
 
-        // Sets the current triangle of the second node. Its shape has the margin of both triangles. The motion may end earlier afterwards.
+        // Sets the current triangle of the second node, by its index there. Its shape has the margin of both triangles. The motion may end earlier
+        // afterwards.
         private function setSecond(index:int):void
         {
-            _index = index;
             _second.setTriangle(_moved, 9 * index);
             _second.margin += _tolerance;
-            writeExtents(0, _motion.latest * _motion.x);
-            writeExtents(1, _motion.latest * _motion.y);
-            writeExtents(2, _motion.latest * _motion.z);
+            writeExtents(9 * index, 0, _motion.latest * _motion.x);
+            writeExtents(9 * index + 1, 2, _motion.latest * _motion.y);
+            writeExtents(9 * index + 2, 4, _motion.latest * _motion.z);
         }
 
-        // Writes the extents of the current triangle and of its motion along an axis.
-        private function writeExtents(axis:int, travel:Number):void
+        // Writes the extents of a moved triangle and of its motion along an axis: reads its first coordinate at one index, and writes to another.
+        private function writeExtents(at:int, to:int, travel:Number):void
         {
-            var at:int = 9 * _index + axis;
             var p:Number = _moved[at];
             var q:Number = _moved[int(at + 3)];
             var r:Number = _moved[int(at + 6)];
@@ -201,8 +198,8 @@ package starlogo.solid
             high = r > high ? r : high;
             low -= _outerTolerance;
             high += _outerTolerance;
-            _extents[int(2 * axis)] = travel < 0 ? low + travel : low;
-            _extents[int(2 * axis + 1)] = travel > 0 ? high + travel : high;
+            _extents[to] = travel < 0 ? low + travel : low;
+            _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
 
         // Whether a triangle of the first model, by its slot, touches the current one.
@@ -239,10 +236,11 @@ package starlogo.solid
             return _motion.time <= _motion.latest;
         }
 
-        // Finds the closest points of the current triangle and a triangle of the first model, if they are nearer than those so far.
-        private function findCloserPoints(slot:int, points:ClosestPoints):void
+        // Finds the closest points of the current triangle and a triangle of the first model, if they are nearer than those so far. The current one's
+        // corners begin at an index.
+        private function findCloserPoints(slot:int, second:int, points:ClosestPoints):void
         {
-            if (squaredDistanceOfExtents(slot) < points.distance * points.distance && !isBeyond(slot, points))
+            if (squaredDistanceOfExtents(slot) < points.distance * points.distance && !isBeyond(slot, second, points))
             {
                 _counts.triangleTests++;
                 _first.setTriangle(_firstMesh.corners, 9 * slot);
@@ -267,7 +265,8 @@ package starlogo.solid
             return _plane.findEntry(_second, _outerTolerance, _motion) > _motion.latest;
         }
 
-        // The squared distance of the extents of a triangle of the first model from those of the current triangle.
+        // The squared distance of the extents of a triangle of the first model from those of the current triangle. Both are prepared, because each
+        // triangle is compared with many; squaredDistanceToExtents() reads corners.
         private function squaredDistanceOfExtents(slot:int):Number
         {
             var ofFirst:Vector.<Number> = _extentsOfFirst;
@@ -290,21 +289,20 @@ package starlogo.solid
         // Whether a triangle of the first model is so far before the second model's triangle, along the vector from the first model's closest point so
         // far to the second's, that the two cannot be nearer. Places along it are scaled by its length, so the distance so far becomes its square. The
         // second one is projected each time, because few pairs come here whose extents are near enough.
-        private function isBeyond(slot:int, points:ClosestPoints):Boolean
+        private function isBeyond(slot:int, second:int, points:ClosestPoints):Boolean
         {
             var x:Number = points.bX - points.aX;
             var y:Number = points.bY - points.aY;
             var z:Number = points.bZ - points.aZ;
             var corners:Vector.<Number> = _moved;
-            var at:int = 9 * _index;
-            var p:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
-            var q:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
-            var r:Number = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
+            var p:Number = x * corners[second] + y * corners[int(second + 1)] + z * corners[int(second + 2)];
+            var q:Number = x * corners[int(second + 3)] + y * corners[int(second + 4)] + z * corners[int(second + 5)];
+            var r:Number = x * corners[int(second + 6)] + y * corners[int(second + 7)] + z * corners[int(second + 8)];
             p = p < q ? p : q;
             p = p < r ? p : r;
             var end:Number = p - points.distance * points.distance;
             corners = _firstMesh.corners;
-            at = 9 * slot;
+            var at:int = 9 * slot;
             return x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)] <= end
                 && x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)] <= end
                 && x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)] <= end;

@@ -35,8 +35,10 @@ package starlogo.solid
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _kernel:TriangleKernel = new TriangleKernel();
 
-        // The extents of the structure's core and of its motion until the limit: minX, maxX, minY, ... The core of a round structure is a point or
-        // a segment.
+        // The extents of the structure's core, where it is at time 0: minX, maxX, minY, ... The core of a round structure is a point or a segment.
+        private var _coreExtents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        // The extents of the core and of its motion until the limit.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // The radius around the structure's core, with the tolerance and a margin for rounding.
@@ -69,7 +71,7 @@ package starlogo.solid
          */
         public function findTouch(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
-            limit = motion.isStill ? 0 : motion.latest;
+            limit = motion.latest;
             begin(model, structure, pose, motion);
             motion.time = RelativeMotion.NEVER;
             _found = -1;
@@ -79,45 +81,54 @@ package starlogo.solid
 
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
+            var extents:Vector.<Number> = _coreExtents;
+            var shape:ConvexShape = _kernel.shape;
             _mesh = model.mesh;
             _motion = motion;
-            _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
-            _kernel.shape.margin += pose.tolerance + Touching.marginOfSurface(model.boxTree.radius);
-            var shape:ConvexShape = _kernel.shape;
+            _kernel.setStructure(structure, pose.placement).extentsInto(extents);
+            shape.margin += pose.tolerance + Touching.marginOfSurface(model.boxTree.radius);
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)
             {
-                size += Math.max(Math.abs(_extents[i]), Math.abs(_extents[int(i + 1)]));
+                size += Math.max(Math.abs(extents[i]), Math.abs(extents[int(i + 1)]));
             }
             var rounding:Number = Tolerances.EXTENTS * size;
             _radius = shape.radius + shape.margin + rounding;
-            _search.setExtents(_extents, shape.margin + rounding);
+            _search.setExtents(extents, shape.margin + rounding);
             _search.setMotion(motion);
-            sweepExtents();
+            _separatingAxes.setTo(shape, _radius, motion);
             _sweep.copyVector(motion);
-            if (!motion.isStill)
+            for (i = 0; i < 6; i += 2)
             {
-                _separatingAxes.setTo(shape, _radius, motion);
+                extents[i] += shape.radius;
+                extents[int(i + 1)] -= shape.radius;
             }
+            sweepExtents();
         }
 
-        // Sets the extents to those of the structure's core while it moves, from the motion's earliest time to the limit.
+        // Sets the extents to those of the structure's core while it moves, until the limit.
         private function sweepExtents():void
         {
-            sweepAlong(0, _search.x, _search.halfX - _radius, _motion.x);
-            sweepAlong(2, _search.y, _search.halfY - _radius, _motion.y);
-            sweepAlong(4, _search.z, _search.halfZ - _radius, _motion.z);
+            sweepAlong(0, limit * _motion.x);
+            sweepAlong(2, limit * _motion.y);
+            sweepAlong(4, limit * _motion.z);
         }
 
-        // Does it along an axis. The middle and the half-extent are those of the core at time 0. The travel is the whole motion's.
-        private function sweepAlong(axis:int, middle:Number, half:Number, travel:Number):void
+        // Does it along an axis, whose extents begin at an index.
+        private function sweepAlong(at:int, travel:Number):void
         {
-            var begin:Number = travel * _motion.earliest;
-            var end:Number = travel * limit;
-            var low:Number = begin < end ? begin : end;
-            var high:Number = begin < end ? end : begin;
-            _extents[axis] = middle - half + low;
-            _extents[int(axis + 1)] = middle + half + high;
+            var low:Number = _coreExtents[at];
+            var high:Number = _coreExtents[int(at + 1)];
+            if (travel < 0)
+            {
+                low += travel;
+            }
+            else
+            {
+                high += travel;
+            }
+            _extents[at] = low;
+            _extents[int(at + 1)] = high;
         }
 
         /** @inheritDoc */
@@ -137,7 +148,7 @@ package starlogo.solid
                     continue;
                 }
                 _plane.setTriangle(_mesh.corners, 9 * i);
-                _sweep.earliest = Math.max(_motion.earliest, _plane.findEntry(_kernel.shape, _radius, _motion));
+                _sweep.earliest = _plane.findEntry(_kernel.shape, _radius, _motion);
                 if (_sweep.earliest > limit)
                 {
                     continue;

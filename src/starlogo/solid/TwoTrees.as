@@ -33,8 +33,8 @@ package starlogo.solid
         /** The second model's tree. */
         internal var b:ModelTree = null;
 
-        /** The nodes of both, for a traversal. */
-        internal var trees:PosedTrees = new PosedTrees();
+        // The nodes of both, for a traversal.
+        private var _trees:PosedTrees = new PosedTrees();
 
         // Whether triangles decide, and how.
         private var _isExact:Boolean = false;
@@ -51,7 +51,7 @@ package starlogo.solid
         /** @param counts counts what the questions take */
         public function TwoTrees(counts:TreeCounts)
         {
-            trees.pose = pose;
+            _trees.pose = pose;
             _triangles = new TrianglePairVisitor(counts);
             _overlaps = new OverlapTraversal(counts);
             _impacts = new ImpactTraversal(counts);
@@ -72,17 +72,17 @@ package starlogo.solid
             this.b = b;
             this.placementA = placementA;
             this.placementB = placementB;
-            trees.a = a.boxTree;
-            trees.b = b.boxTree;
-            trees.depthA = _isExact ? BoxTree.EXACT : depthA;
-            trees.depthB = _isExact ? BoxTree.EXACT : depthB;
+            _trees.a = a.boxTree;
+            _trees.b = b.boxTree;
+            _trees.depthA = _isExact ? BoxTree.EXACT : depthA;
+            _trees.depthB = _isExact ? BoxTree.EXACT : depthB;
             return this;
         }
 
         /** @inheritDoc */
         override internal function overlapInPose():Boolean
         {
-            var result:int = _overlaps.find(trees, visitorFor(RelativeMotion.NONE));
+            var result:int = _overlaps.find(_trees, visitorFor(RelativeMotion.NONE));
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && findInside(null);
         }
@@ -90,7 +90,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findTouch(motion:RelativeMotion, out:ContactPoint):void
         {
-            var best:BestPair = _impacts.findTouch(trees, motion, visitorFor(motion));
+            var best:BestPair = _impacts.findTouch(_trees, motion, visitorFor(motion));
             motion.time = best.least;
             if (out == null || motion.time == RelativeMotion.NEVER)
             {
@@ -116,14 +116,14 @@ package starlogo.solid
 
         private function findContactOfNodes(nodeA:int, nodeB:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            var placedB:BoundingStructure = pose.place(trees.b.writeBox(nodeB, _box));
-            PairTable.findContact(placedB, trees.a.writeBox(nodeA, _box), motion, out);
+            var placedB:BoundingStructure = pose.place(_trees.b.writeBox(nodeB, _box));
+            PairTable.findContact(placedB, _trees.a.writeBox(nodeA, _box), motion, out);
         }
 
         /** @inheritDoc */
         override internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
-            _distances.findClosest(trees, visitorFor(RelativeMotion.NONE), out);
+            _distances.findClosest(_trees, visitorFor(RelativeMotion.NONE), out);
         }
 
         /** The boxes of two roots must overlap: otherwise the insides would be prepared in vain. @inheritDoc */

@@ -1,7 +1,7 @@
 package starlogo.solid
 {
     /**
-     * Returns the squared distance of a triangle's extents from other extents.
+     * Returns the squared distance of a triangle's extents from other extents. A triangle is asked about once, so its extents are not prepared.
      *
      * @param extents minX, maxX, minY, ...
      * @param corners has nine numbers of the triangle

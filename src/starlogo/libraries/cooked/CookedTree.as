@@ -3,8 +3,10 @@ package starlogo.libraries.cooked
     import flash.errors.EOFError;
     import flash.utils.ByteArray;
     import starlogo.engine;
+    import starlogo.hierarchy.BoxRefit;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
+    import starlogo.hierarchy.NodeMaker;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.VarInt;
     import starlogo.steps.StepSequence;
@@ -32,6 +34,7 @@ package starlogo.libraries.cooked
 
         private var _bytes:ByteArray;
         private var _tree:BoxTree;
+        private var _nodes:NodeMaker;
         private var _maxDepth:int;
 
         // The nodes that still have to be read, the next one last.
@@ -118,7 +121,7 @@ package starlogo.libraries.cooked
         private function refuse():void
         {
             isRefused = true;
-            _tree.clear();
+            _tree.cutTo(0);
         }
 
         // Every item must come exactly once.
@@ -143,7 +146,7 @@ package starlogo.libraries.cooked
 
         private function beginTree():void
         {
-            _tree.addRoot();
+            _nodes = new NodeMaker(_tree);
             _waiting.push(0);
         }
 
@@ -178,7 +181,7 @@ package starlogo.libraries.cooked
             {
                 return false;
             }
-            var left:int = _tree.divide(node, division % BELOW, middle, division >= BELOW);
+            var left:int = _nodes.divide(node, division % BELOW, middle, division >= BELOW);
             _waiting.push(left + 1, left);
             return true;
         }
@@ -186,10 +189,8 @@ package starlogo.libraries.cooked
         // The steps that compute the boxes.
         private function measuring():Steps
         {
-            return _tree.refitting().call(function():void
-                {
-                    _tree.complete();
-                });
+            _nodes.complete();
+            return new BoxRefit(_tree);
         }
     }
 }

@@ -76,15 +76,15 @@ package starlogo.models.loading
             switch (of(bytes, text, url))
             {
                 case COOKED:
-                    return new CookedReader(name, bytes);
+                    return CookedReader.of(name, bytes);
                 case STL:
-                    return new StlReader(name, bytes, text, upAxis, scaling);
+                    return StlReader.of(name, bytes, text, upAxis, scaling);
                 case COLLADA:
-                    return new ColladaReader(name, text, upAxis as ModelTransform, scaling);
+                    return ColladaReader.of(name, text, upAxis as ModelTransform, scaling);
                 case GLTF:
-                    return new GltfReader(new GltfFile(name, bytes, text, fetch), upAxis as ModelTransform, scaling);
+                    return GltfReader.of(new GltfFile(name, bytes, text, fetch), upAxis as ModelTransform, scaling);
                 default:
-                    return new ObjReader(name, text, upAxis, scaling);
+                    return ObjReader.of(name, text, upAxis, scaling);
             }
         }
     }

@@ -170,7 +170,7 @@ package starlogo.models.loading
             var file:FileDownload = download(address);
             call(function():void
                 {
-                    _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
+                    _maker = CookedReader.of(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
                 }).repeat(readCooked);
         }
 

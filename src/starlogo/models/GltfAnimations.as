@@ -93,7 +93,6 @@ package starlogo.models
             {
                 throw new RangeError("the time must be a finite number, not " + time);
             }
-            _file.renewLimits();
             return GltfReader.verticesAt(_file, _upAxis, found, time);
         }
 

@@ -63,6 +63,7 @@ package starlogo.models.gltf
         public static function verticesAt(file:GltfFile, upAxis:Object, animation:GltfAnimation, time:Number):Vector.<Number>
         {
             var data:ModelData = dataFor(file, upAxis, null);
+            file.limits.restart();
             finish(new GltfReader(data, file, animation, time));
             return data.vertices;
         }

@@ -36,13 +36,8 @@ package starlogo.models.loading
             return CookedFile.isCookedFile(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
         }
 
-        // The format of a file. @param bytes the file in a binary form, if there is no text
-        private static function of(bytes:ByteArray, text:String, url:String):String
+        private static function ofText(text:String, url:String):String
         {
-            if (text == null)
-            {
-                return ofBytes(bytes);
-            }
             text = TextWords.withoutByteOrderMark(text);
             if (TAG.test(text.substr(0, 1000)))
             {
@@ -73,7 +68,7 @@ package starlogo.models.loading
          */
         public static function newReader(name:String, bytes:ByteArray, text:String, url:String, upAxis:Object, scaling:String, fetch:Function):ModelReader
         {
-            switch (of(bytes, text, url))
+            switch (text == null ? ofBytes(bytes) : ofText(text, url))
             {
                 case COOKED:
                     return CookedReader.of(name, bytes);

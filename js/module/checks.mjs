@@ -17,7 +17,7 @@ const COMPACT = new Set(["flash.geom.Matrix3D"]);
 
 /** Classes whose fields are written by the engine's own loops, or by the engine alone. They are not checked. */
 const PLAIN = new Set([
-	"AxialStructure", "BoundingStructure", "Box", "CastHit", "CollisionStatistics", "Contact", "ErrorEvent", "Footing", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
+	"BoundingStructure", "Box", "Capsule", "CastHit", "CollisionStatistics", "Contact", "Cylinder", "ErrorEvent", "Footing", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
 	"RayHit", "SearchCounts", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
 ]);
 

@@ -39,7 +39,7 @@ function readType(source, qname) {
 }
 
 /** A parameter that only the engine's own classes pass, as its documentation says. It comes last. */
-const INNER = /@param (\w+) for the engine alone: (?:(?!\n\s*\* @)[\s\S])*\n\s*\* (?=@)/;
+const INNER = /@param (\w+) for the engine alone: (?:(?!\n\s*\* @|\n\s*\*\/)[\s\S])*(?:\n\s*\* (?=@))?/;
 
 function memberOf([, given = "", modifiers, keyword, accessor, name, parameters, result = "*", initial = null], type) {
 	const words = modifiers.trim().split(/\s+/);

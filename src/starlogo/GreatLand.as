@@ -44,15 +44,17 @@ package starlogo
          */
         public var fitStore:FitStore = null;
 
-        // shared with the libraries
-        private var _models:ModelTable = new ModelTable();
         private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
-        private var _hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
+        private var _hierarchies:HierarchiesLibrary;
+
+        // shared with the libraries
+        private var _models:ModelTable;
 
         /** Creates a GreatLand without models. */
         public function GreatLand()
         {
-            _boundingStructures.models = _hierarchies.models = _models;
+            _models = _boundingStructures.models;
+            _hierarchies = new HierarchiesLibrary(_models);
         }
 
         /** The tightest bounding structure of each model. */

@@ -6,7 +6,6 @@ import {
 	AgentPredicate,
 	AgentQueries,
 	ArgumentError,
-	AxialStructure,
 	AxisAlignedBoxFitter,
 	BaseCollider,
 	BaseShapeChoice,
@@ -15,7 +14,6 @@ import {
 	BoundingStructure,
 	BoundingStructuresLibrary,
 	Box,
-	BoxAxisFitter,
 	boxBox,
 	BreedInterests,
 	BuiltInModel,
@@ -310,7 +308,7 @@ function passThrough(greatLand: GreatLand): void {
 /** Fits every kind of structure. */
 export function fitAll(vertices: Float64Array): number[] {
 	const boxFitter: OrientedBoxFitter = new OrientedBoxFitter(30);
-	const alongIt: BoxAxisFitter = new CylinderFitter(boxFitter);
+	const alongIt: CylinderFitter = new CylinderFitter(boxFitter);
 	const fitters: Fitter[] = [
 		new NaiveSphereFitter(), new RitterSphereFitter(), new CentredRitterSphereFitter(), new MinimalSphereFitter(),
 		new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(10), boxFitter,
@@ -344,7 +342,7 @@ export function testPairs(): boolean[] {
 	const matrix = new Matrix3D();
 	matrix.appendRotation(45, Vector3D.Z_AXIS);
 	moved.rotate(matrix);
-	const cylinder: AxialStructure = new Cylinder(new Vector3D(0, 0, 0), new Vector3D(0, 0, 1), 0.5);
+	const cylinder: Cylinder = new Cylinder(new Vector3D(0, 0, 0), new Vector3D(0, 0, 1), 0.5);
 	log.push(`${Wireframes.ofStructure(box).length / 6} lines, ${Wireframes.ofTriangles([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2]).length / 6}`);
 	log.push(`${cylinder.volume} about ${cylinder.radius}, ${Tolerances.TOUCHING}, ${new Placement().size}`);
 	return [

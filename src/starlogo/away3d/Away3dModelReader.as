@@ -2,6 +2,7 @@ package starlogo.away3d
 {
     import starlogo.models.Model;
     import starlogo.models.ModelMaker;
+    import starlogo.models.ModelReader;
 
     /**
      * Makes an Away3dModel in steps, while a game runs. Give it to a ModelLoader.
@@ -14,7 +15,7 @@ package starlogo.away3d
      */
     public final class Away3dModelReader implements ModelMaker
     {
-        private var _reader:SourceReader;
+        private var _reader:ModelReader;
         private var _model:Away3dModel = null;
 
         /**
@@ -25,7 +26,7 @@ package starlogo.away3d
          */
         public function Away3dModelReader(name:String, object:Object)
         {
-            _reader = new SourceReader(name, object);
+            _reader = SourceReader.of(name, object);
         }
 
         /** @inheritDoc */
@@ -56,7 +57,7 @@ package starlogo.away3d
             var hasMore:Boolean = _reader.step();
             if (!hasMore)
             {
-                _model ||= new Away3dModel(name, _reader.data);
+                _model ||= new Away3dModel(name, _reader.readAll());
             }
             return hasMore;
         }

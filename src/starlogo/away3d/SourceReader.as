@@ -8,29 +8,38 @@ package starlogo.away3d
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.Model;
+    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /** Reads the source of an Away3dModel, in steps of about a millisecond. */
-    internal final class SourceReader extends ModelReader
+    internal final class SourceReader extends StepSequence
     {
         // swaps y and z, which mirrors
         private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
 
+        private var _data:ModelData;
         private var _object:Object;
         private var _parts:Vector.<PartReader> = new Vector.<PartReader>();
 
         /**
-         * @param name what agents call the shape
+         * @param data takes what is read
          * @param object as for Away3dModel
          */
-        public function SourceReader(name:String, object:Object)
+        public function SourceReader(data:ModelData, object:Object)
         {
-            super(name || "", "z", Model.FOOTPRINT);
+            _data = data;
             _object = object;
-            begin(readingParts).begin(normalising);
+            begin(readingParts);
+        }
+
+        /** The work that makes a model of a source. @param object as for Away3dModel */
+        public static function of(name:String, object:Object):ModelReader
+        {
+            var data:ModelData = ModelReader.dataFor(name, "z", Model.FOOTPRINT);
+            return new ModelReader(data, new SourceReader(data, object));
         }
 
         private function readingParts():Steps
@@ -44,7 +53,7 @@ package starlogo.away3d
                 hasTriangles ||= part.triangleCount > 0;
             }
             var points:PointTable = new PointTable(vertexCount);
-            data.vertices = points.coordinates;
+            _data.vertices = points.coordinates;
             return new StepSequence().beginEach(_parts.length, function(index:int):Steps
                 {
                     return readingPart(index, hasTriangles, points);
@@ -55,9 +64,9 @@ package starlogo.away3d
         {
             var setShare:Function = function(share:Number):void
             {
-                setReadShare((index + share) / _parts.length);
+                _data.readShare = (index + share) / _parts.length;
             };
-            return hasTriangles ? _parts[index].readingTriangles(points, data.triangles, setShare) : _parts[index].readingVertices(points, setShare);
+            return hasTriangles ? _parts[index].readingTriangles(points, _data.triangles, setShare) : _parts[index].readingVertices(points, setShare);
         }
 
         private function addSource(source:Object):void
@@ -83,7 +92,7 @@ package starlogo.away3d
             }
             else
             {
-                throw new ModelError(name, "", "expected an ObjectContainer3D, a Geometry, an ISubGeometry or a list of them, not "
+                throw new ModelError(_data.name, "", "expected an ObjectContainer3D, a Geometry, an ISubGeometry or a list of them, not "
                         + (source == null ? "null" : getQualifiedClassName(source).replace("::", ".")));
             }
         }
@@ -111,7 +120,7 @@ package starlogo.away3d
 
         private function addPart(part:ISubGeometry, transform:AffineTransform):void
         {
-            _parts.push(new PartReader(name, part, transform));
+            _parts.push(new PartReader(_data.name, part, transform));
         }
     }
 }

@@ -12,8 +12,17 @@ package starlogo.bounding
      * A ball swept along a segment: all points whose distance from the segment between <code>start</code> and <code>end</code> is at most
      * <code>radius</code> (thesis §3.3). If both ends are one point, it is a ball. If the radius is 0, it is a segment.
      */
-    public final class Capsule extends AxialStructure
+    public final class Capsule extends BoundingStructure
     {
+        /** One end of the axis. */
+        public var start:Vector3D;
+
+        /** The other end of the axis. */
+        public var end:Vector3D;
+
+        /** The radius in patches, not negative. */
+        public var radius:Number;
+
         private static var sMiddle:Vector3D = new Vector3D();
         private static var sHalf:Vector3D = new Vector3D();
 
@@ -28,7 +37,11 @@ package starlogo.bounding
          */
         public function Capsule(start:Vector3D, end:Vector3D, radius:Number)
         {
-            super(CAPSULE, start, end, radius, "capsule");
+            super(CAPSULE);
+            this.radius = checkLength(radius, "the radius of a capsule");
+            this.start = checkVector(start, "the start of a capsule").clone();
+            this.end = checkVector(end, "the end of a capsule").clone();
+            checkSize(Math.max(Math.max(radius, Math.abs(end.x - start.x)), Math.max(Math.abs(end.y - start.y), Math.abs(end.z - start.z))), "a capsule");
         }
 
         /** @inheritDoc */
@@ -61,6 +74,30 @@ package starlogo.bounding
         override public function clone():BoundingStructure
         {
             return new Capsule(start, end, radius);
+        }
+
+        /** @inheritDoc */
+        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
+        {
+            var placed:Capsule = out as Capsule || newFor(out) as Capsule;
+            placement.place(start, placed.start);
+            placement.place(end, placed.end);
+            placed.radius = radius * placement.size;
+            return placed;
+        }
+
+        /** @private */
+        override engine function numbers():Vector.<Number>
+        {
+            return new <Number>[start.x, start.y, start.z, end.x, end.y, end.z, radius];
+        }
+
+        /** @private */
+        override engine function setNumbers(numbers:Vector.<Number>):void
+        {
+            start.setTo(numbers[0], numbers[1], numbers[2]);
+            end.setTo(numbers[3], numbers[4], numbers[5]);
+            radius = numbers[6];
         }
 
         /**

@@ -1,6 +1,10 @@
 package starlogo.bounding
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+
+    use namespace engine;
 
     /**
      * A solid cylinder with flat ends: all points whose distance from the segment between <code>start</code> and <code>end</code>, measured
@@ -10,8 +14,17 @@ package starlogo.bounding
      * <p>Cylinders are fitted and measured but never collided: <code>intersects</code> refuses them, because the test of two cylinders
      * needs a numerical solver (thesis §3.6.1). Use capsules instead.</p>
      */
-    public final class Cylinder extends AxialStructure
+    public final class Cylinder extends BoundingStructure
     {
+        /** One end of the axis. */
+        public var start:Vector3D;
+
+        /** The other end of the axis. */
+        public var end:Vector3D;
+
+        /** The radius in patches, not negative. */
+        public var radius:Number;
+
         /**
          * Creates a cylinder around the segment between two points.
          *
@@ -23,7 +36,11 @@ package starlogo.bounding
          */
         public function Cylinder(start:Vector3D, end:Vector3D, radius:Number)
         {
-            super(OTHER, start, end, radius, "cylinder");
+            super(OTHER);
+            this.radius = checkLength(radius, "the radius of a cylinder");
+            this.start = checkVector(start, "the start of a cylinder").clone();
+            this.end = checkVector(end, "the end of a cylinder").clone();
+            checkSize(Math.max(Math.max(radius, Math.abs(end.x - start.x)), Math.max(Math.abs(end.y - start.y), Math.abs(end.z - start.z))), "a cylinder");
         }
 
         /** @inheritDoc */
@@ -69,6 +86,16 @@ package starlogo.bounding
         override public function clone():BoundingStructure
         {
             return new Cylinder(start, end, radius);
+        }
+
+        /** @inheritDoc */
+        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
+        {
+            var placed:Cylinder = out as Cylinder || newFor(out) as Cylinder;
+            placement.place(start, placed.start);
+            placement.place(end, placed.end);
+            placed.radius = radius * placement.size;
+            return placed;
         }
 
         /** @inheritDoc */

@@ -2,6 +2,7 @@ package starlogo.fitting
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.data.requireGiven;
 
     /**
      * Finds a bounding capsule along the longest axis of a box (thesis §3.4.4). Another fitter finds the box: an oriented box gives an
@@ -16,8 +17,10 @@ package starlogo.fitting
      *
      * <p>In addition to the box, it takes two passes over the vertices.</p>
      */
-    public final class CapsuleFitter extends BoxAxisFitter
+    public final class CapsuleFitter extends Fitter
     {
+        private var _boxFitter:Fitter;
+
         /**
          * Creates a fitter of capsules along the boxes of another fitter.
          *
@@ -27,17 +30,29 @@ package starlogo.fitting
          */
         public function CapsuleFitter(boxFitter:Fitter)
         {
-            super(boxFitter);
+            requireGiven("the box's fitter", boxFitter);
+            _boxFitter = boxFitter;
+        }
+
+        /** The fitter that finds the box. */
+        public function get boxFitter():Fitter
+        {
+            return _boxFitter;
         }
 
         /** @inheritDoc */
         override public function get signature():String
         {
-            return boxFitter.signature == null ? null : "capsule of " + boxFitter.signature;
+            return _boxFitter.signature == null ? null : "capsule of " + _boxFitter.signature;
         }
 
         /** @inheritDoc */
-        override protected function findAlong(vertices:Vector.<Number>, center:Vector3D, axis:Vector3D, half:Number):BoundingStructure
+        override public function fitting(session:FitSession):Fit
+        {
+            return fittingAlongBox(session, _boxFitter, findAlong);
+        }
+
+        private static function findAlong(vertices:Vector.<Number>, center:Vector3D, axis:Vector3D, half:Number):BoundingStructure
         {
             var radius:Number = EnclosingStructures.distanceFromLine(vertices, center, axis);
             var least:Number = Math.max(0, half - radius);

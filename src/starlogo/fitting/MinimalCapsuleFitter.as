@@ -17,8 +17,6 @@ package starlogo.fitting
      */
     public final class MinimalCapsuleFitter extends Fitter
     {
-        private var _sphereFitter:Fitter = new MinimalSphereFitter();
-
         /** Creates a fitter of capsules that are close to the smallest. */
         public function MinimalCapsuleFitter()
         {
@@ -28,7 +26,7 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            var search:CapsuleSearch = new CapsuleSearch(session, session.fitOf(_sphereFitter));
+            var search:CapsuleSearch = new CapsuleSearch(session, session.fitOf(new MinimalSphereFitter()));
             return new Fit(session, function(session:FitSession):BoundingStructure
                 {
                     return search.best;

@@ -11,7 +11,7 @@ package starlogo.fitting
      * climbs over the hull from the extreme vertices of the rotation before. It tries the same boxes as the thesis, so the result is the
      * same. The hull of n vertices costs n log n. Each rotation costs one transformation of the hull and some steps.</p>
      */
-    public class OrientedBoxFitter extends Fitter
+    public final class OrientedBoxFitter extends Fitter
     {
         private var _degIncrement:Number;
 
@@ -38,11 +38,7 @@ package starlogo.fitting
 
         public function set degIncrement(value:Number):void
         {
-            if (!(value > 0 && value < Infinity))
-            {
-                throw new ArgumentError("the increment must be a positive number of degrees: " + value);
-            }
-            _degIncrement = value;
+            _degIncrement = RotationSearch.checkedIncrement(value);
         }
 
         /** @inheritDoc */

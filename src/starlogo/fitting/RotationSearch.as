@@ -24,7 +24,6 @@ package starlogo.fitting
      */
     internal final class RotationSearch extends StepSequence
     {
-        private var _session:FitSession;
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
 
@@ -47,10 +46,12 @@ package starlogo.fitting
          */
         public function RotationSearch(session:FitSession, stepXY:Number, stepZ:Number)
         {
-            _session = session;
             _stepXY = stepXY;
             _stepZ = stepZ;
-            call(prepare).repeat(tryNext);
+            call(function():void
+                {
+                    prepare(session.hull);
+                }).repeat(tryNext);
         }
 
         /**
@@ -66,10 +67,24 @@ package starlogo.fitting
             return new Fit(session, search.smallestBox, search);
         }
 
-        private function prepare():void
+        /**
+         * Checks degrees between rotations, and returns them.
+         *
+         * @throws ArgumentError if they are not positive and finite
+         */
+        internal static function checkedIncrement(degrees:Number):Number
         {
-            _hull = _session.hull;
-            _rotated = new Vector.<Number>(_hull.points.length);
+            if (!(degrees > 0 && degrees < Infinity))
+            {
+                throw new ArgumentError("the increment must be a positive number of degrees: " + degrees);
+            }
+            return degrees;
+        }
+
+        private function prepare(hull:ConvexHull):void
+        {
+            _hull = hull;
+            _rotated = new Vector.<Number>(hull.points.length);
             var count:int = Math.ceil(90 / _stepZ);
             for (var i:int = 0; i < count; i++)
             {

@@ -7,8 +7,10 @@ package starlogo.fitting
      * <p>The box is never larger than the axis-aligned box. With the default increment, the sides are at most 9 % longer than the sides
      * of the best box with an axis along z. With an increment of 90 degrees or more, only the axis-aligned box is tried.</p>
      */
-    public final class ZAlignedBoxFitter extends OrientedBoxFitter
+    public final class ZAlignedBoxFitter extends Fitter
     {
+        private var _degIncrement:Number;
+
         /**
          * Creates a fitter that tries all rotations about z by multiples of an increment.
          *
@@ -17,19 +19,34 @@ package starlogo.fitting
          */
         public function ZAlignedBoxFitter(degIncrement:Number = 10)
         {
-            super(degIncrement);
+            this.degIncrement = degIncrement;
+        }
+
+        /**
+         * The increment in degrees, above 0.
+         *
+         * @throws ArgumentError if it is set to a value that is not a positive, finite number
+         */
+        public function get degIncrement():Number
+        {
+            return _degIncrement;
+        }
+
+        public function set degIncrement(value:Number):void
+        {
+            _degIncrement = RotationSearch.checkedIncrement(value);
         }
 
         /** @inheritDoc */
         override public function get signature():String
         {
-            return "z-aligned box " + degIncrement;
+            return "z-aligned box " + _degIncrement;
         }
 
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            return RotationSearch.fitting(session, 90, degIncrement);
+            return RotationSearch.fitting(session, 90, _degIncrement);
         }
     }
 }

@@ -37,7 +37,7 @@ package starlogo.libraries
         public var keepHulls:Boolean = false;
 
         /**
-         * The data of all models. Both libraries of a GreatLand share it.
+         * The data of all models. Both libraries of a GreatLand share it. Read only.
          *
          * @private
          */

@@ -34,19 +34,19 @@ package starlogo.libraries
          */
         public var prepareExact:Boolean = false;
 
-        /**
-         * The data of all models. Both libraries of a GreatLand share it.
-         *
-         * @private
-         */
-        engine var models:ModelTable = new ModelTable();
+        private var _models:ModelTable;
 
         private var _minVerticesToSplit:int = BoxTreeBuilder.MIN_VERTICES_TO_SPLIT;
         private var _maxDepth:int = BoxTreeBuilder.MAX_DEPTH;
 
-        /** Creates a library without models. */
-        public function HierarchiesLibrary()
+        /**
+         * Creates a library without models.
+         *
+         * @param models for the engine alone: the data of all models, which both libraries of a GreatLand share
+         */
+        public function HierarchiesLibrary(models:ModelTable = null)
         {
+            _models = models || new ModelTable();
         }
 
         /**
@@ -104,13 +104,13 @@ package starlogo.libraries
             var tree:ModelTree = new ModelTree(new BoxTree(vertices.concat(), hasTriangles ? triangles.concat() : null));
             beginBuilding(tree);
             tree.finishBuilding();
-            models.entryToWrite(name).setTree(tree);
+            _models.entryToWrite(name).setTree(tree);
         }
 
         /** Whether the library has a hierarchy for a shape. */
         public function has(name:String):Boolean
         {
-            return models.entryOf(name).hasTree;
+            return _models.entryOf(name).hasTree;
         }
 
         /**
@@ -136,7 +136,7 @@ package starlogo.libraries
             {
                 throw ModelTable.missing("hierarchy", name, "loadHierarchies");
             }
-            return models.entryOf(name).builtTree();
+            return _models.entryOf(name).builtTree();
         }
 
         /** @private Begins the work that makes the nodes of a tree, by the settings as they are now. */

@@ -9,6 +9,7 @@ package starlogo.libraries
     import starlogo.fitting.HullFitter;
     import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -27,9 +28,7 @@ package starlogo.libraries
 
         private var _name:String;
         private var _fitters:Vector.<Fitter>;
-        private var _hullFitter:HullFitter;
         private var _session:FitSession;
-        private var _keepsAll:Boolean;
 
         /**
          * @param name the shape's name
@@ -42,7 +41,6 @@ package starlogo.libraries
         public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsAll:Boolean)
         {
             _name = name;
-            _keepsAll = keepsAll;
             if (fitters.length == 0)
             {
                 throw ModelTable.errorOf(name, "the library's list of fitters is empty");
@@ -52,7 +50,6 @@ package starlogo.libraries
                 throw ModelTable.errorOf(name, "a fitter must not be null");
             }
             _fitters = fitters.concat();
-            _hullFitter = hullFitter;
             _session = new FitSession(vertices);
             for each (var fitter:Fitter in _fitters)
             {
@@ -62,7 +59,10 @@ package starlogo.libraries
             {
                 add(_session.fitOf(hullFitter));
             }
-            call(addChecks);
+            begin(checking).call(function():void
+                {
+                    choose(hullFitter, keepsAll);
+                });
         }
 
         /**
@@ -86,20 +86,21 @@ package starlogo.libraries
             return false;
         }
 
-        private function addChecks():void
+        // The steps that check whether what the fitters have found can be used.
+        private function checking():Steps
         {
+            var checks:StepSequence = new StepSequence();
             var vertices:Vector.<Number> = _session.vertices;
             // how far outside of a structure vertices may be
             var tolerance:Number = Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
             for each (var fitter:Fitter in _fitters)
             {
-                addCheck(fitter, _session.structureOf(fitter), tolerance);
+                checks.add(checkingOf(fitter, _session.structureOf(fitter), tolerance));
             }
-            call(choose);
+            return checks;
         }
 
-        // Adds the steps that check whether what a fitter has found can be used.
-        private function addCheck(fitter:Fitter, structure:BoundingStructure, tolerance:Number):void
+        private function checkingOf(fitter:Fitter, structure:BoundingStructure, tolerance:Number):Steps
         {
             if (structure == null || structure.kind > BoundingStructure.BOX)
             {
@@ -108,7 +109,7 @@ package starlogo.libraries
             var vertices:Vector.<Number> = _session.vertices;
             var wider:BoundingStructure = structure.clone();
             wider.widen(tolerance);
-            slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     var outside:int = firstOutside(wider, first, end);
                     if (outside >= 0)
@@ -135,7 +136,7 @@ package starlogo.libraries
             return -1;
         }
 
-        private function choose():void
+        private function choose(hullFitter:HullFitter, keepsAll:Boolean):void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for each (var fitter:Fitter in _fitters)
@@ -143,7 +144,7 @@ package starlogo.libraries
                 found.push(widened(_session.structureOf(fitter)));
             }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(found, _hullFitter == null ? null : widened(_session.structureOf(_hullFitter)), _keepsAll);
+            structures = new ModelStructures(found, hullFitter == null ? null : widened(_session.structureOf(hullFitter)), keepsAll);
         }
 
         /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */

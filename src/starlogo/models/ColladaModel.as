@@ -40,7 +40,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, scaling, new ColladaReader(name, text, upAxis, scaling).readAll());
+            super(name, null, null, scaling, ColladaReader.of(name, text, upAxis, scaling).readAll());
         }
 
         /**

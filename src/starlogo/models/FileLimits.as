@@ -49,7 +49,7 @@ package starlogo.models
         public var modelName:String;
 
         private var _bytes:Number;
-        private var _counts:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _counts:Vector.<Number>;
         private var _cornerTestsLeft:Number;
 
         /**
@@ -60,13 +60,14 @@ package starlogo.models
         {
             this.modelName = modelName;
             _bytes = bytes;
-            _cornerTestsLeft = CORNER_TESTS + TESTS_PER_BYTE * bytes;
+            restart();
         }
 
-        /** The limits for the same bytes. Nothing is counted yet. */
-        public function renewed():FileLimits
+        /** Counts anew, because what the file has is read once more. */
+        public function restart():void
         {
-            return new FileLimits(modelName, _bytes);
+            _counts = new Vector.<Number>(NAMES.length, true);
+            _cornerTestsLeft = CORNER_TESTS + TESTS_PER_BYTE * _bytes;
         }
 
         /** Adds bytes that have come. */

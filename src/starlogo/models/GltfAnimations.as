@@ -93,8 +93,7 @@ package starlogo.models
             {
                 throw new RangeError("the time must be a finite number, not " + time);
             }
-            _file.renewLimits();
-            return new GltfReader(_file, _upAxis, null, found, time).readAll().vertices;
+            return GltfReader.verticesAt(_file, _upAxis, found, time);
         }
 
         private function animationOf(animation:int):GltfAnimation

@@ -4,7 +4,7 @@ package starlogo.models
     import starlogo.steps.finish;
 
     /**
-     * What a model is made of. A ModelReader fills it with what its file says, a Normalisation brings that to the model's place and
+     * What a model is made of. The reader of a format fills it with what the file says, a Normalisation brings that to the model's place and
      * scale, and the Model keeps it.
      *
      * @private
@@ -14,7 +14,7 @@ package starlogo.models
         /** The model's name. */
         public var name:String;
 
-        /** x, y, z of each vertex. Before the Normalisation they are as in the file, turned to z up. */
+        /** x, y, z of each vertex. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
         /** Three vertex indices for each triangle. The Normalisation replaces an empty list by null. */
@@ -32,6 +32,9 @@ package starlogo.models
         /** Turns, scales and moves the model; null for none. */
         public var transform:ModelTransform = null;
 
+        /** The axis that points up in the vertices, before the Normalisation: "x", "y" or "z". With a transform it is "z". */
+        public var upAxis:String = "z";
+
         /** The length of the file's unit in patches, for Model.AS_GIVEN without a transform. */
         public var unit:Number = 1;
 
@@ -43,6 +46,9 @@ package starlogo.models
 
         /** The cooked file with the results for the model; null for none. */
         public var cooked:CookedFile = null;
+
+        /** How much of the file is read, from 0 to 1. */
+        public var readShare:Number = 0;
 
         /** Data without vertices. */
         public function ModelData(name:String)

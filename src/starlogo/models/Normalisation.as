@@ -10,7 +10,7 @@ package starlogo.models
 
     use namespace engine;
 
-    /** The steps that check what a model is made of, and turn, scale and move it as Model says. */
+    /** The steps that check what a model is made of, turn it to z up, and turn, scale and move it as Model says. */
     internal final class Normalisation extends StepSequence
     {
         // Extents in x and y below this fraction of the z extent are rounding errors of the program that placed the vertices.
@@ -44,7 +44,7 @@ package starlogo.models
 
         private function addParts():void
         {
-            begin(measuring);
+            begin(turningToZUp).begin(measuring);
             // data that have a frame are normalised already
             if (_data.frame != null)
             {
@@ -71,6 +71,11 @@ package starlogo.models
                 default:
                     begin(turning).begin(stretching).begin(translating);
             }
+        }
+
+        private function turningToZUp():Steps
+        {
+            return _data.upAxis == "z" ? null : turnToZUp(_data.upAxis).transformingPoints(_data.vertices);
         }
 
         private function measuring():Steps

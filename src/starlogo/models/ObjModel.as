@@ -32,7 +32,7 @@ package starlogo.models
          */
         public function ObjModel(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, scaling, new ObjReader(name, text, upAxis, scaling).readAll());
+            super(name, null, null, scaling, ObjReader.of(name, text, upAxis, scaling).readAll());
         }
 
         /**

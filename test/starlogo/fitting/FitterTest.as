@@ -265,7 +265,6 @@ package starlogo.fitting
                 assertThrows(ArgumentError, /./, finish, new NaiveSphereFitter().fitting(new FitSession(vertices)));
             }
             assertThrows(IllegalOperationError, /fitting/, new Fitter().fit, PointSets.box(1, 1, 1));
-            assertThrows(IllegalOperationError, /findAlong/, new BoxAxisFitter(new AxisAlignedBoxFitter()).fit, PointSets.box(1, 1, 1));
             for each (var increment:Number in [0, -10, NaN, Infinity])
             {
                 assertThrows(ArgumentError, /.{10}/, create, OrientedBoxFitter, increment);

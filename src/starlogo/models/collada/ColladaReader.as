@@ -1,10 +1,12 @@
 package starlogo.models.collada
 {
     import starlogo.models.FileLimits;
+    import starlogo.models.ModelData;
     import starlogo.models.ModelReader;
     import starlogo.models.refuseIf;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
+    import starlogo.models.turnToZUp;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -17,35 +19,52 @@ package starlogo.models.collada
      *
      * @private
      */
-    public final class ColladaReader extends ModelReader
+    public final class ColladaReader extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 3000;
         private static const TRIANGLES_PER_STEP:int = 5000;
 
+        private var _data:ModelData;
+
         /**
+         * @param data takes what is read, turned to z up
+         * @param text the document's text
+         * @param isAxisNamed whether the axis that points up in the data counts, instead of the one that the document names
+         */
+        public function ColladaReader(data:ModelData, text:String, isAxisNamed:Boolean)
+        {
+            _data = data;
+            refuseIf(text == null, data.name, "there is no text to read");
+            var xml:XmlReader = new XmlReader(text, new FileLimits(data.name, text.length));
+            add(xml).begin(function():Steps
+                {
+                    return readingDocument(xml.root, isAxisNamed);
+                });
+        }
+
+        /**
+         * The work that makes a model of a document.
+         *
          * @param name the model's name
          * @param text the document's text
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the document as it is; null for the axis that the document names
          * @param scaling as for Model's constructor
          */
-        public function ColladaReader(name:String, text:String, upAxis:Object, scaling:String)
+        public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelReader
         {
-            super(name, upAxis == null ? "z" : upAxis, scaling);
-            refuseIf(text == null, name, "there is no text to read");
-            var xml:XmlReader = new XmlReader(text, new FileLimits(name, text.length));
-            add(xml).begin(function():Steps
-                {
-                    return readingDocument(xml.root, upAxis != null);
-                }).begin(normalising);
+            var data:ModelData = ModelReader.dataFor(name, upAxis == null ? "z" : upAxis, scaling);
+            return new ModelReader(data, new ColladaReader(data, text, upAxis != null));
         }
 
         private function readingDocument(root:ColladaElement, isAxisNamed:Boolean):Steps
         {
-            refuseIf(root == null, name, "this is not XML: expected a COLLADA document");
+            refuseIf(root == null, _data.name, "this is not XML: expected a COLLADA document");
             root.refuseIf(root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + root.name + ">");
             var asset:ColladaElement = root.child("asset");
-            data.unit = unitOf(asset);
-            var scene:ColladaScene = new ColladaScene(root, turnToZUp(isAxisNamed ? null : upAxisOf(asset)));
+            _data.unit = unitOf(asset);
+            var scene:ColladaScene = new ColladaScene(root, turnToZUp(isAxisNamed ? _data.upAxis : upAxisOf(asset)));
+            // the scene turns its points
+            _data.upAxis = "z";
             return new StepSequence().add(scene).begin(function():Steps
                 {
                     return readingInstances(scene.instances);
@@ -54,26 +73,29 @@ package starlogo.models.collada
 
         private function readingInstances(instances:Vector.<ColladaPlace>):Steps
         {
+            // points without a surface, which are the model's vertices if there are no others
+            var loosePoints:Vector.<Number> = new Vector.<Number>();
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
-                    return new StepSequence().add(instances[index].mesh).begin(function():Steps
+                    var mesh:ColladaMesh = instances[index].mesh;
+                    return new StepSequence().add(mesh).begin(function():Steps
                         {
-                            setReadShare((index + 1) / instances.length);
-                            return placing(instances[index]);
+                            _data.readShare = (index + 1) / instances.length;
+                            return placing(instances[index], mesh.hasSurfaces ? _data.vertices : loosePoints);
                         });
                 }).call(function():void
                 {
-                    takeVertices("a scene or a library with a geometry in it");
+                    _data.vertices = _data.vertices.length == 0 ? loosePoints : _data.vertices;
+                    refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
                 });
         }
 
         // The work that adds a mesh at an instance's place. If the instance's transform mirrors, the triangles' corner order is reversed.
-        private function placing(instance:ColladaPlace):Steps
+        private function placing(instance:ColladaPlace, out:Vector.<Number>):Steps
         {
             var mesh:ColladaMesh = instance.mesh;
-            var out:Vector.<Number> = verticesFor(mesh.hasSurfaces);
             var firstVertex:int = out.length / 3;
-            var firstCorner:int = data.triangles.length;
+            var firstCorner:int = _data.triangles.length;
             var vertexCount:int = mesh.vertices.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
             instance.element.limits.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, instance.element);
@@ -84,7 +106,7 @@ package starlogo.models.collada
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     var areFinite:Boolean = instance.transform.transformPoints(mesh.vertices, first, end, out, firstVertex + first);
-                    refuseIf(!areFinite, name, "its transformed coordinates are too large: they are not finite numbers", instance.element);
+                    refuseIf(!areFinite, _data.name, "its transformed coordinates are too large: they are not finite numbers", instance.element);
                 }).slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                 {
                     addTriangles(mesh.triangles, 3 * first, 3 * end, firstVertex, firstCorner, instance.transform.isMirror);
@@ -97,10 +119,10 @@ package starlogo.models.collada
             var element:ColladaElement = instance.element;
             var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.mesh.geometry);
             element.limits.count(FileLimits.THINGS, instance.mesh.symbols.length, element);
-            data.meshes.beginRun(data.meshes.addName(label), firstTriangle);
+            _data.meshes.beginRun(_data.meshes.addName(label), firstTriangle);
             for (var i:int = 0; i < instance.mesh.symbols.length; i++)
             {
-                data.materials.beginRun(numberOf(instance.mesh.symbols[i], element), firstTriangle + instance.mesh.starts[i]);
+                _data.materials.beginRun(numberOf(instance.mesh.symbols[i], element), firstTriangle + instance.mesh.starts[i]);
             }
         }
 
@@ -113,7 +135,7 @@ package starlogo.models.collada
             }
             var material:ColladaElement = materialOf(symbol, instance);
             // A symbol may be equal to another material's id.
-            return material == null ? data.materials.addKey("symbol " + symbol, symbol) : data.materials.addKey("material " + material.id, nameOf(material));
+            return material == null ? _data.materials.addKey("symbol " + symbol, symbol) : _data.materials.addKey("material " + material.id, nameOf(material));
         }
 
         // The material that an instance of a geometry binds to a symbol; null if it binds none, or one that is not in this file.
@@ -132,7 +154,7 @@ package starlogo.models.collada
 
         private function addTriangles(from:Vector.<uint>, first:int, last:int, firstVertex:int, firstCorner:int, isMirror:Boolean):void
         {
-            var to:Vector.<uint> = data.triangles;
+            var to:Vector.<uint> = _data.triangles;
             var at:int = firstCorner + first;
             var second:int = isMirror ? 2 : 1;
             var third:int = 3 - second;
@@ -161,7 +183,7 @@ package starlogo.models.collada
                 return "y";
             }
             var axis:String = element.splitText().join(" ");
-            refuseIf(!/^[XYZ]_UP$/.test(axis), name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextWords.shorten(axis) + "\"", element);
+            refuseIf(!/^[XYZ]_UP$/.test(axis), _data.name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextWords.shorten(axis) + "\"", element);
             return axis.charAt(0).toLowerCase();
         }
     }

@@ -7,6 +7,7 @@ package starlogo.models.cooked
     import starlogo.engine;
     import starlogo.models.FileLimits;
     import starlogo.models.Model;
+    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
@@ -25,26 +26,40 @@ package starlogo.models.cooked
      *
      * @private
      */
-    public final class CookedReader extends ModelReader
+    public final class CookedReader extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
 
+        private var _data:ModelData;
         private var _bytes:ByteArray;
 
         /**
-         * @param name the model's name
+         * @param data takes what is read
          * @param bytes the bytes of a possible cooked file
          * @param modelKey the model key that the file must have: see <code>CookedFile.MODEL</code>. Null for any
          */
-        public function CookedReader(name:String, bytes:ByteArray, modelKey:Fingerprint = null)
+        public function CookedReader(data:ModelData, bytes:ByteArray, modelKey:Fingerprint)
         {
-            super(name, "z", null);
+            _data = data;
             var file:CookedFile = new CookedFile(bytes);
             add(file).begin(function():Steps
                 {
                     return reading(file, modelKey);
-                }).begin(normalising);
+                });
+        }
+
+        /**
+         * The work that makes a model of a cooked file.
+         *
+         * @param name the model's name
+         * @param bytes as for the constructor
+         * @param modelKey as for the constructor
+         */
+        public static function of(name:String, bytes:ByteArray, modelKey:Fingerprint = null):ModelReader
+        {
+            var data:ModelData = new ModelData(name);
+            return new ModelReader(data, new CookedReader(data, bytes, modelKey));
         }
 
         /** @inheritDoc */
@@ -56,7 +71,7 @@ package starlogo.models.cooked
             }
             catch (error:EOFError)
             {
-                throw new ModelError(name, "", "the cooked file has fewer numbers than it says");
+                throw new ModelError(_data.name, "", "the cooked file has fewer numbers than it says");
             }
             return false;
         }
@@ -64,27 +79,27 @@ package starlogo.models.cooked
         // Reads the head. The work that it returns reads the numbers.
         private function reading(file:CookedFile, modelKey:Fingerprint):Steps
         {
-            refuseIf(file.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
+            refuseIf(file.isOfOtherVersion, _data.name, "the cooked file is of another version of the engine: cook it again");
             _bytes = file.section(CookedFile.MODEL, null);
-            refuseIf(_bytes == null, name, "the cooked file is damaged: cook it again");
-            refuseIf(modelKey != null && !file.isOf(modelKey), name, "the cooked file is for another up axis, transform or scaling");
-            data.cooked = file;
-            data.scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
+            refuseIf(_bytes == null, _data.name, "the cooked file is damaged: cook it again");
+            refuseIf(modelKey != null && !file.isOf(modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
+            _data.cooked = file;
+            _data.scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
             var form:int = readCount(CookedWriter.DOUBLE);
             var hasTransform:Boolean = readCount(1) == 1;
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
-            new FileLimits(name, _bytes.length).requireMesh(vertexCount, triangleCount);
-            data.transform = hasTransform ? readTransform() : null;
+            new FileLimits(_data.name, _bytes.length).requireMesh(vertexCount, triangleCount);
+            _data.transform = hasTransform ? readTransform() : null;
             if (form == CookedWriter.DOUBLE)
             {
-                data.frame = readFrame();
-                refuseIf(data.frame == null, name, "the cooked file does not have the model's place in its source");
+                _data.frame = readFrame();
+                refuseIf(_data.frame == null, _data.name, "the cooked file does not have the model's place in its source");
             }
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
-            refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), name, "the cooked file has fewer bytes than it says");
-            data.vertices.length = 3 * vertexCount;
-            data.triangles.length = 3 * triangleCount;
+            refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), _data.name, "the cooked file has fewer bytes than it says");
+            _data.vertices.length = 3 * vertexCount;
+            _data.triangles.length = 3 * triangleCount;
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     readNumbers(first, end, form);
@@ -96,8 +111,8 @@ package starlogo.models.cooked
         {
             if (_bytes.bytesAvailable > 0)
             {
-                data.materials = readLabels();
-                data.meshes = readLabels();
+                _data.materials = readLabels();
+                _data.meshes = readLabels();
             }
         }
 
@@ -115,9 +130,9 @@ package starlogo.models.cooked
             var start:Number = 0;
             for (i = 0; i < runCount; i++)
             {
-                start = Math.min(start + readCount(int.MAX_VALUE), data.triangles.length / 3);
+                start = Math.min(start + readCount(int.MAX_VALUE), _data.triangles.length / 3);
                 var number:int = VarInt.read(_bytes);
-                refuseIf(number < -1 || nameCount >= 0 && number >= nameCount, name, "the cooked file has a wrong number: " + number);
+                refuseIf(number < -1 || nameCount >= 0 && number >= nameCount, _data.name, "the cooked file has a wrong number: " + number);
                 labels.beginRun(number, start);
             }
             return labels;
@@ -126,7 +141,7 @@ package starlogo.models.cooked
         private function readCount(most:int):int
         {
             var count:int = VarInt.read(_bytes);
-            refuseIf(count < 0 || count > most, name, "the cooked file has a wrong number: " + count);
+            refuseIf(count < 0 || count > most, _data.name, "the cooked file has a wrong number: " + count);
             return count;
         }
 
@@ -138,7 +153,7 @@ package starlogo.models.cooked
             }
             catch (error:RangeError)
             {
-                throw new ModelError(name, "", error.message);
+                throw new ModelError(_data.name, "", error.message);
             }
             return null;
         }
@@ -160,7 +175,7 @@ package starlogo.models.cooked
 
         private function readNumbers(first:int, end:int, form:int):void
         {
-            var all:Vector.<Number> = data.vertices;
+            var all:Vector.<Number> = _data.vertices;
             var divisor:Number = CookedWriter.divisorOf(form);
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
@@ -182,7 +197,7 @@ package starlogo.models.cooked
         private function readCorners(first:int, end:int):void
         {
             var bytes:ByteArray = _bytes;
-            var all:Vector.<uint> = data.triangles;
+            var all:Vector.<uint> = _data.triangles;
             var index:int = first == 0 ? 0 : all[int(first - 1)];
             for (var i:int = first; i < end; i++)
             {

@@ -108,12 +108,6 @@ package starlogo.models.gltf
             return json.count("animations");
         }
 
-        /** Lets the meshes be read once more. What that may cost is counted anew. */
-        public function renewLimits():void
-        {
-            limits = limits.renewed();
-        }
-
         /**
          * An accessor. It is the same for all that use it, so its numbers are read once.
          *

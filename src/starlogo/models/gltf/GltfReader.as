@@ -1,10 +1,14 @@
 package starlogo.models.gltf
 {
     import starlogo.models.FileLimits;
+    import starlogo.models.ModelData;
     import starlogo.models.ModelReader;
     import starlogo.models.VertexFilter;
+    import starlogo.models.refuseIf;
+    import starlogo.models.turnToZUp;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
+    import starlogo.steps.finish;
 
     /**
      * Reads a glTF file. GltfModel says which parts.
@@ -14,30 +18,59 @@ package starlogo.models.gltf
      *
      * @private
      */
-    public final class GltfReader extends ModelReader
+    public final class GltfReader extends StepSequence
     {
+        private var _data:ModelData;
         private var _file:GltfFile;
         private var _scene:GltfScene;
 
+        // Points without a surface. They become the model's vertices if there are no others.
+        private var _loosePoints:Vector.<Number> = new Vector.<Number>();
+
         /**
+         * @param data takes what is read, turned to z up
+         * @param file the file; its steps may be done
+         * @param animation moves the scene; null at rest
+         * @param time the time of the animation, in seconds
+         */
+        public function GltfReader(data:ModelData, file:GltfFile, animation:GltfAnimation = null, time:Number = 0)
+        {
+            _data = data;
+            _file = file;
+            add(file).begin(function():Steps
+                {
+                    _scene = new GltfScene(file, turnToZUp(data.upAxis), animation, time);
+                    // the scene turns its points
+                    data.upAxis = "z";
+                    return _scene;
+                }).begin(readingNodes).begin(droppingUnused);
+        }
+
+        /**
+         * The work that makes a model of a file.
+         *
          * @param file the file; its steps may be done
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor
-         * @param animation moves the scene. The vertices are not normalised then. If it is null, they are read at rest, and normalised
-         * @param time the time of the animation, in seconds
          */
-        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, animation:GltfAnimation = null, time:Number = 0)
+        public static function of(file:GltfFile, upAxis:Object, scaling:String):ModelReader
         {
-            super(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
-            _file = file;
-            add(_file).begin(function():Steps
-                {
-                    return _scene = new GltfScene(_file, turnToZUp(), animation, time);
-                }).begin(readingNodes).begin(droppingUnused);
-            if (animation == null)
-            {
-                begin(normalising);
-            }
+            var data:ModelData = dataFor(file, upAxis, scaling);
+            return new ModelReader(data, new GltfReader(data, file));
+        }
+
+        /** Reads the vertices at a time of an animation, in seconds. They are not normalised. @param upAxis as for of() */
+        public static function verticesAt(file:GltfFile, upAxis:Object, animation:GltfAnimation, time:Number):Vector.<Number>
+        {
+            var data:ModelData = dataFor(file, upAxis, null);
+            file.limits.restart();
+            finish(new GltfReader(data, file, animation, time));
+            return data.vertices;
+        }
+
+        private static function dataFor(file:GltfFile, upAxis:Object, scaling:String):ModelData
+        {
+            return ModelReader.dataFor(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
         }
 
         private function readingNodes():Steps
@@ -45,7 +78,7 @@ package starlogo.models.gltf
             var json:GltfJson = _file.json;
             for (var i:int = 0; i < json.count("materials"); i++)
             {
-                data.materials.addName(json.fileEntry("materials", i).text("name"));
+                _data.materials.addName(json.fileEntry("materials", i).text("name"));
             }
             return new StepSequence().beginEach(_scene.nodes.length, readingNode);
         }
@@ -61,7 +94,7 @@ package starlogo.models.gltf
             var label:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
-            setReadShare(index / _scene.nodes.length);
+            _data.readShare = index / _scene.nodes.length;
             // each primitive may have a target for each weight
             _file.limits.count(FileLimits.THINGS, (1 + weights.length) * (1 + mesh.count("primitives")), mesh.place);
             return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
@@ -87,21 +120,23 @@ package starlogo.models.gltf
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
             var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + primitive.place);
-            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, weights, positions, verticesFor(hasSurface));
+            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, weights, positions,
+                    hasSurface ? _data.vertices : _loosePoints);
             work.add(points);
             if (hasSurface)
             {
-                data.meshes.beginRun(data.meshes.addKey(String(node), label), data.triangles.length / 3);
-                data.materials.beginRun(primitive.reference("material", "materials"), data.triangles.length / 3);
-                work.add(new GltfTriangles(_file, primitive, points, data.triangles));
+                _data.meshes.beginRun(_data.meshes.addKey(String(node), label), _data.triangles.length / 3);
+                _data.materials.beginRun(primitive.reference("material", "materials"), _data.triangles.length / 3);
+                work.add(new GltfTriangles(_file, primitive, points, _data.triangles));
             }
             return work;
         }
 
         private function droppingUnused():Steps
         {
-            takeVertices("a mesh in the scene");
-            return data.triangles.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, new Vector.<uint>(data.vertices.length / 3));
+            _data.vertices = _data.vertices.length == 0 ? _loosePoints : _data.vertices;
+            refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
+            return _data.triangles.length == 0 ? null : new VertexFilter(_data.vertices, _data.triangles, new Vector.<uint>(_data.vertices.length / 3));
         }
     }
 }

@@ -12,12 +12,9 @@ package starlogo.models.gltf
         private static const STRIP:int = 5;
         private static const FAN:int = 6;
 
-        private var _triangles:Vector.<uint>;
         private var _indices:GltfAccessor = null;
         private var _primitive:GltfJson;
-        private var _mode:int;
         private var _vertices:GltfVertices;
-        private var _firstCorner:int;
 
         /**
          * @param file the file
@@ -27,11 +24,8 @@ package starlogo.models.gltf
          */
         public function GltfTriangles(file:GltfFile, primitive:GltfJson, vertices:GltfVertices, triangles:Vector.<uint>)
         {
-            _triangles = triangles;
             _primitive = primitive;
-            _mode = modeOf(primitive);
             _vertices = vertices;
-            _firstCorner = triangles.length;
             var index:int = primitive.reference("indices", "accessors");
             if (index >= 0)
             {
@@ -40,9 +34,13 @@ package starlogo.models.gltf
                 add(_indices);
             }
             var cornerCount:int = _indices == null ? _vertices.count : _indices.count;
-            var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            file.limits.require(FileLimits.TRIANGLES, _firstCorner / 3 + triangleCount, primitive.place);
-            slices(triangleCount, TRIANGLES_PER_STEP, addTriangles);
+            var mode:int = modeOf(primitive);
+            var triangleCount:int = mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
+            file.limits.require(FileLimits.TRIANGLES, triangles.length / 3 + triangleCount, primitive.place);
+            slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
+                {
+                    addTriangles(mode, first, end, triangles);
+                });
         }
 
         /** The mode of a primitive. Points and lines have a mode below TRIANGLES. */
@@ -51,19 +49,18 @@ package starlogo.models.gltf
             return primitive.whole("mode", FAN, TRIANGLES);
         }
 
-        // Triangle n of a list has the corners 3n, 3n+1 and 3n+2. Triangle n of a fan has the corners n+1, n+2 and 0. In a strip, every
-        // second triangle has its corner order reversed.
-        private function addTriangles(first:int, end:int):void
+        // Adds some triangles. Triangle n of a list has the corners 3n, 3n+1 and 3n+2. Triangle n of a fan has the corners n+1, n+2 and 0. In a
+        // strip, every second triangle has its corner order reversed.
+        private function addTriangles(mode:int, first:int, end:int, to:Vector.<uint>):void
         {
-            var to:Vector.<uint> = _triangles;
-            var at:int = _firstCorner + 3 * first;
+            var at:int = to.length;
             var isMirror:Boolean = _vertices.isMirror;
             for (var i:int = first; i < end; i++)
             {
-                var a:int = _mode == TRIANGLES ? 3 * i : (_mode == FAN ? i + 1 : i);
+                var a:int = mode == TRIANGLES ? 3 * i : (mode == FAN ? i + 1 : i);
                 var b:int = a + 1;
-                var c:int = _mode == FAN ? 0 : a + 2;
-                var isReversed:Boolean = isMirror != (_mode == STRIP && (i & 1) == 1);
+                var c:int = mode == FAN ? 0 : a + 2;
+                var isReversed:Boolean = isMirror != (mode == STRIP && (i & 1) == 1);
                 to[at] = cornerAt(a);
                 to[int(at + 1)] = cornerAt(isReversed ? c : b);
                 to[int(at + 2)] = cornerAt(isReversed ? b : c);

@@ -36,13 +36,8 @@ package starlogo.models.loading
             return CookedFile.isCookedFile(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
         }
 
-        // The format of a file. @param bytes the file in a binary form, if there is no text
-        private static function of(bytes:ByteArray, text:String, url:String):String
+        private static function ofText(text:String, url:String):String
         {
-            if (text == null)
-            {
-                return ofBytes(bytes);
-            }
             text = TextWords.withoutByteOrderMark(text);
             if (TAG.test(text.substr(0, 1000)))
             {
@@ -73,18 +68,18 @@ package starlogo.models.loading
          */
         public static function newReader(name:String, bytes:ByteArray, text:String, url:String, upAxis:Object, scaling:String, fetch:Function):ModelReader
         {
-            switch (of(bytes, text, url))
+            switch (text == null ? ofBytes(bytes) : ofText(text, url))
             {
                 case COOKED:
-                    return new CookedReader(name, bytes);
+                    return CookedReader.of(name, bytes);
                 case STL:
-                    return new StlReader(name, bytes, text, upAxis, scaling);
+                    return StlReader.of(name, bytes, text, upAxis, scaling);
                 case COLLADA:
-                    return new ColladaReader(name, text, upAxis as ModelTransform, scaling);
+                    return ColladaReader.of(name, text, upAxis as ModelTransform, scaling);
                 case GLTF:
-                    return new GltfReader(new GltfFile(name, bytes, text, fetch), upAxis as ModelTransform, scaling);
+                    return GltfReader.of(new GltfFile(name, bytes, text, fetch), upAxis as ModelTransform, scaling);
                 default:
-                    return new ObjReader(name, text, upAxis, scaling);
+                    return ObjReader.of(name, text, upAxis, scaling);
             }
         }
     }

@@ -170,7 +170,7 @@ package starlogo.models.loading
             var file:FileDownload = download(address);
             call(function():void
                 {
-                    _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
+                    _maker = CookedReader.of(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
                 }).repeat(readCooked);
         }
 
@@ -231,12 +231,15 @@ package starlogo.models.loading
         // Starts to fetch a file that the model's file names. The maker's next step is done when it has come.
         private function fetchBeside(uri:String, take:Function):void
         {
-            if (!FileAddress.hasFolder(_url))
+            if (FileAddress.hasFolder(_url))
+            {
+                download(FileAddress.folderOf(_url) + uri);
+                _takers.push(take);
+            }
+            else
             {
                 take(null, "it is in another file, and the address of this file is not known: load() fetches both");
             }
-            download(FileAddress.folderOf(_url) + uri);
-            _takers.push(take);
         }
 
         private function stepMaker():Boolean

@@ -1,6 +1,7 @@
 package starlogo.models.obj
 {
     import starlogo.models.FileLimits;
+    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.TriangleLabels;
@@ -10,6 +11,7 @@ package starlogo.models.obj
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
     import starlogo.models.text.TextWords;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -17,8 +19,9 @@ package starlogo.models.obj
      *
      * @private
      */
-    public final class ObjReader extends ModelReader
+    public final class ObjReader extends StepSequence
     {
+        private var _data:ModelData;
         private var _lines:LineReader;
         private var _limits:FileLimits;
 
@@ -31,36 +34,46 @@ package starlogo.models.obj
 
         private var _triangulator:Triangulator;
 
-        // A number for each vertex: 1 if a polygon has it as a corner.
-        private var _isCorner:Vector.<uint>;
-
         // The highest index of a vertex in a face, and its line.
         private var _highestIndex:int = -1;
         private var _highestLine:int;
 
         /**
+         * @param data takes what is read
+         * @param text the text
+         */
+        public function ObjReader(data:ModelData, text:String)
+        {
+            var name:String = data.name;
+            refuseIf(text == null, name, "there is no text to read");
+            refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
+            var tag:Array = text.substr(0, 1000).match(/^\s*(<[^\n\r]*)/);
+            refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && TextWords.shorten(tag[1])) + "\". A ColladaModel reads COLLADA");
+            _data = data;
+            _lines = new LineReader(name, text);
+            _limits = new FileLimits(name, text.length);
+            _triangulator = new Triangulator(_limits, data.vertices, data.triangles);
+            repeat(readSome).call(checkIndices).begin(cutting);
+        }
+
+        /**
+         * The work that makes a model of text.
+         *
          * @param name the model's name
          * @param text the text
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
          * @param scaling as for Model's constructor
          */
-        public function ObjReader(name:String, text:String, upAxis:Object, scaling:String)
+        public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelReader
         {
-            super(name, upAxis, scaling);
-            refuseIf(text == null, name, "there is no text to read");
-            refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
-            var tag:Array = text.substr(0, 1000).match(/^\s*(<[^\n\r]*)/);
-            refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && TextWords.shorten(tag[1])) + "\". A ColladaModel reads COLLADA");
-            _lines = new LineReader(name, text);
-            _limits = new FileLimits(name, text.length);
-            _triangulator = new Triangulator(_limits, data.vertices, data.triangles);
-            repeat(readSome).call(checkIndices).begin(cutting).begin(droppingUnused).begin(turningToZUp).begin(normalising);
+            var data:ModelData = ModelReader.dataFor(name, upAxis, scaling);
+            return new ModelReader(data, new ObjReader(data, text));
         }
 
         private function readSome():Boolean
         {
-            setReadShare(_lines.readStatements(readStatement));
-            _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3 + _polygonTriangles, _lines.place);
+            _data.readShare = _lines.readStatements(readStatement);
+            _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }
 
@@ -68,7 +81,7 @@ package starlogo.models.obj
         {
             if (word == "v")
             {
-                _lines.readPoint(data.vertices, data.vertices.length);
+                _lines.readPoint(_data.vertices, _data.vertices.length);
                 _lines.skipLine();
             }
             else if (word == "f")
@@ -77,11 +90,11 @@ package starlogo.models.obj
             }
             else if (word == "usemtl")
             {
-                readLabel(data.materials);
+                readLabel(_data.materials);
             }
             else if (word == "o" || word == "g")
             {
-                readLabel(data.meshes);
+                readLabel(_data.meshes);
             }
             else
             {
@@ -93,7 +106,7 @@ package starlogo.models.obj
         private function readLabel(labels:TriangleLabels):void
         {
             var label:String = _lines.readRest().join(" ");
-            labels.beginRun(label == "" ? -1 : labels.addKey(label, label), data.triangles.length / 3);
+            labels.beginRun(label == "" ? -1 : labels.addKey(label, label), _data.triangles.length / 3);
         }
 
         private function readFace():void
@@ -105,12 +118,12 @@ package starlogo.models.obj
             }
             if (corners.length == 3)
             {
-                data.triangles.push(corners[0], corners[1], corners[2]);
+                _data.triangles.push(corners[0], corners[1], corners[2]);
             }
             else if (corners.length > 3)
             {
                 _polygons.push(corners);
-                _polygonLabels.push(data.materials.next, data.meshes.next);
+                _polygonLabels.push(_data.materials.next, _data.meshes.next);
                 _polygonTriangles += corners.length - 2;
             }
         }
@@ -123,14 +136,14 @@ package starlogo.models.obj
             var index:int = int(value);
             if (index != value || index == 0)
             {
-                throw new ModelError(name, _lines.place, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
+                throw new ModelError(_data.name, _lines.place, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
                         TextWords.shorten(word) + "\"");
             }
-            index = index > 0 ? index - 1 : data.vertices.length / 3 + index;
+            index = index > 0 ? index - 1 : _data.vertices.length / 3 + index;
             if (index < 0)
             {
-                throw new ModelError(name, _lines.place, "the corner \"" + TextWords.shorten(word) +
-                        "\" counts back beyond the first vertex: there are " + data.vertices.length / 3 + " before it");
+                throw new ModelError(_data.name, _lines.place, "the corner \"" + TextWords.shorten(word) +
+                        "\" counts back beyond the first vertex: there are " + _data.vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)
             {
@@ -142,31 +155,33 @@ package starlogo.models.obj
 
         private function checkIndices():void
         {
-            var vertexCount:int = data.vertices.length / 3;
-            refuseIf(vertexCount == 0, name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
-            refuseIf(_highestIndex >= vertexCount, name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
+            var vertexCount:int = _data.vertices.length / 3;
+            refuseIf(vertexCount == 0, _data.name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
+            refuseIf(_highestIndex >= vertexCount, _data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
         }
 
+        // Cuts all polygons. If there are faces, vertices of no face are removed then.
         private function cutting():Steps
         {
-            _isCorner = new Vector.<uint>(data.vertices.length / 3);
-            return _triangulator.addingEach(_polygons.length, cuttingPolygon);
-        }
-
-        // If there are faces, vertices of no face are removed.
-        private function droppingUnused():Steps
-        {
-            return data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, _isCorner);
+            // a number for each vertex: 1 if a polygon has it as a corner
+            var isCorner:Vector.<uint> = new Vector.<uint>(_data.vertices.length / 3);
+            return new StepSequence().add(_triangulator.addingEach(_polygons.length, function(index:int):Steps
+                    {
+                        return cuttingPolygon(index, isCorner);
+                    })).begin(function():Steps
+                {
+                    return _data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(_data.vertices, _data.triangles, isCorner);
+                });
         }
 
         // Cuts a polygon into triangles, and marks its vertices. Returns the work that is left; null for none.
-        private function cuttingPolygon(index:int):Steps
+        private function cuttingPolygon(index:int, isCorner:Vector.<uint>):Steps
         {
-            data.materials.beginRun(_polygonLabels[2 * index], data.triangles.length / 3);
-            data.meshes.beginRun(_polygonLabels[2 * index + 1], data.triangles.length / 3);
+            _data.materials.beginRun(_polygonLabels[2 * index], _data.triangles.length / 3);
+            _data.meshes.beginRun(_polygonLabels[2 * index + 1], _data.triangles.length / 3);
             for each (var corner:uint in _polygons[index])
             {
-                _isCorner[corner] = 1; // also if the polygon has no triangle
+                isCorner[corner] = 1; // also if the polygon has no triangle
             }
             return _triangulator.addPolygon(_polygons[index]);
         }

@@ -23,7 +23,7 @@ package starlogo.models.polygons
         /**
          * @param rings contains the ring
          * @param start a node of the ring, which must be counter-clockwise
-         * @param bridges joins the holes to the ring
+         * @param bridges joins the holes to the ring first; null if there are none
          * @param triangles takes the triangles
          */
         public function EarClipper(rings:PolygonRings, start:int, bridges:HoleBridges, triangles:Vector.<uint>)
@@ -37,7 +37,7 @@ package starlogo.models.polygons
         /** @inheritDoc */
         public function step():Boolean
         {
-            return _bridges.join() || cut();
+            return _bridges != null && _bridges.join() || cut();
         }
 
         // Cuts until two corners are left, or for one step. Returns whether there is more to cut.

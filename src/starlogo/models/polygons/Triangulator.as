@@ -116,7 +116,7 @@ package starlogo.models.polygons
                     nodes.push(rings.addLoop(hole, false));
                 }
             }
-            var clipper:EarClipper = new EarClipper(rings, start, new HoleBridges(rings, start, nodes), triangles);
+            var clipper:EarClipper = new EarClipper(rings, start, nodes.length == 0 ? null : new HoleBridges(rings, start, nodes), triangles);
             return clipper.step() ? clipper : null;
         }
 

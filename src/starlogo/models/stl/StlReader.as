@@ -4,18 +4,20 @@ package starlogo.models.stl
     import flash.utils.Endian;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.FileLimits;
+    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.refuseIf;
     import starlogo.models.text.FileText;
     import starlogo.models.text.LineReader;
+    import starlogo.steps.StepSequence;
 
     /**
      * Reads an STL file, binary or text. StlModel says which parts.
      *
      * @private
      */
-    public final class StlReader extends ModelReader
+    public final class StlReader extends StepSequence
     {
         private static const HEADER_LENGTH:int = 84;
         private static const COUNT_PLACE:int = 80;
@@ -23,6 +25,7 @@ package starlogo.models.stl
         private static const NORMAL_LENGTH:int = 12;
         private static const FACETS_PER_STEP:int = 300;
 
+        private var _data:ModelData;
         private var _limits:FileLimits;
         private var _points:PointTable;
 
@@ -33,39 +36,52 @@ package starlogo.models.stl
         private var _corners:int = 0;
 
         /**
-         * @param name the model's name
+         * @param data takes what is read
          * @param bytes a binary file, or the bytes of the text; their endianness is set; null if there is only text
          * @param text the text; null to use the bytes
-         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
-         * @param scaling as for Model's constructor
          */
-        public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String)
+        public function StlReader(data:ModelData, bytes:ByteArray, text:String)
         {
-            super(name, upAxis, scaling);
+            _data = data;
             if (text == null && bytes != null && isBinary(bytes))
             {
                 addBinary(bytes);
             }
             else
             {
-                addText(text == null ? FileText.decode(name, bytes, "STL") : text);
+                addText(text == null ? FileText.decode(data.name, bytes, "STL") : text);
             }
             data.vertices = _points.coordinates;
-            call(checkEnd).begin(turningToZUp).begin(normalising);
+            call(checkEnd);
+        }
+
+        /**
+         * The work that makes a model of a file.
+         *
+         * @param name the model's name
+         * @param bytes as for the constructor
+         * @param text as for the constructor
+         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
+         * @param scaling as for Model's constructor
+         */
+        public static function of(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String):ModelReader
+        {
+            var data:ModelData = ModelReader.dataFor(name, upAxis, scaling);
+            return new ModelReader(data, new StlReader(data, bytes, text));
         }
 
         private function addText(text:String):void
         {
-            _limits = new FileLimits(name, text.length);
+            _limits = new FileLimits(_data.name, text.length);
             _points = new PointTable(Math.min(text.length / 20, FileLimits.MOST_VERTICES));
-            _lines = new LineReader(name, text);
+            _lines = new LineReader(_data.name, text);
             repeat(readSome);
         }
 
         private function addBinary(bytes:ByteArray):void
         {
-            FileText.checkSize(name, bytes);
-            _limits = new FileLimits(name, bytes.length);
+            FileText.checkSize(_data.name, bytes);
+            _limits = new FileLimits(_data.name, bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);
             _limits.require(FileLimits.TRIANGLES, count);
@@ -73,8 +89,8 @@ package starlogo.models.stl
             slices(count, FACETS_PER_STEP, function(first:int, end:int):void
                 {
                     readFacets(bytes, first, end);
-                    _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3, "triangle " + end);
-                    setReadShare(end / Math.max(1, count));
+                    _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
+                    _data.readShare = end / Math.max(1, count);
                 });
         }
 
@@ -111,9 +127,9 @@ package starlogo.models.stl
                     var z:Number = bytes.readFloat();
                     if (x - x + y - y + z - z != 0)
                     {
-                        throw new ModelError(name, "triangle " + i, "expected three finite numbers for a vertex, but found " + x + ", " + y + ", " + z);
+                        throw new ModelError(_data.name, "triangle " + i, "expected three finite numbers for a vertex, but found " + x + ", " + y + ", " + z);
                     }
-                    data.triangles.push(_points.add(x, y, z));
+                    _data.triangles.push(_points.add(x, y, z));
                 }
                 at += FACET_LENGTH;
             }
@@ -121,8 +137,8 @@ package starlogo.models.stl
 
         private function readSome():Boolean
         {
-            setReadShare(_lines.readStatements(readStatement));
-            _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3, _lines.place);
+            _data.readShare = _lines.readStatements(readStatement);
+            _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }
 
@@ -137,11 +153,11 @@ package starlogo.models.stl
                     readVertex();
                     break;
                 case "endloop":
-                    refuseIf(_corners != 3, name, "expected a facet of three vertices, but found " + _corners, _lines.place);
+                    refuseIf(_corners != 3, _data.name, "expected a facet of three vertices, but found " + _corners, _lines.place);
                     _corners = 0;
                     break;
                 case "outer":
-                    refuseIf(_corners != 0, name, "a loop begins before the last one has ended", _lines.place);
+                    refuseIf(_corners != 0, _data.name, "a loop begins before the last one has ended", _lines.place);
             }
         }
 
@@ -150,17 +166,17 @@ package starlogo.models.stl
             var point:Vector.<Number> = new Vector.<Number>(3, true);
             if (_corners == 3)
             {
-                throw new ModelError(name, _lines.place, "a facet has more than three vertices");
+                throw new ModelError(_data.name, _lines.place, "a facet has more than three vertices");
             }
             _lines.readPoint(point, 0);
-            data.triangles.push(_points.add(point[0], point[1], point[2]));
+            _data.triangles.push(_points.add(point[0], point[1], point[2]));
             _corners++;
         }
 
         private function checkEnd():void
         {
-            refuseIf(_corners != 0, name, "the file is cut off: a facet has no end", _lines == null ? "" : _lines.place);
-            takeVertices("facets");
+            refuseIf(_corners != 0, _data.name, "the file is cut off: a facet has no end", _lines == null ? "" : _lines.place);
+            refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected facets");
         }
     }
 }

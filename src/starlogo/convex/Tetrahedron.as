@@ -8,8 +8,8 @@ package starlogo.convex
          *
          * @param simplex has four corners; the last one is the newest
          * @param isApart whether it is known that the origin is outside
-         * @param out the nearest point of the first three corners. Its distance becomes 0 if the origin is inside. It becomes that of the nearest point if
-         *     it is found, otherwise it stays Infinity
+         * @param out the nearest point of the first three corners, with a squared distance of Infinity. Receives the nearest one of all four corners, or the
+         *     origin with its shares. The squared distance stays Infinity if rounding hides which part is nearest
          * @return whether the origin is inside
          */
         public static function find(simplex:Simplex, isApart:Boolean, out:NearestPoint):Boolean

@@ -77,19 +77,19 @@ package starlogo.convex
             _before = found;
             end = 0;
             // the first is farthest from another one
-            var first:int = farthestFrom(0, foundEnd);
-            var last:int = farthestFrom(first, foundEnd);
+            var first:int = farthestFrom(0, found, foundEnd);
+            var last:int = farthestFrom(first, found, foundEnd);
             add(found, first);
             if (first == last)
             {
                 return;
             }
-            if (areOnLine(first, last, foundEnd))
+            if (areOnLine(first, last, found, foundEnd))
             {
                 add(found, last);
                 return;
             }
-            for (var at:int = nextOf(first, foundEnd, contact); at != first && end < foundEnd; at = nextOf(at, foundEnd, contact))
+            for (var at:int = nextOf(first, found, foundEnd, contact); at != first && end < foundEnd; at = nextOf(at, found, foundEnd, contact))
             {
                 add(found, at);
             }
@@ -124,9 +124,8 @@ package starlogo.convex
         }
 
         // Whether all corners are as near to the line through two of them as rounding.
-        private function areOnLine(first:int, last:int, foundEnd:int):Boolean
+        private function areOnLine(first:int, last:int, found:Vector.<Number>, foundEnd:int):Boolean
         {
-            var found:Vector.<Number> = _before;
             var x:Number = found[last] - found[first];
             var y:Number = found[int(last + 1)] - found[int(first + 1)];
             var z:Number = found[int(last + 2)] - found[int(first + 2)];
@@ -147,9 +146,8 @@ package starlogo.convex
             return true;
         }
 
-        private function farthestFrom(corner:int, foundEnd:int):int
+        private static function farthestFrom(corner:int, found:Vector.<Number>, foundEnd:int):int
         {
-            var found:Vector.<Number> = _before;
             var best:int = corner;
             var most:Number = 0;
             for (var i:int = 0; i < foundEnd; i += 3)
@@ -168,9 +166,8 @@ package starlogo.convex
         }
 
         // Returns the corner after which all others are on the left.
-        private function nextOf(at:int, foundEnd:int, contact:ContactPoint):int
+        private function nextOf(at:int, found:Vector.<Number>, foundEnd:int, contact:ContactPoint):int
         {
-            var found:Vector.<Number> = _before;
             var best:int = at;
             var x:Number = 0;
             var y:Number = 0;

@@ -35,13 +35,13 @@ package starlogo.convex
                 measure(cores, motion, step > 0);
                 if (isTouch(cores))
                 {
-                    if (lastTouch <= 1 || motion.time == 0 || _witness.distance <= cores.first.radius + cores.second.radius)
+                    if (lastTouch != RelativeMotion.NEVER || motion.time == 0 || _witness.distance <= cores.first.radius + cores.second.radius)
                     {
                         return;
                     }
                     lastTouch = motion.time;
                 }
-                else if (lastTouch <= 1)
+                else if (lastTouch != RelativeMotion.NEVER)
                 {
                     break;
                 }
@@ -52,7 +52,7 @@ package starlogo.convex
                 advance(cores, motion);
             }
             // The step after a touch has led out of it, or there is none in time. If all steps are used up, the time is that of the last one.
-            if (lastTouch <= 1 || !(motion.time <= motion.latest))
+            if (lastTouch != RelativeMotion.NEVER || !(motion.time <= motion.latest))
             {
                 motion.time = lastTouch;
             }

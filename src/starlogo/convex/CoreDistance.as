@@ -19,9 +19,6 @@ package starlogo.convex
 
         private var _simplex:Simplex = new Simplex();
 
-        // The least squared distance of all steps.
-        private var _least:Number = 0;
-
         /** Finds the closest points. */
         public function find(cores:CorePair, out:CoreWitness):void
         {
@@ -67,27 +64,34 @@ package starlogo.convex
         // Searches from the simplex on. If it is empty, only the direction is set.
         private function search(cores:CorePair, out:CoreWitness):void
         {
-            _least = Infinity;
+            var nearest:NearestPoint = _simplex.nearest;
+            // the least squared distance of all steps
+            var least:Number = Infinity;
             out.separation = -Infinity;
             if (_simplex.count > 0)
             {
-                keepNearest(cores, out);
+                least = nearest.squaredDistance;
+                writeNearest(cores, out);
             }
             var stalls:int = 0;
             while (stalls < MOST_STALLS && addSupport(cores, out))
             {
-                var rounding:Number = _simplex.nearest.rounding;
-                var origin:int = _simplex.reduce(_simplex.count - 1, out.separation > rounding);
-                if (origin == NearestPoint.LOST)
+                var origin:int = _simplex.reduce(_simplex.count - 1, out.separation > _simplex.rounding);
+                if (origin == Simplex.LOST)
                 {
                     // no step can come nearer
                     return;
                 }
-                if (!keepNearest(cores, out))
+                if (nearest.squaredDistance < least)
+                {
+                    least = nearest.squaredDistance;
+                    writeNearest(cores, out);
+                }
+                else
                 {
                     stalls++;
                 }
-                if (origin == NearestPoint.INSIDE || _least <= rounding * rounding)
+                if (origin == Simplex.INSIDE || least <= _simplex.rounding * _simplex.rounding)
                 {
                     return;
                 }
@@ -126,7 +130,7 @@ package starlogo.convex
             }
             // The simplex is in the plane through its nearest point. No corner is beyond that plane if this one is not.
             var w:Vector.<Number> = _simplex.corners;
-            if (_simplex.count > 0 && separation >= x * w[0] + y * w[1] + z * w[2] - _simplex.nearest.rounding)
+            if (_simplex.count > 0 && separation >= x * w[0] + y * w[1] + z * w[2] - _simplex.rounding)
             {
                 return false;
             }
@@ -141,27 +145,21 @@ package starlogo.convex
                 && gap > -cores.timeLeft * (witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
         }
 
-        // Keeps the simplex's nearest point as the result if it is nearer than all before. Returns whether it is. The vector between the points gets the
-        // point's direction, which is the more precise one.
-        private function keepNearest(cores:CorePair, out:CoreWitness):Boolean
+        // Writes the gap between the points that the simplex's nearest point is the difference of. The gap gets the direction to that point, which is
+        // more precise.
+        private function writeNearest(cores:CorePair, out:CoreWitness):void
         {
             var nearest:NearestPoint = _simplex.nearest;
-            if (!(nearest.squaredDistance < _least))
-            {
-                return false;
-            }
-            _least = nearest.squaredDistance;
-            out.distance = Math.sqrt(_least);
             var direction:Vector3D = nearest.direction;
             var squared:Number = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
             // of a vector as short as rounding nothing may be left across an edge
-            var factor:Number = squared > 0 ? Math.sqrt(_least / squared) : 0;
+            var factor:Number = squared > 0 ? Math.sqrt(nearest.squaredDistance / squared) : 0;
             var gap:CoreGap = out.gap;
             gap.x = factor > 0 ? factor * direction.x : nearest.x;
             gap.y = factor > 0 ? factor * direction.y : nearest.y;
             gap.z = factor > 0 ? factor * direction.z : nearest.z;
+            out.distance = Math.sqrt(nearest.squaredDistance);
             _simplex.writePoint(cores, gap);
-            return true;
         }
     }
 }

@@ -25,7 +25,7 @@ package starlogo.convex
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
 
-        // The axis to try, of any length. How far the set of all differences of a point of the first core and a point of the second extends along it, and
+        // An axis to try, of any length. How far the set of all differences of a point of the first core and a point of the second extends along it, and
         // how far the second core does.
         private var _axis:Vector3D = new Vector3D();
         private var _differences:Interval = new Interval();
@@ -55,7 +55,7 @@ package starlogo.convex
         public function tryGap(cores:CorePair, gap:CoreGap, out:CoreWitness):void
         {
             _axis.setTo(gap.x, gap.y, gap.z);
-            tryAxis(cores, out);
+            tryAxis(_axis, cores, out);
         }
 
         private function tryFaces(shape:ConvexShape, cores:CorePair, out:CoreWitness):void
@@ -73,23 +73,22 @@ package starlogo.convex
                 var vx:Number = p[k] - p[i];
                 var vy:Number = p[int(k + 1)] - p[int(i + 1)];
                 var vz:Number = p[int(k + 2)] - p[int(i + 2)];
-                setAxisAcross(ux, uy, uz, vx, vy, vz);
-                tryAxis(cores, out);
+                findAcross(ux, uy, uz, vx, vy, vz, _axis);
+                tryAxis(_axis, cores, out);
             }
         }
 
-        // Sets the axis to the one across two vectors, or to 0 if they are parallel. Then a face has no area, and two edges have no
-        // common perpendicular.
-        private function setAxisAcross(ux:Number, uy:Number, uz:Number, vx:Number, vy:Number, vz:Number):void
+        // Finds the axis across two vectors. It is 0 if they are parallel: then a face has no area, and two edges have no common perpendicular.
+        private static function findAcross(ux:Number, uy:Number, uz:Number, vx:Number, vy:Number, vz:Number, out:Vector3D):void
         {
             var x:Number = uy * vz - uz * vy;
             var y:Number = uz * vx - ux * vz;
             var z:Number = ux * vy - uy * vx;
             var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
             var isParallel:Boolean = !(x * x + y * y + z * z > least);
-            _axis.x = isParallel ? 0 : x;
-            _axis.y = isParallel ? 0 : y;
-            _axis.z = isParallel ? 0 : z;
+            out.x = isParallel ? 0 : x;
+            out.y = isParallel ? 0 : y;
+            out.z = isParallel ? 0 : z;
         }
 
         private function tryEdges(cores:CorePair, out:CoreWitness):void
@@ -151,14 +150,14 @@ package starlogo.convex
             var vx:Number = v[k];
             var vy:Number = v[int(k + 1)];
             var vz:Number = v[int(k + 2)];
-            setAxisAcross(ux, uy, uz, vx, vy, vz);
+            var axis:Vector3D = _axis;
+            findAcross(ux, uy, uz, vx, vy, vz, axis);
             // The displacement is at least as long as that of the two edges alone. If that is too long, nothing has to be projected. The faces beside the
             // edges say on which side of them the cores are; bare edges do not.
             var side:Number = vx * (u[3] + u[6]) + vy * (u[4] + u[7]) + vz * (u[5] + u[8])
                 + ux * (v[int(k + 3)] + v[int(k + 6)]) + uy * (v[int(k + 4)] + v[int(k + 7)]) + uz * (v[int(k + 5)] + v[int(k + 8)]);
             if (side != 0)
             {
-                var axis:Vector3D = _axis;
                 var least:Number = axis.x * (v[int(k + 9)] - u[9] - cores.x) + axis.y * (v[int(k + 10)] - u[10] - cores.y)
                     + axis.z * (v[int(k + 11)] - u[11] - cores.z);
                 least = side < 0 ? -least : least;
@@ -167,7 +166,7 @@ package starlogo.convex
                     return;
                 }
             }
-            tryAxis(cores, out);
+            tryAxis(axis, cores, out);
         }
 
         // Reads all edges of the second core. Returns how many numbers they are.
@@ -217,47 +216,48 @@ package starlogo.convex
         // Tries the axis across two points or parallel segments that points upwards as far as possible, for a.
         private function tryUpwards(cores:CorePair, out:CoreWitness):void
         {
-            _axis.setTo(0, 0, 0);
-            setAxisToSegment(cores.second);
-            setAxisToSegment(cores.first);
-            setAxisUpwards();
-            _axis.scaleBy(cores.isSwapped ? -1 : 1);
-            projectDifferences(cores);
+            var axis:Vector3D = _axis;
+            axis.setTo(0, 0, 0);
+            findSegment(cores.second, axis);
+            findSegment(cores.first, axis);
+            turnUpwards(axis);
+            axis.scaleBy(cores.isSwapped ? -1 : 1);
+            projectDifferences(axis, cores, _differences);
             // rounding hides on which side they are
             var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
             var side:int = isDown ? -1 : 1;
-            out.setAxis(side * _axis.x, side * _axis.y, side * _axis.z, isDown ? -_differences.greatest : _differences.least);
+            out.setAxis(side * axis.x, side * axis.y, side * axis.z, isDown ? -_differences.greatest : _differences.least);
         }
 
-        // Replaces the axis by a unit vector perpendicular to it that points upwards as far as possible. If the axis is vertical, up to
+        // Replaces an axis by a unit vector perpendicular to it that points upwards as far as possible. If the axis is vertical, up to
         // Tolerances.UPRIGHT, the vector is along x. If it is 0, the vector is along z.
-        private function setAxisUpwards():void
+        private static function turnUpwards(axis:Vector3D):void
         {
-            var x:Number = _axis.x;
-            var y:Number = _axis.y;
-            var z:Number = _axis.z;
+            var x:Number = axis.x;
+            var y:Number = axis.y;
+            var z:Number = axis.z;
             var squared:Number = x * x + y * y + z * z;
             if (!(squared > 0))
             {
-                _axis.setTo(0, 0, 1);
+                axis.setTo(0, 0, 1);
                 return;
             }
             if (x * x + y * y > Tolerances.UPRIGHT * squared)
             {
-                _axis.setTo(-x * z / squared, -y * z / squared, 1 - z * z / squared);
+                axis.setTo(-x * z / squared, -y * z / squared, 1 - z * z / squared);
             }
             else
             {
-                _axis.setTo(1 - x * x / squared, -x * y / squared, -x * z / squared);
+                axis.setTo(1 - x * x / squared, -x * y / squared, -x * z / squared);
             }
-            var length:Number = Math.sqrt(_axis.x * _axis.x + _axis.y * _axis.y + _axis.z * _axis.z);
-            _axis.x /= length;
-            _axis.y /= length;
-            _axis.z /= length;
+            var length:Number = Math.sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
+            axis.x /= length;
+            axis.y /= length;
+            axis.z /= length;
         }
 
-        // Sets the axis to the vector from the first point of a core to the farthest other one, unless all are in one place.
-        private function setAxisToSegment(shape:ConvexShape):void
+        // Finds the vector from the first point of a core to the farthest other one. Nothing is written if all are in one place.
+        private static function findSegment(shape:ConvexShape, out:Vector3D):void
         {
             var p:Vector.<Number> = shape.points;
             var most:Number = 0;
@@ -270,22 +270,21 @@ package starlogo.convex
                 if (squared > most)
                 {
                     most = squared;
-                    _axis.setTo(x, y, z);
+                    out.setTo(x, y, z);
                 }
             }
         }
 
-        // Tries a displacement along the axis, and the one against it. The axis gets a length of 1 unless both are too long. If it is 0,
+        // Tries a displacement along an axis, and the one against it. The axis gets a length of 1 unless both are too long. If it is 0,
         // there is nothing to try.
-        private function tryAxis(cores:CorePair, out:CoreWitness):void
+        private function tryAxis(axis:Vector3D, cores:CorePair, out:CoreWitness):void
         {
-            var axis:Vector3D = _axis;
             var squared:Number = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
             if (!(squared > 0))
             {
                 return;
             }
-            projectDifferences(cores);
+            projectDifferences(axis, cores, _differences);
             // how long the two displacements are, times the axis's length
             var forth:Number = -_differences.least;
             var back:Number = _differences.greatest;
@@ -315,16 +314,14 @@ package starlogo.convex
             }
         }
 
-        // Finds how far the differences of the cores' points extend along the axis. The cores are apart if 0 is not between.
-        private function projectDifferences(cores:CorePair):void
+        // Finds how far the differences of the cores' points extend along an axis. The cores are apart if 0 is not between.
+        private function projectDifferences(axis:Vector3D, cores:CorePair, out:Interval):void
         {
-            var differences:Interval = _differences;
-            var axis:Vector3D = _axis;
-            cores.first.project(axis, differences);
+            cores.first.project(axis, out);
             cores.second.project(axis, _ofSecond);
             var from:Number = axis.x * cores.x + axis.y * cores.y + axis.z * cores.z;
-            differences.least = differences.least - _ofSecond.greatest + from;
-            differences.greatest = differences.greatest - _ofSecond.least + from;
+            out.least = out.least - _ofSecond.greatest + from;
+            out.greatest = out.greatest - _ofSecond.least + from;
         }
     }
 }

@@ -1,30 +1,39 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * The simplex of CoreDistance: a point, segment, triangle or tetrahedron of differences of two cores' points. Its fields are read only.
      */
     internal final class Simplex
     {
+        /** The origin is inside of the simplex. */
+        public static const INSIDE:int = 0;
+
+        /** The origin is outside, and the nearest point is found. */
+        public static const OUTSIDE:int = 1;
+
+        /** Rounding hides which part of the simplex is nearest, so there is no nearest point. */
+        public static const LOST:int = 2;
+
         /** How many corners there are, and their coordinates. */
         public var count:int = 0;
         public var corners:Vector.<Number> = new Vector.<Number>(12, true);
 
-        /** The simplex's point nearest to the origin. */
-        public var nearest:NearestPoint;
+        /** The rounding error of a corner. */
+        public var rounding:Number = 0;
+
+        /** The point nearest to the origin. */
+        public var nearest:NearestPoint = new NearestPoint();
 
         // For each corner, the points of both cores that it is the difference of.
         private var _ofFirst:Vector.<int> = new Vector.<int>(4, true);
         private var _ofSecond:Vector.<int> = new Vector.<int>(4, true);
 
-        public function Simplex()
-        {
-            nearest = new NearestPoint(corners);
-        }
-
         /** Begins without corners. */
         public function begin(cores:CorePair):void
         {
-            nearest.begin(cores);
+            rounding = Tolerances.CORE_POINTS * (cores.first.extent + cores.second.extent + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
             count = 0;
         }
 
@@ -63,20 +72,35 @@ package starlogo.convex
          *
          * @param newest the corner that was added last: the point includes it. -1 if any part may be the nearest
          * @param isApart whether it is known that the cores are apart
-         * @return where the origin is: see NearestPoint. If it is LOST, the last corner is dropped
+         * @return INSIDE, OUTSIDE or LOST. If it is LOST, the last corner is dropped
          */
         public function reduce(newest:int, isApart:Boolean):int
         {
-            var origin:int = nearest.find(count, newest, isApart);
-            if (origin == NearestPoint.LOST)
+            nearest.squaredDistance = Infinity;
+            switch (count)
+            {
+                case 1:
+                    SimplexPart.tryCorner(corners, 0, nearest);
+                    break;
+                case 2:
+                    SimplexPart.tryEdge(corners, 0, 1, newest, nearest);
+                    break;
+                case 3:
+                    SimplexPart.tryTriangle(corners, 0, 1, 2, newest, nearest);
+                    break;
+                default:
+                    if (Tetrahedron.find(this, isApart, nearest))
+                    {
+                        return INSIDE;
+                    }
+            }
+            if (nearest.squaredDistance == Infinity)
             {
                 count--;
+                return LOST;
             }
-            else if (origin == NearestPoint.OUTSIDE)
-            {
-                dropCorners();
-            }
-            return origin;
+            dropCorners();
+            return OUTSIDE;
         }
 
         /** Writes the point of the first core that the nearest point is made of, where the core is stored. */

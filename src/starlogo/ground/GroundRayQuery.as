@@ -7,6 +7,7 @@ package starlogo.ground
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.ShearedRay;
+    import starlogo.intersection.ray.TriangleCrossing;
 
     use namespace engine;
 
@@ -23,6 +24,7 @@ package starlogo.ground
         private var _search:GroundSearch = new GroundSearch();
         private var _triangles:GroundTriangles = new GroundTriangles();
         private var _sheared:ShearedRay = new ShearedRay();
+        private var _first:TriangleCrossing = new TriangleCrossing();
 
         // Bounds of all heights, and a size that no triangle between them has.
         private var _whole:HeightRange = new HeightRange();
@@ -48,15 +50,16 @@ package starlogo.ground
                 return true;
             }
             begin(grid, ray);
+            _first.slot = -1;
             while (nextTriangle())
             {
-                if (_sheared.findFirst(_triangles.triangle.corners, 0, 1))
+                if (_sheared.findFirst(_triangles.triangle.corners, 0, 1, _first))
                 {
-                    _search.motion.latest = _sheared.first.distance;
-                    _sheared.writeEntry(_triangles.triangle.corners, _sheared.first, -1, out);
+                    _search.motion.latest = _first.distance;
+                    _sheared.writeEntry(_triangles.triangle.corners, _first, -1, out);
                 }
             }
-            return _sheared.first.slot >= 0;
+            return _first.slot >= 0;
         }
 
         /**

@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.ShearedRay;
+    import starlogo.intersection.ray.TriangleCrossing;
 
     use namespace engine;
 
@@ -17,6 +18,7 @@ package starlogo.solid
         private var _search:BoxSearch = new BoxSearch();
         private var _mesh:TriangleMesh;
         private var _ray:ShearedRay = new ShearedRay();
+        private var _first:TriangleCrossing = new TriangleCrossing();
 
         /**
          * Finds where a ray first meets a triangle.
@@ -30,24 +32,24 @@ package starlogo.solid
         {
             _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
+            _first.slot = -1;
             limit = ray.to;
             _search.setRay(ray);
             _search.find(model.boxTree, BoxTree.EXACT, this);
-            var slot:int = _ray.first.slot;
-            if (slot < 0)
+            if (_first.slot < 0)
             {
                 return false;
             }
-            _ray.writeEntry(_mesh.corners, _ray.first, model.boxTree.items[slot], out);
+            _ray.writeEntry(_mesh.corners, _first, model.boxTree.items[_first.slot], out);
             return true;
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            if (_ray.findFirst(_mesh.corners, tree.first[node], tree.end[node]))
+            if (_ray.findFirst(_mesh.corners, tree.first[node], tree.end[node], _first))
             {
-                limit = _ray.first.distance;
+                limit = _first.distance;
             }
         }
     }

@@ -5,6 +5,8 @@ package starlogo.geometry.hull
     /**
      * A triangle of the hull that QuickHull is building: its corners counter-clockwise seen from outside, its neighbours, its plane, and
      * the list of points beyond that plane that QuickHull has not processed yet. Coordinates are those of QuickHull's grid.
+     *
+     * <p>QuickHull writes the neighbours and says which faces are buried or visited. OutsidePoints writes the lists. All else is read only.</p>
      */
     internal final class HullFace
     {

@@ -24,9 +24,10 @@ package starlogo.geometry.hull
         // a dummy face.
         private var _pending:Vector.<HullFace> = new Vector.<HullFace>(LEVELS, true);
 
-        // The current redistribution: the lists, the next list, the next point on the list before it or -1, and the point that is left out.
-        private var _lists:Vector.<HullFace> = null;
-        private var _nextList:int;
+        // The current redistribution: the faces whose lists it takes, or null if there is none, and the index of the next one; the next point on the
+        // list of the one before, or -1; and the point that is left out.
+        private var _from:Vector.<HullFace> = null;
+        private var _nextFrom:int;
         private var _point:int;
         private var _except:int;
 
@@ -102,19 +103,19 @@ package starlogo.geometry.hull
         /** Whether lists are being redistributed. */
         public function get isRedistributing():Boolean
         {
-            return _lists != null;
+            return _from != null;
         }
 
         /**
          * Begins to redistribute the lists of faces to other faces. The arguments are kept until that is done.
          *
-         * @param faces the faces whose lists are redistributed
+         * @param from the faces whose lists are redistributed
          * @param except a point to leave out
          */
-        public function redistribute(faces:Vector.<HullFace>, except:int):void
+        public function redistribute(from:Vector.<HullFace>, except:int):void
         {
-            _lists = faces;
-            _nextList = 0;
+            _from = from;
+            _nextFrom = 0;
             _point = -1;
             _except = except;
         }
@@ -122,11 +123,11 @@ package starlogo.geometry.hull
         /**
          * Continues the redistribution.
          *
-         * @param faces the faces that receive the points
+         * @param to the faces that receive the points
          * @param most the largest number of points to take
          * @return the number of points taken
          */
-        public function redistributeSome(faces:Vector.<HullFace>, most:int):int
+        public function redistributeSome(to:Vector.<HullFace>, most:int):int
         {
             var count:int = 0;
             var point:int = _point;
@@ -137,19 +138,19 @@ package starlogo.geometry.hull
                     var next:int = _next[point];
                     if (point != _except)
                     {
-                        assign(point, faces);
+                        assign(point, to);
                     }
                     count++;
                     point = next;
                 }
-                else if (_nextList < _lists.length)
+                else if (_nextFrom < _from.length)
                 {
-                    point = _lists[_nextList++].firstOutside;
+                    point = _from[_nextFrom++].firstOutside;
                 }
                 else
                 {
-                    _lists = null;
-                    addPending(faces);
+                    _from = null;
+                    addPending(to);
                     break;
                 }
             }

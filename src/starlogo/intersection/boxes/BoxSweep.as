@@ -36,9 +36,10 @@ package starlogo.intersection.boxes
          */
         public static function areTouching(a:Box, b:Box):Boolean
         {
-            STANDING.setBoxes(a, b, RelativeMotion.NONE);
-            STANDING.findTime(STANDING._boxes);
-            return STANDING._boxes.time == 0;
+            var pair:BoxPair = STANDING._boxes;
+            setPair(a, b, RelativeMotion.NONE, pair);
+            STANDING.findTime(pair);
+            return pair.time == 0;
         }
 
         /**
@@ -48,7 +49,7 @@ package starlogo.intersection.boxes
          */
         public function findTimeOfBoxes(a:Box, b:Box, motion:RelativeMotion):void
         {
-            setBoxes(a, b, motion);
+            setPair(a, b, motion, _boxes);
             findTime(_boxes);
             motion.time = _boxes.time;
         }
@@ -56,11 +57,8 @@ package starlogo.intersection.boxes
         /** Sets the pair's time to the first at which the boxes touch. It is NEVER if it is after the latest time. */
         public function findTime(pair:BoxPair):void
         {
-            findTimeOfFaces(pair);
-            if (pair.time != RelativeMotion.NEVER)
-            {
-                addEdges(pair);
-            }
+            _times.begin(pair.latest);
+            writeTime(narrowByFaces(pair, _times) && narrowByEdges(pair, _times), _times, pair);
         }
 
         /**
@@ -69,11 +67,21 @@ package starlogo.intersection.boxes
          */
         public function findTimeOfFaces(pair:BoxPair):void
         {
-            pair.time = RelativeMotion.NEVER;
-            var times:ContactInterval = _times;
+            _times.begin(pair.latest);
+            writeTime(narrowByFaces(pair, _times), _times, pair);
+        }
+
+        // Sets the pair's time to when the boxes first touch, if they do.
+        private static function writeTime(areTouching:Boolean, times:ContactInterval, pair:BoxPair):void
+        {
+            pair.time = areTouching ? (times.touch < times.last ? times.touch : times.last) : RelativeMotion.NEVER;
+        }
+
+        // Narrows an interval by the faces of both. Returns whether anything is left.
+        private function narrowByFaces(pair:BoxPair, times:ContactInterval):Boolean
+        {
             var b:BoxAxes = pair.axes;
             var along:AxisMotion = _along;
-            times.begin(pair.latest);
             along.margin = pair.margin;
             var fromX:Number = pair.x;
             var fromY:Number = pair.y;
@@ -86,49 +94,45 @@ package starlogo.intersection.boxes
             along.halfExtents = pair.aX + halfX * b.abs00 + halfY * b.abs01 + halfZ * b.abs02;
             if (!times.narrow(along))
             {
-                return;
+                return false;
             }
             along.offset = fromY;
             along.travel = pair.motionY;
             along.halfExtents = pair.aY + halfX * b.abs10 + halfY * b.abs11 + halfZ * b.abs12;
             if (!times.narrow(along))
             {
-                return;
+                return false;
             }
             along.offset = fromZ;
             along.travel = pair.motionZ;
             along.halfExtents = pair.aZ + halfX * b.abs20 + halfY * b.abs21 + halfZ * b.abs22;
             if (!times.narrow(along))
             {
-                return;
+                return false;
             }
             along.offset = fromX * b.m00 + fromY * b.m10 + fromZ * b.m20;
             along.travel = b.m00 * pair.motionX + b.m10 * pair.motionY + b.m20 * pair.motionZ;
             along.halfExtents = halfX + pair.aX * b.abs00 + pair.aY * b.abs10 + pair.aZ * b.abs20;
             if (!times.narrow(along))
             {
-                return;
+                return false;
             }
             along.offset = fromX * b.m01 + fromY * b.m11 + fromZ * b.m21;
             along.travel = b.m01 * pair.motionX + b.m11 * pair.motionY + b.m21 * pair.motionZ;
             along.halfExtents = halfY + pair.aX * b.abs01 + pair.aY * b.abs11 + pair.aZ * b.abs21;
             if (!times.narrow(along))
             {
-                return;
+                return false;
             }
             along.offset = fromX * b.m02 + fromY * b.m12 + fromZ * b.m22;
             along.travel = b.m02 * pair.motionX + b.m12 * pair.motionY + b.m22 * pair.motionZ;
             along.halfExtents = halfZ + pair.aX * b.abs02 + pair.aY * b.abs12 + pair.aZ * b.abs22;
-            if (times.narrow(along))
-            {
-                pair.time = times.touch < times.last ? times.touch : times.last;
-            }
+            return times.narrow(along);
         }
 
         // Sets the pair of two boxes. While a moves, b moves in the opposite direction as seen from a.
-        private function setBoxes(a:Box, b:Box, motion:RelativeMotion):void
+        private static function setPair(a:Box, b:Box, motion:RelativeMotion, pair:BoxPair):void
         {
-            var pair:BoxPair = _boxes;
             var moveX:Number = motion.x;
             var moveY:Number = motion.y;
             var moveZ:Number = motion.z;
@@ -155,9 +159,10 @@ package starlogo.intersection.boxes
             pair.latest = motion.latest;
         }
 
-        // Goes on from the faces to the edges. The boxes are projected in full on the cross product of an edge of each. So even a short cross product
-        // of nearly parallel edges is an axis like any other. The test uses no identity between axes, because rounding would break it.
-        private function addEdges(pair:BoxPair):void
+        // Narrows an interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of
+        // each. So even a short cross product of nearly parallel edges is an axis like any other. The test uses no identity between axes, because
+        // rounding would break it.
+        private function narrowByEdges(pair:BoxPair, times:ContactInterval):Boolean
         {
             var b:BoxAxes = pair.axes;
             var edges:Vector.<Number> = _edges;
@@ -177,15 +182,13 @@ package starlogo.intersection.boxes
                 halves[int(i + 3)] = pair.bY * edges[int(i + 3)];
                 halves[int(i + 6)] = pair.bZ * edges[int(i + 6)];
             }
-            var areTouching:Boolean = narrowAcross(pair, 0, 3, 6) && narrowAcross(pair, 3, 6, 0) && narrowAcross(pair, 6, 0, 3);
-            pair.time = areTouching ? (_times.touch < _times.last ? _times.touch : _times.last) : RelativeMotion.NEVER;
+            return narrowAcross(pair, 0, 3, 6, times) && narrowAcross(pair, 3, 6, 0, times) && narrowAcross(pair, 6, 0, 3, times);
         }
 
-        // Narrows the interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is
+        // Narrows an interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is
         // left.
-        private function narrowAcross(pair:BoxPair, p:int, q:int, r:int):Boolean
+        private function narrowAcross(pair:BoxPair, p:int, q:int, r:int, times:ContactInterval):Boolean
         {
-            var times:ContactInterval = _times;
             var along:AxisMotion = _along;
             var halves:Vector.<Number> = _halves;
             var pX:Number = _edges[p];

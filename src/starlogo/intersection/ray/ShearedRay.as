@@ -43,10 +43,7 @@ package starlogo.intersection.ray
         private var _margin:Number = 0;
         private var _sliver:Number = 0;
 
-        /** The first crossing that findFirst() has found since the ray was set. Read only. */
-        public var first:TriangleCrossing = new TriangleCrossing();
-
-        // The last crossing that was found, and the same with the triangle's normal.
+        // The crossing that is tried, and the same with the triangle's normal.
         private var _crossing:TriangleCrossing = new TriangleCrossing();
         private var _entry:RayEntry = new RayEntry();
         private var _plane:TrianglePlane = new TrianglePlane();
@@ -60,7 +57,6 @@ package starlogo.intersection.ray
         public function setTo(ray:Ray, radius:Number):void
         {
             _ray = ray;
-            first.slot = -1;
             var absX:Number = Math.abs(ray.directionX);
             var absY:Number = Math.abs(ray.directionY);
             var absZ:Number = Math.abs(ray.directionZ);
@@ -92,23 +88,22 @@ package starlogo.intersection.ray
         }
 
         /**
-         * Finds the first of some triangles that the ray meets, if it comes before the first crossing so far.
+         * Finds the first of some triangles that the ray meets, if it comes before the first one so far.
          *
          * @param corners nine numbers for each triangle
          * @param from the first triangle's slot
          * @param end the slot after the last one
-         * @return whether there is one
+         * @param first the first crossing so far; receives an earlier one
+         * @return whether there is an earlier one
          */
-        public function findFirst(corners:Vector.<Number>, from:int, end:int):Boolean
+        public function findFirst(corners:Vector.<Number>, from:int, end:int, first:TriangleCrossing):Boolean
         {
             var isFound:Boolean = false;
-            for (var slot:int = next(corners, from, end); slot >= 0; slot = next(corners, slot + 1, end))
+            for (var slot:int = next(corners, from, end, _crossing); slot >= 0; slot = next(corners, slot + 1, end, _crossing))
             {
-                if (isBeforeFirst(_crossing))
+                if (isBefore(_crossing, first))
                 {
-                    var before:TriangleCrossing = first;
-                    first = _crossing;
-                    _crossing = before;
+                    first.copyFrom(_crossing);
                     isFound = true;
                 }
             }
@@ -126,7 +121,7 @@ package starlogo.intersection.ray
          */
         public function addAll(corners:Vector.<Number>, from:int, end:int, items:Vector.<int>, out:RayCrossings):void
         {
-            for (var slot:int = next(corners, from, end); slot >= 0; slot = next(corners, slot + 1, end))
+            for (var slot:int = next(corners, from, end, _crossing); slot >= 0; slot = next(corners, slot + 1, end, _crossing))
             {
                 if (_crossing.distance <= _ray.to)
                 {
@@ -157,7 +152,7 @@ package starlogo.intersection.ray
 
         // Whether a crossing comes before the first one so far, and not after the ray's end. A triangle that is seen edge on has to be a rounding
         // error nearer, and another one may be a rounding error behind it.
-        private function isBeforeFirst(crossing:TriangleCrossing):Boolean
+        private function isBefore(crossing:TriangleCrossing, first:TriangleCrossing):Boolean
         {
             if (first.slot < 0)
             {
@@ -169,8 +164,8 @@ package starlogo.intersection.ray
         }
 
         // Finds the next triangle that the line meets where the ray begins or later. It shears the corners as seen from the line, finds the sides on which
-        // the ray passes the edges, and finds where the ray crosses the plane. Sets _crossing, and returns the slot, or -1 if there is none.
-        private function next(corners:Vector.<Number>, from:int, end:int):int
+        // the ray passes the edges, and finds where the ray crosses the plane. Returns the slot, or -1 if there is none.
+        private function next(corners:Vector.<Number>, from:int, end:int, out:TriangleCrossing):int
         {
             var u:int = _u;
             var v:int = _v;
@@ -209,23 +204,23 @@ package starlogo.intersection.ray
                 var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
                 if (Math.abs(sum) <= EDGE_ON * _margin * width)
                 {
-                    passEdges(corners, 9 * slot);
+                    passEdges(corners, 9 * slot, out);
                 }
                 else
                 {
                     var depth:Number = Math.abs(_stretch) * (Math.abs(aW - bW) + Math.abs(bW - cW));
-                    crossPlane(_stretch * (sideA * aW + sideB * bW + sideC * cW) / sum, width * depth, sum);
+                    crossPlane(_stretch * (sideA * aW + sideB * bW + sideC * cW) / sum, width * depth, sum, out);
                 }
                 // NaN is skipped too
-                if (!(_crossing.distance >= _ray.from))
+                if (!(out.distance >= _ray.from))
                 {
                     continue;
                 }
                 var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
                 if (isInside || isOver(aU, aV, bU, bV, sideC, sum) && isOver(bU, bV, cU, cV, sideA, sum) && isOver(cU, cV, aU, aV, sideB, sum)
-                        && isInExtents(corners, 9 * slot))
+                        && isInExtents(out, corners, 9 * slot))
                 {
-                    _crossing.slot = slot;
+                    out.slot = slot;
                     return slot;
                 }
             }
@@ -234,30 +229,29 @@ package starlogo.intersection.ray
 
         // Sets the crossing to the place where the line crosses a triangle's plane. The ray may pass a gap beside the place that is tested. On a steep
         // triangle, which is deep for its area, the place is then farther off along the ray.
-        private function crossPlane(distance:Number, spread:Number, sum:Number):void
+        private function crossPlane(distance:Number, spread:Number, sum:Number, out:TriangleCrossing):void
         {
-            _crossing.distance = _crossing.end = distance;
-            _crossing.slack = Tolerances.ROUNDING * Math.abs(distance) + 4 * _margin * (1 + spread / Math.abs(sum));
-            _crossing.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
+            out.distance = out.end = distance;
+            out.slack = Tolerances.ROUNDING * Math.abs(distance) + 4 * _margin * (1 + spread / Math.abs(sum));
+            out.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
         }
 
         // Sets the crossing to the places where the ray first and last passes the edges of a triangle that it sees edge on. The distance is NaN if no
         // edge is near, or none after the ray's beginning.
-        private function passEdges(corners:Vector.<Number>, at:int):void
+        private function passEdges(corners:Vector.<Number>, at:int, out:TriangleCrossing):void
         {
-            var crossing:TriangleCrossing = _crossing;
-            crossing.distance = Infinity;
-            crossing.end = -Infinity;
-            passEdge(corners, at, at + 3);
-            passEdge(corners, at + 3, at + 6);
-            passEdge(corners, at + 6, at);
-            crossing.distance = crossing.end >= _ray.from ? Math.max(crossing.distance, _ray.from) : NaN;
-            crossing.slack = Tolerances.ROUNDING * Math.abs(crossing.distance) + 4 * EDGE_ON * _margin;
-            crossing.end = Math.max(crossing.end, crossing.distance) + crossing.slack;
-            crossing.side = RayCrossings.EDGE_ON;
+            out.distance = Infinity;
+            out.end = -Infinity;
+            passEdge(corners, at, at + 3, out);
+            passEdge(corners, at + 3, at + 6, out);
+            passEdge(corners, at + 6, at, out);
+            out.distance = out.end >= _ray.from ? Math.max(out.distance, _ray.from) : NaN;
+            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + 4 * EDGE_ON * _margin;
+            out.end = Math.max(out.end, out.distance) + out.slack;
+            out.side = RayCrossings.EDGE_ON;
         }
 
-        private function passEdge(corners:Vector.<Number>, from:int, to:int):void
+        private function passEdge(corners:Vector.<Number>, from:int, to:int, out:TriangleCrossing):void
         {
             var fromW:Number = corners[from + _w] - _originW;
             var fromU:Number = corners[from + _u] - _originU - _shearU * fromW;
@@ -272,8 +266,8 @@ package starlogo.intersection.ray
             if (fromU * fromU + fromV * fromV <= 9 * EDGE_ON * EDGE_ON * _margin * _margin)
             {
                 var place:Number = _stretch * (fromW + share * (toW - fromW));
-                _crossing.distance = Math.min(_crossing.distance, place);
-                _crossing.end = Math.max(_crossing.end, place);
+                out.distance = Math.min(out.distance, place);
+                out.end = Math.max(out.end, place);
             }
         }
 
@@ -285,10 +279,10 @@ package starlogo.intersection.ray
             return side == 0 || side > 0 == sum > 0 || side * side <= _margin * _margin * (toU * toU + toV * toV);
         }
 
-        // Whether the place of the crossing is within a triangle's extents, enlarged by the gap.
-        private function isInExtents(corners:Vector.<Number>, at:int):Boolean
+        // Whether the place of a crossing is within a triangle's extents, enlarged by the gap.
+        private function isInExtents(crossing:TriangleCrossing, corners:Vector.<Number>, at:int):Boolean
         {
-            var distance:Number = _crossing.distance;
+            var distance:Number = crossing.distance;
             return isBetween(_ray.x + distance * _ray.directionX, corners, at)
                 && isBetween(_ray.y + distance * _ray.directionY, corners, at + 1)
                 && isBetween(_ray.z + distance * _ray.directionZ, corners, at + 2);

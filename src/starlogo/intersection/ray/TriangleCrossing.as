@@ -1,7 +1,7 @@
 package starlogo.intersection.ray
 {
     /**
-     * Where a ray meets a triangle, as a record of ShearedRay.
+     * Where a ray meets a triangle, as a record. ShearedRay finds it.
      *
      * @private
      */
@@ -21,5 +21,15 @@ package starlogo.intersection.ray
 
         /** RayCrossings.ENTERS, LEAVES or EDGE_ON. */
         public var side:int = 0;
+
+        /** Becomes the same as another crossing. */
+        public function copyFrom(other:TriangleCrossing):void
+        {
+            slot = other.slot;
+            distance = other.distance;
+            slack = other.slack;
+            end = other.end;
+            side = other.side;
+        }
     }
 }

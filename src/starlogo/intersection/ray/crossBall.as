@@ -3,8 +3,7 @@ package starlogo.intersection.ray
     import flash.geom.Vector3D;
 
     /**
-     * Finds where a ray's line enters a ball, or where it leaves the ball. The distance of the centre is computed perpendicular to the line, so that
-     * no digits cancel.
+     * Finds where a ray's line enters a ball, or where it leaves the ball.
      *
      * @param side -1 for where the line enters, 1 for where it leaves
      * @param out receives the distance
@@ -17,11 +16,7 @@ package starlogo.intersection.ray
         var x:Number = center.x - ray.x;
         var y:Number = center.y - ray.y;
         var z:Number = center.z - ray.z;
-        var closest:Number = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
-        x -= closest * ray.directionX;
-        y -= closest * ray.directionY;
-        z -= closest * ray.directionZ;
-        var halfSquared:Number = radius * radius - (x * x + y * y + z * z);
+        include "lineThroughBall.inc";
         if (!(halfSquared >= 0))
         {
             return false;

@@ -16,16 +16,16 @@ package starlogo.intersection.ray
     {
         var center:Vector3D = sphere.center;
         var radius:Number = sphere.radius * ray.touchingFactor;
-        if (!crossBall(ray, center, radius, -1, out))
+        var x:Number = center.x - ray.x;
+        var y:Number = center.y - ray.y;
+        var z:Number = center.z - ray.z;
+        include "lineThroughBall.inc";
+        if (!(halfSquared >= 0))
         {
             return false;
         }
-        var near:Number = out.distance;
-        // a ray that does not begin before it enters begins inside of the sphere or beyond it
-        if (!(near > ray.from) && !(crossBall(ray, center, radius, 1, out) && ray.from <= out.distance))
-        {
-            return false;
-        }
+        var half:Number = Math.sqrt(halfSquared);
+        var near:Number = closest - half;
         out.begin(ray);
         if (near > ray.from)
         {
@@ -34,6 +34,11 @@ package starlogo.intersection.ray
             {
                 out.setOutwards(ray.x + near * ray.directionX - center.x, ray.y + near * ray.directionY - center.y, ray.z + near * ray.directionZ - center.z);
             }
+        }
+        else if (!(ray.from <= closest + half))
+        {
+            // it begins beyond the sphere
+            return false;
         }
         return out.distance <= ray.to;
     }

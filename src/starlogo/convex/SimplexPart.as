@@ -1,0 +1,198 @@
+package starlogo.convex
+{
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Finds the point of a simplex that is nearest to the origin, a part at a time: a corner, an edge or a triangle. A part is tried together with the
+     * smaller parts that it is made of.
+     *
+     * <p>In a triangle the point is located along the longest edge first and then across it. The direction to it is the triangle's own normal where
+     * that is more precise than the vector to the point. So needles and tiny distances lose no digits.</p>
+     *
+     * <p>All methods take the corners w of the simplex, x, y, z of each, and the indices i, j, k of some. <code>newest</code> is the corner that was added last: no
+     * part without it is tried, because the simplex before was nearer than that. It is -1 if all parts are. <code>out</code> has the nearest point so
+     * far, and receives a nearer one.</p>
+     */
+    internal final class SimplexPart
+    {
+        /** Tries a corner. */
+        public static function tryCorner(w:Vector.<Number>, i:int, out:NearestPoint):void
+        {
+            var at:int = 3 * i;
+            var toX:Number = w[at];
+            var toY:Number = w[int(at + 1)];
+            var toZ:Number = w[int(at + 2)];
+            var squared:Number = toX * toX + toY * toY + toZ * toZ;
+            if (squared < out.squaredDistance)
+            {
+                out.squaredDistance = squared;
+                out.clearShares();
+                out.shares[i] = 1;
+                out.x = out.direction.x = toX;
+                out.y = out.direction.y = toY;
+                out.z = out.direction.z = toZ;
+            }
+        }
+
+        /** Tries the edge between two corners. */
+        public static function tryEdge(w:Vector.<Number>, i:int, j:int, newest:int, out:NearestPoint):void
+        {
+            var from:int = 3 * i;
+            var to:int = 3 * j;
+            var toX:Number = w[from];
+            var toY:Number = w[int(from + 1)];
+            var toZ:Number = w[int(from + 2)];
+            var ux:Number = w[to] - toX;
+            var uy:Number = w[int(to + 1)] - toY;
+            var uz:Number = w[int(to + 2)] - toZ;
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            var along:Number = -(toX * ux + toY * uy + toZ * uz);
+            if (!(along > 0) || along >= uu)
+            {
+                var end:int = along > 0 ? j : i;
+                if (newest < 0 || newest == end)
+                {
+                    tryCorner(w, end, out);
+                }
+                return;
+            }
+            var share:Number = along / uu;
+            toX += share * ux;
+            toY += share * uy;
+            toZ += share * uz;
+            var squared:Number = toX * toX + toY * toY + toZ * toZ;
+            if (squared < out.squaredDistance)
+            {
+                out.squaredDistance = squared;
+                out.clearShares();
+                out.shares[i] = 1 - share;
+                out.shares[j] = share;
+                out.x = toX;
+                out.y = toY;
+                out.z = toZ;
+                setDirectionAcross(w, from, to, out);
+            }
+        }
+
+        // Sets the direction to the point, but perpendicular to an edge. A short vector to the point is not quite perpendicular.
+        private static function setDirectionAcross(w:Vector.<Number>, from:int, to:int, out:NearestPoint):void
+        {
+            var ux:Number = w[to] - w[from];
+            var uy:Number = w[int(to + 1)] - w[int(from + 1)];
+            var uz:Number = w[int(to + 2)] - w[int(from + 2)];
+            var off:Number = (out.x * ux + out.y * uy + out.z * uz) / (ux * ux + uy * uy + uz * uz);
+            out.direction.x = out.x - off * ux;
+            out.direction.y = out.y - off * uy;
+            out.direction.z = out.z - off * uz;
+        }
+
+        /** Tries the triangle of three corners. Its longest edge becomes the base. */
+        public static function tryTriangle(w:Vector.<Number>, i:int, j:int, k:int, newest:int, out:NearestPoint):void
+        {
+            if (!isLonger(w, i, j, j, k) && !isLonger(w, k, i, j, k))
+            {
+                tryTriangleOnBase(w, j, k, i, newest, out);
+            }
+            else if (isLonger(w, k, i, i, j))
+            {
+                tryTriangleOnBase(w, k, i, j, newest, out);
+            }
+            else
+            {
+                tryTriangleOnBase(w, i, j, k, newest, out);
+            }
+        }
+
+        // Tries a triangle on its base, the longest edge, which goes from i to j. If the origin is not over its inside, tries its edges.
+        private static function tryTriangleOnBase(w:Vector.<Number>, i:int, j:int, k:int, newest:int, out:NearestPoint):void
+        {
+            var from:int = 3 * i;
+            var to:int = 3 * j;
+            var apex:int = 3 * k;
+            var toX:Number = w[from];
+            var toY:Number = w[int(from + 1)];
+            var toZ:Number = w[int(from + 2)];
+            var ux:Number = w[to] - toX;
+            var uy:Number = w[int(to + 1)] - toY;
+            var uz:Number = w[int(to + 2)] - toZ;
+            var hx:Number = w[apex] - toX;
+            var hy:Number = w[int(apex + 1)] - toY;
+            var hz:Number = w[int(apex + 2)] - toZ;
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            // the height, from its foot on the base
+            var foot:Number = (hx * ux + hy * uy + hz * uz) / uu;
+            hx -= foot * ux;
+            hy -= foot * uy;
+            hz -= foot * uz;
+            var hh:Number = hx * hx + hy * hy + hz * hz;
+            var along:Number = -(toX * ux + toY * uy + toZ * uz) / uu;
+            toX += along * ux;
+            toY += along * uy;
+            toZ += along * uz;
+            var up:Number = -(toX * hx + toY * hy + toZ * hz) / hh;
+            var low:Number = along - foot * up;
+            if (!(hh > Tolerances.NARROW_TRIANGLE * uu && up > 0 && low > 0 && low < 1 - up))
+            {
+                tryEdges(w, i, j, k, newest, out);
+                return;
+            }
+            toX += up * hx;
+            toY += up * hy;
+            toZ += up * hz;
+            var squared:Number = toX * toX + toY * toY + toZ * toZ;
+            if (squared < out.squaredDistance)
+            {
+                out.squaredDistance = squared;
+                out.clearShares();
+                out.shares[i] = 1 - up - low;
+                out.shares[j] = low;
+                out.shares[k] = up;
+                out.x = toX;
+                out.y = toY;
+                out.z = toZ;
+                if (squared < hh)
+                {
+                    // the triangle's normal is more precise than the vector
+                    var normalX:Number = uy * hz - uz * hy;
+                    var normalY:Number = uz * hx - ux * hz;
+                    var normalZ:Number = ux * hy - uy * hx;
+                    var side:int = normalX * toX + normalY * toY + normalZ * toZ < 0 ? -1 : 1;
+                    out.direction.x = side * normalX;
+                    out.direction.y = side * normalY;
+                    out.direction.z = side * normalZ;
+                    return;
+                }
+                setDirectionAcross(w, from, to, out);
+            }
+        }
+
+        // Tries a triangle's edges, but not the one without the newest corner.
+        private static function tryEdges(w:Vector.<Number>, i:int, j:int, k:int, newest:int, out:NearestPoint):void
+        {
+            if (newest != k)
+            {
+                tryEdge(w, i, j, newest, out);
+            }
+            if (newest != i)
+            {
+                tryEdge(w, j, k, newest, out);
+            }
+            if (newest != j)
+            {
+                tryEdge(w, k, i, newest, out);
+            }
+        }
+
+        // Whether the edge from i to j is longer than the edge from k to l. It compares two, because V8 makes objects for squares that are returned.
+        private static function isLonger(w:Vector.<Number>, i:int, j:int, k:int, l:int):Boolean
+        {
+            var ijX:Number = w[int(3 * j)] - w[int(3 * i)];
+            var ijY:Number = w[int(3 * j + 1)] - w[int(3 * i + 1)];
+            var ijZ:Number = w[int(3 * j + 2)] - w[int(3 * i + 2)];
+            var klX:Number = w[int(3 * l)] - w[int(3 * k)];
+            var klY:Number = w[int(3 * l + 1)] - w[int(3 * k + 1)];
+            var klZ:Number = w[int(3 * l + 2)] - w[int(3 * k + 2)];
+            return ijX * ijX + ijY * ijY + ijZ * ijZ > klX * klX + klY * klY + klZ * klZ;
+        }
+    }
+}

@@ -15,6 +15,9 @@ package starlogo.broadphase
         internal var byIndex:Vector.<BinLevel> = new <BinLevel>[null];
         internal var byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
 
+        // The number of buckets of all levels, with the copies of first ones.
+        internal var bucketCount:int = 0;
+
         /**
          * Finds the level for a row's extents and its distance from the world's origin.
          *
@@ -50,6 +53,52 @@ package starlogo.broadphase
         public function get maxDistanceSquared():Number
         {
             return byWidth.length == 0 ? Infinity : byWidth[byWidth.length - 1].maxDistanceSquared;
+        }
+
+        /**
+         * Counts the members of each level in a search of the bins, and gives each level with members its buckets.
+         *
+         * @param indices by row: the index of its level
+         * @param members the rows
+         * @param count the number of rows to use, from the beginning
+         */
+        internal function layOut(indices:Vector.<int>, members:Vector.<int>, count:int):void
+        {
+            countMembers(indices, members, count);
+            bucketCount = 0;
+            for (var i:int = 0; i < byWidth.length; i++)
+            {
+                var level:BinLevel = byWidth[i];
+                if (level.count > 0)
+                {
+                    bucketCount = level.takeBuckets(bucketCount);
+                }
+                else
+                {
+                    level.dropBuckets();
+                }
+            }
+        }
+
+        // Counts the members of each level.
+        private function countMembers(indices:Vector.<int>, members:Vector.<int>, count:int):void
+        {
+            var all:Vector.<BinLevel> = byIndex;
+            if (all.length == 2)
+            {
+                all[1].count = count;
+                return;
+            }
+            for (var i:int = 1; i < all.length; i++)
+            {
+                all[i].count = 0;
+            }
+            // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
+            // the optimised method in every frame.
+            for (i = 0; i < count; i++)
+            {
+                all[indices[members[i]]].count++;
+            }
         }
 
         // The smallest power of two that is at least this large, and not less than LEAST_WIDTH.

@@ -43,22 +43,11 @@ package starlogo.broadphase
         {
             _extents = extents;
             this.count = count;
-            var end:int = 0;
-            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            if (_levels.bucketCount > _heads.length)
             {
-                var level:BinLevel = _levels.byWidth[i];
-                if (level.count == 0)
-                {
-                    level.dropBuckets();
-                    continue;
-                }
-                end = level.endBucket;
+                _heads.length = _levels.bucketCount;
             }
-            if (end > _heads.length)
-            {
-                _heads.length = end;
-            }
-            for (i = 0; i < end; i++)
+            for (var i:int = 0; i < _levels.bucketCount; i++)
             {
                 _heads[i] = NONE;
             }
@@ -67,7 +56,7 @@ package starlogo.broadphase
             for (i = 0; i < count; i++)
             {
                 var row:int = rows[i];
-                level = _levels.byIndex[extents.level[row]];
+                var level:BinLevel = _levels.byIndex[extents.level[row]];
                 enter(row, level, level.bucketAt(extents.x[row], extents.y[row]));
             }
         }

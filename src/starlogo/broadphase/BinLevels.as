@@ -1,5 +1,7 @@
 package starlogo.broadphase
 {
+    import starlogo.data.IntList;
+
     /**
      * The levels of cells that extents have needed so far: one for each width.
      *
@@ -59,12 +61,11 @@ package starlogo.broadphase
          * Counts the members of each level in a search of the bins, and gives each level with members its buckets.
          *
          * @param indices by row: the index of its level
-         * @param members the rows
-         * @param count the number of rows to use, from the beginning
+         * @param members the rows of the members
          */
-        internal function layOut(indices:Vector.<int>, members:Vector.<int>, count:int):void
+        internal function layOut(indices:Vector.<int>, members:IntList):void
         {
-            countMembers(indices, members, count);
+            countMembers(indices, members);
             bucketCount = 0;
             for (var i:int = 0; i < byWidth.length; i++)
             {
@@ -81,12 +82,14 @@ package starlogo.broadphase
         }
 
         // Counts the members of each level.
-        private function countMembers(indices:Vector.<int>, members:Vector.<int>, count:int):void
+        private function countMembers(indices:Vector.<int>, members:IntList):void
         {
+            var rows:Vector.<int> = members.numbers;
+            var end:int = members.count;
             var all:Vector.<BinLevel> = byIndex;
             if (all.length == 2)
             {
-                all[1].count = count;
+                all[1].count = end;
                 return;
             }
             for (var i:int = 1; i < all.length; i++)
@@ -95,9 +98,9 @@ package starlogo.broadphase
             }
             // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
             // the optimised method in every frame.
-            for (i = 0; i < count; i++)
+            for (i = 0; i < end; i++)
             {
-                all[indices[members[i]]].count++;
+                all[indices[rows[i]]].count++;
             }
         }
 

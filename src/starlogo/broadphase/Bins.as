@@ -3,6 +3,8 @@
 // file first, then BinLevel, then CellLists.
 package starlogo.broadphase
 {
+    import starlogo.data.IntList;
+
     /**
      * The broad phase: finds the pairs of agents that are near each other on the ground (thesis §3.7). More exactly: all pairs of rows
      * whose extents overlap, and some others whose circles on the ground do.
@@ -51,13 +53,12 @@ package starlogo.broadphase
          * Finds all pairs whose extents overlap, and some others that are as near. Each pair is passed to the sink once.
          *
          * @param extents must fit their levels
-         * @param rows the rows of the members
-         * @param count the number of rows to use, from the beginning
+         * @param members the rows of the members
          * @param sink takes the pairs
          */
-        public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
+        public function findPairs(extents:Extents, members:IntList, sink:PairSink):void
         {
-            sort(extents, rows, count);
+            sort(extents, members);
             var byWidth:Vector.<BinLevel> = levels.byWidth;
             for (var i:int = 0; i < byWidth.length; i++)
             {
@@ -78,17 +79,17 @@ package starlogo.broadphase
         }
 
         // Puts the members into the order of their cells, by a counting sort.
-        private function sort(extents:Extents, members:Vector.<int>, count:int):void
+        private function sort(extents:Extents, members:IntList):void
         {
-            levels.layOut(extents.level, members, count);
-            makeRoom(count);
-            fillBuckets(extents, members, count);
+            levels.layOut(extents.level, members);
+            makeRoom(members.count);
+            fillBuckets(extents, members);
             var slots:int = findStarts();
             if (slots > _rows.length)
             {
                 _rows.length = _xs.length = _ys.length = _radii.length = slots;
             }
-            sortByBuckets(members, count);
+            sortByBuckets(members);
             copyFirstBuckets();
             copyCircles(extents, slots);
         }
@@ -107,8 +108,10 @@ package starlogo.broadphase
         }
 
         // Finds each member's bucket. Counts the members of the buckets.
-        private function fillBuckets(extents:Extents, members:Vector.<int>, count:int):void
+        private function fillBuckets(extents:Extents, members:IntList):void
         {
+            var rows:Vector.<int> = members.numbers;
+            var end:int = members.count;
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
             var indices:Vector.<int> = extents.level;
@@ -122,9 +125,9 @@ package starlogo.broadphase
             var copies:int = 0;
             var byIndex:Vector.<BinLevel> = levels.byIndex;
             var bias:Number = BinLevel.BIAS;
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < end; i++)
             {
-                var row:int = members[i];
+                var row:int = rows[i];
                 if (indices[row] != index)
                 {
                     index = indices[row];
@@ -167,16 +170,18 @@ package starlogo.broadphase
             return sum;
         }
 
-        private function sortByBuckets(members:Vector.<int>, count:int):void
+        private function sortByBuckets(members:IntList):void
         {
+            var fromRow:Vector.<int> = members.numbers;
             var toRow:Vector.<int> = _rows;
             var buckets:Vector.<int> = _buckets;
             var begins:Vector.<int> = _starts;
-            for (var i:int = 0; i < count; i++)
+            var end:int = members.count;
+            for (var i:int = 0; i < end; i++)
             {
                 var next:int = buckets[i] + 1;
                 var slot:int = begins[next];
-                toRow[slot] = members[i];
+                toRow[slot] = fromRow[i];
                 begins[next] = slot + 1;
             }
         }

@@ -19,8 +19,19 @@ package starlogo.agents
         /** The numbers of the names of breeds. The first names are those of the ground and of the edges. */
         public static const NAMES:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ""]);
 
+        private static var sChanges:int = 0;
+
         /** How often agents have got other breeds. What is computed from the breeds of agents holds until it is another number. */
-        public static var changes:int = 0;
+        public static function get changes():int
+        {
+            return sChanges;
+        }
+
+        /** Counts that an agent has got another breed. */
+        public static function countChange():void
+        {
+            sChanges++;
+        }
 
         /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */
         public static function isOfWorld(number:int):Boolean

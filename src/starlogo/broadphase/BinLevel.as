@@ -24,6 +24,9 @@ package starlogo.broadphase
         // A level with buckets has this many at least. So cells near each other never share one.
         private static const FEWEST_BUCKETS:int = 32;
 
+        /** So many first buckets of a level are copied after its last one, so that the neighbours of the last cells are in one run too. */
+        internal static const COPIED:int = 2;
+
         // The index among all levels. Extents that fit the level store it.
         internal var index:int;
 
@@ -82,7 +85,7 @@ package starlogo.broadphase
             // get different buckets.
             stride = (1 << ((bits + 1) >> 1)) + 1;
             firstBucket = first;
-            return endBucket + SortedMembers.COPIED;
+            return endBucket + COPIED;
         }
 
         /** The index after the level's last bucket. Copies of the first buckets follow from there on. */

@@ -1,5 +1,7 @@
 package starlogo.broadphase
 {
+    import starlogo.data.IntList;
+
     /**
      * The levels of cells that extents have needed so far: one for each width.
      *
@@ -14,6 +16,9 @@ package starlogo.broadphase
         // The levels by index, as extents refer to them. The first is none. byWidth has them from the coarsest to the finest.
         internal var byIndex:Vector.<BinLevel> = new <BinLevel>[null];
         internal var byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
+
+        // The number of buckets of all levels, with the copies of first ones.
+        internal var bucketCount:int = 0;
 
         /**
          * Finds the level for a row's extents and its distance from the world's origin.
@@ -50,6 +55,53 @@ package starlogo.broadphase
         public function get maxDistanceSquared():Number
         {
             return byWidth.length == 0 ? Infinity : byWidth[byWidth.length - 1].maxDistanceSquared;
+        }
+
+        /**
+         * Counts the members of each level in a search of the bins, and gives each level with members its buckets.
+         *
+         * @param indices by row: the index of its level
+         * @param members the rows of the members
+         */
+        internal function layOut(indices:Vector.<int>, members:IntList):void
+        {
+            countMembers(indices, members);
+            bucketCount = 0;
+            for (var i:int = 0; i < byWidth.length; i++)
+            {
+                var level:BinLevel = byWidth[i];
+                if (level.count > 0)
+                {
+                    bucketCount = level.takeBuckets(bucketCount);
+                }
+                else
+                {
+                    level.dropBuckets();
+                }
+            }
+        }
+
+        // Counts the members of each level.
+        private function countMembers(indices:Vector.<int>, members:IntList):void
+        {
+            var rows:Vector.<int> = members.numbers;
+            var end:int = members.count;
+            var all:Vector.<BinLevel> = byIndex;
+            if (all.length == 2)
+            {
+                all[1].count = end;
+                return;
+            }
+            for (var i:int = 1; i < all.length; i++)
+            {
+                all[i].count = 0;
+            }
+            // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
+            // the optimised method in every frame.
+            for (i = 0; i < end; i++)
+            {
+                all[indices[rows[i]]].count++;
+            }
         }
 
         // The smallest power of two that is at least this large, and not less than LEAST_WIDTH.

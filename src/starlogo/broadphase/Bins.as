@@ -1,8 +1,10 @@
-// This room finds which agents are near each other on the ground plane, as rows of a table. Bins find all pairs of rows. SortedMembers puts the
-// rows into the order of their cells, and BinLevels has cells of each width that is needed (BinLevel). CellLists finds what is near single rows that
-// have changed since. Read this file first, then SortedMembers, then CellLists.
+// This room finds which agents are near each other on the ground plane, as rows of a table. Bins sort the rows by their cells, and find all
+// pairs of rows. BinLevels has cells of each width that is needed (BinLevel). CellLists finds what is near single rows that have changed since. Read this
+// file first, then BinLevel, then CellLists.
 package starlogo.broadphase
 {
+    import starlogo.data.IntList;
+
     /**
      * The broad phase: finds the pairs of agents that are near each other on the ground (thesis §3.7). More exactly: all pairs of rows
      * whose extents overlap, and some others whose circles on the ground do.
@@ -31,27 +33,32 @@ package starlogo.broadphase
         /** The levels of the cells. */
         public var levels:BinLevels = new BinLevels();
 
-        private var _members:SortedMembers;
+        // By slot: the member's row, its middle, and the radius of its circle.
+        private var _rows:Vector.<int> = new Vector.<int>();
+        private var _xs:Vector.<Number> = new Vector.<Number>();
+        private var _ys:Vector.<Number> = new Vector.<Number>();
+        private var _radii:Vector.<Number> = new Vector.<Number>();
+
+        // By bucket: the slot of its first member, which is the slot after the last member of the bucket before.
+        private var _starts:Vector.<int> = new Vector.<int>();
+
+        // By bucket: the number of its members, which is 0 between searches. By member: its bucket.
+        private var _counts:Vector.<int> = new Vector.<int>();
+        private var _buckets:Vector.<int> = new Vector.<int>();
 
         // The rows of the candidates of the present member.
         private var _candidates:Vector.<int> = new Vector.<int>();
-
-        public function Bins()
-        {
-            _members = new SortedMembers(levels);
-        }
 
         /**
          * Finds all pairs whose extents overlap, and some others that are as near. Each pair is passed to the sink once.
          *
          * @param extents must fit their levels
-         * @param rows the rows of the members
-         * @param count the number of rows to use, from the beginning
+         * @param members the rows of the members
          * @param sink takes the pairs
          */
-        public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
+        public function findPairs(extents:Extents, members:IntList, sink:PairSink):void
         {
-            _members.sort(extents, rows, count);
+            sort(extents, members);
             var byWidth:Vector.<BinLevel> = levels.byWidth;
             for (var i:int = 0; i < byWidth.length; i++)
             {
@@ -71,11 +78,166 @@ package starlogo.broadphase
             }
         }
 
+        // Puts the members into the order of their cells, by a counting sort.
+        private function sort(extents:Extents, members:IntList):void
+        {
+            levels.layOut(extents.level, members);
+            makeRoom(members.count);
+            fillBuckets(extents, members);
+            var slots:int = findStarts();
+            if (slots > _rows.length)
+            {
+                _rows.length = _xs.length = _ys.length = _radii.length = slots;
+            }
+            sortByBuckets(members);
+            copyFirstBuckets();
+            copyCircles(extents, slots);
+        }
+
+        private function makeRoom(memberCount:int):void
+        {
+            if (levels.bucketCount > _counts.length)
+            {
+                _counts.length = levels.bucketCount;
+                _starts.length = levels.bucketCount + 1;
+            }
+            if (memberCount > _buckets.length)
+            {
+                _buckets.length = memberCount;
+            }
+        }
+
+        // Finds each member's bucket. Counts the members of the buckets.
+        private function fillBuckets(extents:Extents, members:IntList):void
+        {
+            var rows:Vector.<int> = members.numbers;
+            var end:int = members.count;
+            var fromX:Vector.<Number> = extents.x;
+            var fromY:Vector.<Number> = extents.y;
+            var indices:Vector.<int> = extents.level;
+            var buckets:Vector.<int> = _buckets;
+            var counts:Vector.<int> = _counts;
+            var index:int = 0;
+            var cellsPerPatch:Number = 0;
+            var mask:int = 0;
+            var stride:int = 0;
+            var first:int = 0;
+            var copies:int = 0;
+            var byIndex:Vector.<BinLevel> = levels.byIndex;
+            var bias:Number = BinLevel.BIAS;
+            for (var i:int = 0; i < end; i++)
+            {
+                var row:int = rows[i];
+                if (indices[row] != index)
+                {
+                    index = indices[row];
+                    var level:BinLevel = byIndex[index];
+                    cellsPerPatch = level.cellsPerPatch;
+                    mask = level.mask;
+                    stride = level.stride;
+                    first = level.firstBucket;
+                    copies = level.endBucket;
+                }
+                // BinLevel.bucketAt() as a loop. CellLists relies on the same buckets
+                var column:int = fromX[row] * cellsPerPatch + bias;
+                var line:int = fromY[row] * cellsPerPatch + bias;
+                var bucket:int = ((line & mask) * stride + column) & mask;
+                if (bucket < BinLevel.COPIED)
+                {
+                    counts[int(copies + bucket)]++;
+                }
+                bucket += first;
+                buckets[i] = bucket;
+                counts[bucket]++;
+            }
+        }
+
+        // Computes the slot where each bucket starts, and stores it one place further on: while the bucket is filled, its next free slot is there. When it
+        // is full, that is the slot where the next bucket starts. Returns the number of slots.
+        private function findStarts():int
+        {
+            var counts:Vector.<int> = _counts;
+            var begins:Vector.<int> = _starts;
+            var end:int = levels.bucketCount;
+            var sum:int = 0;
+            for (var i:int = 0; i < end; i++)
+            {
+                var inBucket:int = counts[i];
+                counts[i] = 0;
+                begins[i + 1] = sum;
+                sum += inBucket;
+            }
+            return sum;
+        }
+
+        private function sortByBuckets(members:IntList):void
+        {
+            var fromRow:Vector.<int> = members.numbers;
+            var toRow:Vector.<int> = _rows;
+            var buckets:Vector.<int> = _buckets;
+            var begins:Vector.<int> = _starts;
+            var end:int = members.count;
+            for (var i:int = 0; i < end; i++)
+            {
+                var next:int = buckets[i] + 1;
+                var slot:int = begins[next];
+                toRow[slot] = fromRow[i];
+                begins[next] = slot + 1;
+            }
+        }
+
+        // Lists the members of the first buckets of each level after its last bucket once more.
+        private function copyFirstBuckets():void
+        {
+            var byWidth:Vector.<BinLevel> = levels.byWidth;
+            for (var i:int = 0; i < byWidth.length; i++)
+            {
+                if (byWidth[i].count > 0)
+                {
+                    copyFirstBucketsOf(byWidth[i]);
+                }
+            }
+        }
+
+        private function copyFirstBucketsOf(level:BinLevel):void
+        {
+            var first:int = level.firstBucket;
+            var copies:int = level.endBucket;
+            var offset:int = _starts[copies] - _starts[first];
+            for (var i:int = 1; i <= BinLevel.COPIED; i++)
+            {
+                _starts[copies + i] = offset + _starts[first + i];
+            }
+            for (var slot:int = _starts[copies]; slot < _starts[copies + BinLevel.COPIED]; slot++)
+            {
+                _rows[slot] = _rows[slot - offset];
+            }
+        }
+
+        // Copies the circles of all members. The reads are scattered in memory and the writes are in order. The reverse would be slower.
+        private function copyCircles(extents:Extents, slots:int):void
+        {
+            var fromX:Vector.<Number> = extents.x;
+            var fromY:Vector.<Number> = extents.y;
+            var fromRadius:Vector.<Number> = extents.radius;
+            var bySlot:Vector.<int> = _rows;
+            var toX:Vector.<Number> = _xs;
+            var toY:Vector.<Number> = _ys;
+            var toRadius:Vector.<Number> = _radii;
+            for (var slot:int = 0; slot < slots; slot++)
+            {
+                var row:int = bySlot[slot];
+                toX[slot] = fromX[row];
+                toY[slot] = fromY[row];
+                toRadius[slot] = fromRadius[row];
+            }
+        }
+
         // The pairs of members of one level.
         private function findPairsWithin(level:BinLevel, sink:PairSink):void
         {
-            var starts:Vector.<int> = _members.starts;
-            var rows:Vector.<int> = _members.rows;
+            var starts:Vector.<int> = _starts;
+            var rows:Vector.<int> = _rows;
             var first:int = level.firstBucket;
             var mask:int = level.mask;
             // added to a bucket, it gives the one of the next line and the column before, counted from the first
@@ -111,9 +273,9 @@ package starlogo.broadphase
         private function findPairsBetween(level:BinLevel, coarser:BinLevel, sink:PairSink):void
         {
             var distance:Number = level.width / 2 + coarser.width / 2 + coarser.slack;
-            var starts:Vector.<int> = _members.starts;
-            var xs:Vector.<Number> = _members.xs;
-            var ys:Vector.<Number> = _members.ys;
+            var starts:Vector.<int> = _starts;
+            var xs:Vector.<Number> = _xs;
+            var ys:Vector.<Number> = _ys;
             var last:int = starts[level.endBucket];
             for (var slot:int = starts[level.firstBucket]; slot < last; slot++)
             {
@@ -128,7 +290,7 @@ package starlogo.broadphase
                 }
                 if (found > 0)
                 {
-                    sink.onCandidates(_members.rows[slot], _candidates, found, coarser);
+                    sink.onCandidates(_rows[slot], _candidates, found, coarser);
                 }
             }
         }
@@ -137,11 +299,10 @@ package starlogo.broadphase
         // is the inner loop of every frame, so all that it reads is in locals.
         private function collectRun(slot:int, from:int, end:int, slack:Number, found:int):int
         {
-            var members:SortedMembers = _members;
-            var rows:Vector.<int> = members.rows;
-            var xs:Vector.<Number> = members.xs;
-            var ys:Vector.<Number> = members.ys;
-            var radii:Vector.<Number> = members.radii;
+            var rows:Vector.<int> = _rows;
+            var xs:Vector.<Number> = _xs;
+            var ys:Vector.<Number> = _ys;
+            var radii:Vector.<Number> = _radii;
             var candidates:Vector.<int> = _candidates;
             var x:Number = xs[slot];
             var y:Number = ys[slot];

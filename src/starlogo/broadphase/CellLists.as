@@ -1,5 +1,7 @@
 package starlogo.broadphase
 {
+    import starlogo.data.IntList;
+
     /**
      * Finds rows near one row, among members that hardly change. Each bucket of cells has a list of its members, so a member that has moved changes
      * two lists. The buckets are those of the last search of the bins, as long as the numbers of members need no others.
@@ -35,30 +37,18 @@ package starlogo.broadphase
          * Begins with the members of the last search of the bins.
          *
          * @param extents the extents in that search. They are read again in each call
-         * @param rows the rows of the members
-         * @param count the number of members
+         * @param members the rows of the members
          * @param length all rows are less than this number
          */
-        public function begin(extents:Extents, rows:Vector.<int>, count:int, length:int):void
+        public function begin(extents:Extents, members:IntList, length:int):void
         {
             _extents = extents;
-            this.count = count;
-            var end:int = 0;
-            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            count = members.count;
+            if (_levels.bucketCount > _heads.length)
             {
-                var level:BinLevel = _levels.byWidth[i];
-                if (level.count == 0)
-                {
-                    level.dropBuckets();
-                    continue;
-                }
-                end = level.endBucket;
+                _heads.length = _levels.bucketCount;
             }
-            if (end > _heads.length)
-            {
-                _heads.length = end;
-            }
-            for (i = 0; i < end; i++)
+            for (var i:int = 0; i < _levels.bucketCount; i++)
             {
                 _heads[i] = NONE;
             }
@@ -66,8 +56,8 @@ package starlogo.broadphase
             makeRoom(length);
             for (i = 0; i < count; i++)
             {
-                var row:int = rows[i];
-                level = _levels.byIndex[extents.level[row]];
+                var row:int = members.numbers[i];
+                var level:BinLevel = _levels.byIndex[extents.level[row]];
                 enter(row, level, level.bucketAt(extents.x[row], extents.y[row]));
             }
         }

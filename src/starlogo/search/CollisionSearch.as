@@ -40,7 +40,7 @@ package starlogo.search
         private var _finder:PairFinder;
 
         // The pairs of the last search. KeptPairs finds them if little has changed.
-        private var _pairs:FoundPairs = new FoundPairs();
+        private var _pairs:FoundPairs;
         private var _keptPairs:KeptPairs;
 
         private var _bodyA:Body = new Body();
@@ -56,6 +56,7 @@ package starlogo.search
             table = new AgentTable(narrowPhase.choice, _bins.levels);
             _motions = new RowMotions(table, narrowPhase, _bins.levels);
             _finder = new PairFinder(table, narrowPhase, _motions);
+            _pairs = new FoundPairs(table.list);
             _keptPairs = new KeptPairs(table, _finder, _motions, narrowPhase.treeLimits, _bins.levels, _pairs);
         }
 
@@ -81,7 +82,7 @@ package starlogo.search
         {
             table.read(input.agents);
             table.readWorld(input.ground, input.edges);
-            _motions.areNeeded = input.isAnySweeping();
+            _motions.begin(input.isAnySweeping());
             // tests since the last search, as those of questions, do not count
             narrowPhase.takeCounts(counts);
             var memberCount:int = mayKeep && _keptPairs.find(input) ? _keptPairs.memberCount : findAll(input, mayKeep);
@@ -90,7 +91,7 @@ package starlogo.search
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
             counts.candidatePairs = _finder.candidatePairs;
-            counts.sweptPairs = _motions.areNeeded ? _motions.sweptPairs : 0;
+            counts.sweptPairs = _motions.sweptPairs;
             counts.collisions = _pairs.count;
             return _pairs;
         }
@@ -108,7 +109,7 @@ package starlogo.search
                 extents = _motions.extents;
             }
             _finder.begin(input, _pairs);
-            _bins.findPairs(extents, members.numbers, members.count, _finder);
+            _bins.findPairs(extents, members, _finder);
             _finder.findPairsOfWorldAgent(ListedAgents.GROUND_ROW, members);
             _finder.findPairsOfWorldAgent(ListedAgents.EDGES_ROW, members);
             _finder.end();
@@ -123,7 +124,7 @@ package starlogo.search
         public function forgetSearch():void
         {
             _keptPairs.forget();
-            _motions.areNeeded = false;
+            _motions.begin(false);
         }
 
         /**

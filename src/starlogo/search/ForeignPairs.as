@@ -13,7 +13,7 @@ package starlogo.search
     public final class ForeignPairs
     {
         private var _list:ListedAgents = new ListedAgents();
-        private var _pairs:FoundPairs = new FoundPairs();
+        private var _pairs:FoundPairs = new FoundPairs(_list);
 
         /**
          * Begins with the list of a frame.
@@ -41,7 +41,7 @@ package starlogo.search
             {
                 throw new ArgumentError("the collision system has found pairs of " + pairs.length + " agents, which must be an even number: a0, b0, a1, b1, ...");
             }
-            _pairs.begin(_list);
+            _pairs.begin();
             for (var i:int = 0; i < pairs.length; i += 2)
             {
                 _pairs.add(rowAt(i, pairs), rowAt(i + 1, pairs));

@@ -27,8 +27,8 @@ package starlogo.search
         /** By pair, if an agent sweeps: the time of the touch. PairFinder sets it, for PairSorter; kept pairs have none. */
         public var times:Vector.<Number> = new Vector.<Number>();
 
-        /** The list of the frame, which has the agent of each row. */
-        public var list:ListedAgents = null;
+        /** Has the agent of each row, and its rank in the list of the frame. */
+        public var list:ListedAgents;
 
         /** How many searches have written their pairs here. */
         public var searches:int = 0;
@@ -42,14 +42,15 @@ package starlogo.search
         /** The indices of the added pairs among these pairs, in ascending order. */
         public var added:IntList = new IntList();
 
-        /**
-         * Begins to write other pairs.
-         *
-         * @param list the list of the frame
-         */
-        internal function begin(list:ListedAgents):void
+        /** @param list has the agent of each row */
+        public function FoundPairs(list:ListedAgents)
         {
             this.list = list;
+        }
+
+        /** Begins to write other pairs. */
+        internal function begin():void
+        {
             count = 0;
             searches++;
             areKept = false;
@@ -82,9 +83,8 @@ package starlogo.search
         }
 
         /** Begins to change the pairs to those of the next frame: drops the pairs of rows with a mark. */
-        internal function drop(list:ListedAgents, marks:Vector.<int>, mark:int):void
+        internal function drop(marks:Vector.<int>, mark:int):void
         {
-            this.list = list;
             searches++;
             areKept = true;
             dropped.count = added.count = 0;

@@ -36,7 +36,7 @@ package starlogo.search
         private var _areValid:Boolean = false;
 
         // The pairs of changed rows that this search finds.
-        private var _found:FoundPairs = new FoundPairs();
+        private var _found:FoundPairs;
 
         // The members of the last search.
         private var _cells:CellLists;
@@ -69,6 +69,7 @@ package starlogo.search
             _limits = limits;
             _cells = new CellLists(levels);
             _pairs = pairs;
+            _found = new FoundPairs(table.list);
         }
 
         /** The number of members of the search whose pairs are kept. */
@@ -109,7 +110,7 @@ package starlogo.search
                 return false;
             }
             findPairsOfChanged(input);
-            _pairs.drop(_table.list, _marks, _mark);
+            _pairs.drop(_marks, _mark);
             // the pairs that are kept touch at the end of their motions
             _pairs.merge(_found, _finder.countEarly());
             _areValid = true;
@@ -126,7 +127,7 @@ package starlogo.search
         {
             if (isLikeLast(input))
             {
-                _cells.begin(_motions.areNeeded ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
+                _cells.begin(_motions.areNeeded ? _motions.extents : _table.extents, members, _table.list.agents.length);
                 _areValid = true;
                 return;
             }

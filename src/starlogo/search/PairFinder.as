@@ -55,7 +55,7 @@ package starlogo.search
         public function begin(input:FrameInput, out:FoundPairs):void
         {
             candidatePairs = 0;
-            out.begin(_table.list);
+            out.begin();
             _input = input;
             _out = out;
         }

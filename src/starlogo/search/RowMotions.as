@@ -23,13 +23,13 @@ package starlogo.search
      */
     internal final class RowMotions
     {
-        /** Whether an agent sweeps in the search. Otherwise nothing else here counts. */
+        /** Whether an agent sweeps in the search. Otherwise nothing else here counts. Read only. */
         internal var areNeeded:Boolean = false;
 
         /** By row: the extents of the whole motion. */
         internal var extents:Extents = new Extents();
 
-        /** The number of pairs that were tested along their motions since <code>findMotions()</code>. */
+        /** The number of pairs that the search has tested along their motions. Read only. */
         internal var sweptPairs:int = 0;
 
         // By row: the motion, which is 0 if there is none; and whether the agent sweeps and has a motion. The ground and the edges of the world do
@@ -57,6 +57,13 @@ package starlogo.search
             _levels = levels;
         }
 
+        /** Begins a search. @param areNeeded whether an agent sweeps in it */
+        public function begin(areNeeded:Boolean):void
+        {
+            this.areNeeded = areNeeded;
+            sweptPairs = 0;
+        }
+
         /**
          * Finds the motions of rows. The table has just been read.
          *
@@ -70,7 +77,6 @@ package starlogo.search
                 _motions.grow(_sweeps.length);
                 extents.grow(_sweeps.length);
             }
-            sweptPairs = 0;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];

@@ -4,6 +4,7 @@ package starlogo.broadphase
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.data.IntList;
 
     /** The bins alone, with extents that come from no agent. */
     public class BinsTest
@@ -134,7 +135,7 @@ package starlogo.broadphase
             try
             {
                 search();
-                _bins.findPairs(_extents, _rows, 3, new PairSink());
+                _bins.findPairs(_extents, firstRows(3), new PairSink());
             }
             catch (error:Error)
             {
@@ -170,7 +171,15 @@ package starlogo.broadphase
                 _bins.levels.assign(_extents, row);
             }
             _sink.members = _rows;
-            _bins.findPairs(_extents, _rows, count < 0 ? _rows.length : count, _sink);
+            _bins.findPairs(_extents, firstRows(count < 0 ? _rows.length : count), _sink);
+        }
+
+        private function firstRows(count:int):IntList
+        {
+            var members:IntList = new IntList();
+            members.numbers = _rows;
+            members.count = count;
+            return members;
         }
 
         // How many overlap. A pair a hair's breadth apart may be found or not.

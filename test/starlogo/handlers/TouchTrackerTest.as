@@ -17,14 +17,13 @@ package starlogo.handlers
         private static const FRAMES:int = 300;
 
         private var _tracker:TouchTracker = new TouchTracker();
-        private var _found:FoundPairs = new FoundPairs();
+        private var _found:FoundPairs = new FoundPairs(new ListedAgents());
         private var _agents:Array = [];
         private var _handlers:HandlerTable = new HandlerTable();
 
         [Before]
         public function makeAgents():void
         {
-            _found.list = new ListedAgents();
             for (var i:int = 0; i < 40; i++)
             {
                 _agents.push(new Agent("cube", i % 3 == 0 ? "sheep" : "wolves"));

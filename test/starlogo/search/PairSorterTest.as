@@ -38,10 +38,10 @@ package starlogo.search
 
         private function check(list:ListedAgents, pairCount:int, haveTimes:Boolean):void
         {
-            var pairs:FoundPairs = new FoundPairs();
+            var pairs:FoundPairs = new FoundPairs(list);
             var expected:Array = [];
             var have:Object = {};
-            pairs.begin(list);
+            pairs.begin();
             while (expected.length < pairCount)
             {
                 var first:int = _random.integer(0, list.rows.count - 2);

@@ -33,12 +33,10 @@ package starlogo.search.pairs
         private static const OUTWARDS:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
 
-        private var _limits:TreeLimits;
-
         // By edge: how far the body is beyond it (less than 0 if the body is before it).
         private var _penetrations:Vector.<Number> = new Vector.<Number>(6, true);
 
-        private var _supportSearch:SupportSearch = new SupportSearch();
+        private var _supportSearch:SupportSearch;
         private var _farthest:SupportPoint = new SupportPoint();
         private var _contact:ContactPoint = new ContactPoint();
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
@@ -47,7 +45,7 @@ package starlogo.search.pairs
         /** @param limits how far trees are tested */
         public function EdgePairTests(limits:TreeLimits)
         {
-            _limits = limits;
+            _supportSearch = new SupportSearch(limits);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -142,7 +140,7 @@ package starlogo.search.pairs
         private function writeContact(deepest:int, a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var left:Number = 1 - motion.time;
-            _supportSearch.findPoint(a, _limits, OUTWARDS[deepest], a.largestHalf, _farthest);
+            _supportSearch.findPoint(a, OUTWARDS[deepest], _farthest);
             out.x = _farthest.x - left * motion.x;
             out.y = _farthest.y - left * motion.y;
             out.z = _farthest.z - left * motion.z;
@@ -181,7 +179,7 @@ package starlogo.search.pairs
                 _penetrations[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
-                    _supportSearch.findSupport(body, _limits, OUTWARDS[edge], _farthest);
+                    _supportSearch.findSupport(body, OUTWARDS[edge], _farthest);
                     _penetrations[edge] = _farthest.support - place;
                 }
             }

@@ -16,7 +16,6 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.penetration.DisplacedPair;
     import starlogo.search.penetration.GroundExitSearch;
     import starlogo.search.TreeLimits;
 
@@ -34,7 +33,7 @@ package starlogo.search.pairs
 
         private var _limits:TreeLimits;
 
-        private var _supportSearch:SupportSearch = new SupportSearch();
+        private var _supportSearch:SupportSearch;
         private var _farthest:SupportPoint = new SupportPoint();
         private var _inwards:Vector3D = new Vector3D();
         private var _separation:GroundExitSearch;
@@ -49,7 +48,8 @@ package starlogo.search.pairs
         public function GroundPairTests(limits:TreeLimits)
         {
             _limits = limits;
-            _separation = new GroundExitSearch(new DisplacedPair(this));
+            _supportSearch = new SupportSearch(limits);
+            _separation = new GroundExitSearch(this);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -113,8 +113,8 @@ package starlogo.search.pairs
             _separation.find(a, b, motion, out);
         }
 
-        /** @inheritDoc */
-        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        /** Finds the contact that lifts a body above all ground under it. */
+        public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
             queryOf(a, b).penetration.findOuterContact(out);
         }
@@ -132,8 +132,15 @@ package starlogo.search.pairs
             return Math.max(CELL_SHARE * gridOf(b).cellWidth, 2 * a.largestHalf);
         }
 
-        /** @inheritDoc */
-        override public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        /**
+         * Finds contacts with which other ways of a body out of the ground may begin.
+         *
+         * @param contact of the two, here or near here
+         * @param maxDistance parts of the ground farther away do not count
+         * @param exits receives the contacts, each with another direction
+         * @return their number
+         */
+        public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
             var count:int = queryOf(a, b).penetration.findExits(contact, maxDistance, exits);
             if (a.form == ModelShape.TREE)
@@ -144,7 +151,7 @@ package starlogo.search.pairs
                     var exit:ContactPoint = exits[i];
                     var plane:Number = exit.normalX * exit.x + exit.normalY * exit.y + exit.normalZ * exit.z + exit.depth / 2;
                     _inwards.setTo(-exit.normalX, -exit.normalY, -exit.normalZ);
-                    _supportSearch.findSupport(a, _limits, _inwards, _farthest);
+                    _supportSearch.findSupport(a, _inwards, _farthest);
                     exit.depth = plane + _farthest.support;
                 }
             }

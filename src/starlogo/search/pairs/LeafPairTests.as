@@ -26,11 +26,5 @@ package starlogo.search.pairs
         {
             _tests.findTreeImpact(a, b, motion, false, out);
         }
-
-        /** @inheritDoc */
-        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
-        {
-            _tests.findOuterContact(a, b, out);
-        }
     }
 }

@@ -88,12 +88,6 @@ package starlogo.search.pairs
             return false;
         }
 
-        /** Finds the contact of the structures around two bodies, where they are. Its normal points from b to a. Only trees and the ground need it. */
-        public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
-        {
-            throw new IllegalOperationError(this + " does not implement findOuterContact");
-        }
-
         /** The gap across which two bodies touch because their places are rounded. */
         public function roundingGapOf(a:Body, b:Body):Number
         {
@@ -104,19 +98,6 @@ package starlogo.search.pairs
         public function extentOf(a:Body, b:Body):Number
         {
             return 2 * Math.max(a.largestHalf, b.largestHalf);
-        }
-
-        /**
-         * Finds contacts with which other ways of the first body out of the second may begin. Only the ground has some.
-         *
-         * @param contact of the two, here or near here
-         * @param maxDistance parts of the ground farther away do not count
-         * @param exits receives the contacts, each with another direction
-         * @return their number
-         */
-        public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
-        {
-            return 0;
         }
 
         /**

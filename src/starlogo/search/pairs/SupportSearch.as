@@ -23,6 +23,8 @@ package starlogo.search.pairs
      */
     public final class SupportSearch
     {
+        private var _limits:TreeLimits;
+
         // The nodes still to visit, the next one last, and an upper bound of the support of each. Trees may be too deep for recursion.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _upperBounds:Vector.<Number> = new Vector.<Number>();
@@ -38,38 +40,40 @@ package starlogo.search.pairs
         private var _high:Vector3D = new Vector3D();
         private var _added:Vector3D = new Vector3D();
 
+        /** @param limits how far trees are tested */
+        public function SupportSearch(limits:TreeLimits)
+        {
+            _limits = limits;
+        }
+
         /**
          * Finds how far a body reaches in a direction.
          *
-         * @param limits how far trees are tested
          * @param direction a unit vector in the world
          * @param out receives the support
          */
-        public function findSupport(body:Body, limits:TreeLimits, direction:Vector3D, out:SupportPoint):void
+        public function findSupport(body:Body, direction:Vector3D, out:SupportPoint):void
         {
             turnIntoModel(direction, body.placement, _direction);
-            findInModel(body, limits, _direction, out);
+            findInModel(body, _direction, out);
             bringSupportBack(direction, body.placement, out);
         }
 
         /**
-         * Finds the farthest point too.
+         * Finds the farthest point too. Points are equally far if their distances differ by less than a small part of the body's largest extent.
          *
-         * @param body as in findSupport
-         * @param limits as in findSupport
          * @param direction as in findSupport
-         * @param half half of the body's largest extent. Points are equally far if their distances differ by less than a small part of it
          * @param out receives the support and the point
          */
-        public function findPoint(body:Body, limits:TreeLimits, direction:Vector3D, half:Number, out:SupportPoint):void
+        public function findPoint(body:Body, direction:Vector3D, out:SupportPoint):void
         {
             var at:Placement = body.placement;
             turnIntoModel(direction, at, _direction);
-            findInModel(body, limits, _direction, out);
+            findInModel(body, _direction, out);
             // addFarthest reads from out how far points have to be
             var farthest:Number = out.support;
-            out.support -= Tolerances.SEPARATION * half / at.size;
-            addFarthest(body, limits, _direction, out);
+            out.support -= Tolerances.SEPARATION * body.largestHalf / at.size;
+            addFarthest(body, _direction, out);
             out.support = farthest;
             bringSupportBack(direction, at, out);
             var x:Number = at.size * (_low.x + _high.x) / 2;
@@ -94,20 +98,20 @@ package starlogo.search.pairs
         }
 
         // The corners of a body's triangles if they decide; otherwise null.
-        private static function cornersOf(body:Body, limits:TreeLimits):Vector.<Number>
+        private function cornersOf(body:Body):Vector.<Number>
         {
             var tree:ModelTree = body.shape.hierarchy;
-            return limits.exact && tree.hasTriangles ? tree.mesh.corners : null;
+            return _limits.exact && tree.hasTriangles ? tree.mesh.corners : null;
         }
 
         // The depth to which a body's tree is visited.
-        private static function depthOf(body:Body, limits:TreeLimits, corners:Vector.<Number>):int
+        private function depthOf(body:Body, corners:Vector.<Number>):int
         {
-            return corners != null ? BoxTree.EXACT : limits.depthOf(body);
+            return corners != null ? BoxTree.EXACT : _limits.depthOf(body);
         }
 
         // Finds how far a body's shape reaches in the model's space.
-        private function findInModel(body:Body, limits:TreeLimits, direction:Vector3D, out:SupportPoint):void
+        private function findInModel(body:Body, direction:Vector3D, out:SupportPoint):void
         {
             if (body.shape.hierarchy == null)
             {
@@ -115,8 +119,8 @@ package starlogo.search.pairs
                 return;
             }
             var tree:BoxTree = body.shape.hierarchy.boxTree;
-            var corners:Vector.<Number> = cornersOf(body, limits);
-            var depth:int = depthOf(body, limits, corners);
+            var corners:Vector.<Number> = cornersOf(body);
+            var depth:int = depthOf(body, corners);
             out.support = -Infinity;
             _nodes[0] = 0;
             _upperBounds[0] = Infinity;
@@ -177,7 +181,7 @@ package starlogo.search.pairs
         }
 
         // Finds the box around the points of a body's shape that count as the farthest: those that reach as far as a support in the model's space.
-        private function addFarthest(body:Body, limits:TreeLimits, direction:Vector3D, least:SupportPoint):void
+        private function addFarthest(body:Body, direction:Vector3D, least:SupportPoint):void
         {
             _low.setTo(Infinity, Infinity, Infinity);
             _high.setTo(-Infinity, -Infinity, -Infinity);
@@ -187,8 +191,8 @@ package starlogo.search.pairs
                 return;
             }
             var tree:BoxTree = body.shape.hierarchy.boxTree;
-            var corners:Vector.<Number> = cornersOf(body, limits);
-            var depth:int = depthOf(body, limits, corners);
+            var corners:Vector.<Number> = cornersOf(body);
+            var depth:int = depthOf(body, corners);
             _nodes[0] = 0;
             for (var top:int = 0; top >= 0; top--)
             {

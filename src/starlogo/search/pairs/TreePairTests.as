@@ -13,7 +13,6 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.penetration.DisplacedPair;
     import starlogo.search.penetration.TreeExitSearch;
     import starlogo.search.SearchCounts;
     import starlogo.search.TreeLimits;
@@ -54,7 +53,7 @@ package starlogo.search.pairs
         public function TreePairTests(limits:TreeLimits)
         {
             _limits = limits;
-            _separation = new TreeExitSearch(new DisplacedPair(this), new DisplacedPair(new LeafPairTests(this)), limits);
+            _separation = new TreeExitSearch(this, new LeafPairTests(this), limits);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -109,8 +108,8 @@ package starlogo.search.pairs
             _separation.find(a, b, motion, out);
         }
 
-        /** @inheritDoc */
-        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        /** Finds the contact of the structures around two bodies, where they are. Its normal points from b to a. */
+        public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
             _pose.relate(a.placement, b.placement);
             PairTable.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);

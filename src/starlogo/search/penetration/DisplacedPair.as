@@ -164,17 +164,5 @@ package starlogo.search.penetration
         {
             _tests.findContactOfParts(first, second, RelativeMotion.NONE, out);
         }
-
-        /** Finds the contact of the structures around the two where the first one is. */
-        public function findOuterContact(out:ContactPoint):void
-        {
-            _tests.findOuterContact(first, second, out);
-        }
-
-        /** Finds contacts with which other ways out may begin. See PairTests.findExits. */
-        public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
-        {
-            return _tests.findExits(first, second, contact, maxDistance, exits);
-        }
     }
 }

@@ -3,13 +3,14 @@ package starlogo.search.penetration
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.search.Body;
+    import starlogo.search.pairs.GroundPairTests;
 
     /**
      * Finds a short way out of the ground. An agent in the ground may have many. Its contact may have a lower bound of their lengths
      * (DepthProof). If the first push is hardly longer, it is taken.
      *
      * <p>Otherwise each side of the ground that the deepest touched part is behind begins a push of its own
-     * (<code>DisplacedPair.findExits()</code>). The shortest push that frees the agent is taken. Contacts may contradict each other, as opposite
+     * (<code>GroundPairTests.findExits()</code>). The shortest push that frees the agent is taken. Contacts may contradict each other, as opposite
      * walls do, and the ground ends at edges, where a push out of the whole plane is longer than needed. So a push that does not free the agent is
      * changed: it goes as far along the ground, and from there as high as the agent has to be lifted. The shortest of these ways is taken if no push
      * is shorter. One sweep down finds each lift, because all places above a free one are free.</p>
@@ -30,6 +31,7 @@ package starlogo.search.penetration
         // The factor by which the search distance for other ways grows.
         private static const FARTHER:Number = 3;
 
+        private var _tests:GroundPairTests;
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
         private var _pushOut:PushOut;
@@ -43,12 +45,13 @@ package starlogo.search.penetration
         private var _lift:ContactPoint = new ContactPoint();
         private var _down:RelativeMotion = new RelativeMotion();
 
-        /** @param pair a body and the ground */
-        public function GroundExitSearch(pair:DisplacedPair)
+        /** @param tests the tests of a body and the ground */
+        public function GroundExitSearch(tests:GroundPairTests)
         {
-            _pair = pair;
-            _directions = new DirectionSearch(pair);
-            _pushOut = new PushOut(pair, _directions);
+            _tests = tests;
+            _pair = new DisplacedPair(tests);
+            _directions = new DirectionSearch(_pair);
+            _pushOut = new PushOut(_pair, _directions);
         }
 
         /**
@@ -81,7 +84,7 @@ package starlogo.search.penetration
                 return;
             }
             _pair.putBack();
-            _pair.findOuterContact(_lift);
+            _tests.findOuterContact(_pair.first, _pair.second, _lift);
             _lift.depth += _pair.tolerance;
             while (!findPushOrLift(maxDistance, out) && maxDistance / LEAST_SHARE_TAKEN <= _lift.depth)
             {
@@ -118,7 +121,7 @@ package starlogo.search.penetration
 
         private function addExits(maxDistance:Number):void
         {
-            var count:int = _pair.findExits(_pushOut.contact, maxDistance, _exits);
+            var count:int = _tests.findExits(_pair.first, _pair.second, _pushOut.contact, maxDistance, _exits);
             for (var i:int = 0; i < count; i++)
             {
                 _pushOut.add(_exits[i]);

@@ -4,6 +4,8 @@ package starlogo.search.penetration
     import starlogo.convex.RelativeMotion;
     import starlogo.search.Body;
     import starlogo.search.TreeLimits;
+    import starlogo.search.pairs.PairTests;
+    import starlogo.search.pairs.TreePairTests;
 
     /**
      * Finds a short way out for a pair with a tree. It pushes the first body along the given normal (PushOut). The shortest way out of the structures
@@ -13,6 +15,7 @@ package starlogo.search.penetration
      */
     public final class TreeExitSearch
     {
+        private var _tests:TreePairTests;
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
         private var _pushOut:PushOut;
@@ -28,18 +31,19 @@ package starlogo.search.penetration
         private var _tried:Displacement = new Displacement();
 
         /**
-         * @param pair a pair with a tree
-         * @param leaves the same pair, tested by the leaves of trees
+         * @param tests the tests of a pair with a tree
+         * @param leafTests the same tests by the leaves of trees
          * @param limits say whether triangles decide
          */
-        public function TreeExitSearch(pair:DisplacedPair, leaves:DisplacedPair, limits:TreeLimits)
+        public function TreeExitSearch(tests:TreePairTests, leafTests:PairTests, limits:TreeLimits)
         {
-            _pair = pair;
-            _leaves = leaves;
+            _tests = tests;
             _limits = limits;
-            _directions = new DirectionSearch(pair);
-            _directionsOfLeaves = new DirectionSearch(leaves);
-            _pushOut = new PushOut(pair, _directions);
+            _pair = new DisplacedPair(tests);
+            _directions = new DirectionSearch(_pair);
+            _pushOut = new PushOut(_pair, _directions);
+            _leaves = new DisplacedPair(leafTests);
+            _directionsOfLeaves = new DirectionSearch(_leaves);
         }
 
         /**
@@ -90,7 +94,7 @@ package starlogo.search.penetration
         private function tryOuter(pair:DisplacedPair, directions:DirectionSearch, out:ContactPoint):void
         {
             pair.putBack();
-            pair.findOuterContact(_outer);
+            _tests.findOuterContact(pair.first, pair.second, _outer);
             if (out.depth == Infinity)
             {
                 directions.findAlong(_outer, out);

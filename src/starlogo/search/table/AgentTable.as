@@ -131,6 +131,30 @@ package starlogo.search.table
             places.readNow(row, agent);
         }
 
+        /**
+         * Sets the place of a row in the last search, as if the search had seen the agent there.
+         *
+         * @param hasMotion whether the agent's next motion begins there
+         */
+        public function setLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
+        {
+            var last:RowPlaces = places.last;
+            if (last.x[row] != x || last.y[row] != y || last.z[row] != z)
+            {
+                // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump. So the next
+                // search reads the row again, and moves its extents
+                list.agents[row].revision++;
+                last.x[row] = x;
+                last.y[row] = y;
+                last.z[row] = z;
+            }
+            if (!hasMotion)
+            {
+                last.forget(row);
+            }
+            _placedRevisions[row] = STALE;
+        }
+
         /** Whether all shapes that the choice has made so far, for any table, are spheres. */
         public function get areSpheres():Boolean
         {
@@ -340,30 +364,6 @@ package starlogo.search.table
                     _bodyRevisions[row] = STALE;
                 }
             }
-        }
-
-        /**
-         * Sets the place of a row in the last search, as if the search had seen the agent there.
-         *
-         * @param hasMotion whether the agent's next motion begins there
-         */
-        public function setLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
-        {
-            var last:RowPlaces = places.last;
-            if (last.x[row] != x || last.y[row] != y || last.z[row] != z)
-            {
-                // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump. So the next
-                // search reads the row again, and moves its extents
-                list.agents[row].revision++;
-                last.x[row] = x;
-                last.y[row] = y;
-                last.z[row] = z;
-            }
-            if (!hasMotion)
-            {
-                last.forget(row);
-            }
-            _placedRevisions[row] = STALE;
         }
 
         // Finds the shapes of rows. All shapes are found before any row changes, because an error must change no row.

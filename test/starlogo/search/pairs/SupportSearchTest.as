@@ -81,11 +81,11 @@ package starlogo.search.pairs
             body.readAgent(new Agent("chain"), shape);
             var limits:TreeLimits = new TreeLimits();
             limits.maxDepth = int.MAX_VALUE;
-            var search:SupportSearch = new SupportSearch();
+            var search:SupportSearch = new SupportSearch(limits);
             var farthest:SupportPoint = new SupportPoint();
             for each (var side:int in [-1, 1])
             {
-                search.findPoint(body, limits, new Vector3D(side, 0, 0), count, farthest);
+                search.findPoint(body, new Vector3D(side, 0, 0), farthest);
                 assertTrue(farthest.support + " and " + farthest.x, Math.abs(farthest.support - (side > 0 ? count - 1 : 0)) < 1e-3);
                 assertTrue(Math.abs(farthest.x - side * farthest.support) < 1e-3);
             }
@@ -133,7 +133,7 @@ package starlogo.search.pairs
             var body:Body = new Body();
             var farthest:SupportPoint = new SupportPoint();
             body.readStructure(structure);
-            new SupportSearch().findPoint(body, new TreeLimits(), direction, 1, farthest);
+            new SupportSearch(new TreeLimits()).findPoint(body, direction, farthest);
             return farthest;
         }
 

@@ -32,6 +32,19 @@ package starlogo.models
         }
 
         [Test]
+        public function aTextMayEndWithAMarkThatContinuesALine():void
+        {
+            for each (var end:String in ["\\\r", "\\\n", "\\\r\n"])
+            {
+                assertEquals(3, new ObjModel("a", SQUARE + "f 1 2 3 " + end).triangles.length);
+                assertEquals(12, new ObjModel("a", SQUARE + "usemtl b " + end).vertices.length);
+                fails("line 5", "expected a vertex", SQUARE + "v 1 2 " + end);
+            }
+            fails("line 5", "expected a vertex", SQUARE + "v 1 2 \\");
+            fails("line 5", "found \"\\\"", SQUARE + "f 1 2 3 \\");
+        }
+
+        [Test]
         public function bytesAreReadAsTextIs():void
         {
             var text:String = "v 0 0 0\nv 1 0 0\nv 1 2 0\nv 1 2 4\nf 1 2 3\nf 1 3 4\n";

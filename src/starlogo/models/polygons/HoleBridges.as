@@ -69,13 +69,13 @@ package starlogo.models.polygons
             {
                 return;
             }
-            // the search goes around the outline twice
-            _rings.limits.countCornerTests(2 * _rings.countFrom(_outline));
+            // the search goes around the outline three times
+            _rings.limits.countCornerTests(3 * _rings.countFrom(_outline));
             var corner:int = visibleCorner(hole);
             // without one, the hole is not inside the outline
             if (corner >= 0)
             {
-                _rings.join(corner, hole);
+                _rings.join(nodeThatSees(corner, hole), hole);
             }
         }
 
@@ -136,30 +136,32 @@ package starlogo.models.polygons
             return result;
         }
 
-        // Whether a node is inside the triangle of a hole's node, the place where its ray meets the outline, and a corner.
+        // Whether a node is inside the triangle of a hole's node, the place where its ray meets the outline, and a corner, or on its edge.
         private function isBetween(node:int, hole:int, hitX:Number, corner:int):Boolean
         {
-            var x:Number = _rings.x[node];
-            var y:Number = _rings.y[node];
-            var holeX:Number = _rings.x[hole];
             var holeY:Number = _rings.y[hole];
-            var cornerX:Number = _rings.x[corner];
-            var cornerY:Number = _rings.y[corner];
-            // counter-clockwise: a corner above the ray is on its left
-            return cornerY > holeY ? isInTriangle(holeX, holeY, hitX, holeY, cornerX, cornerY, x, y)
-                : isInTriangle(holeX, holeY, cornerX, cornerY, hitX, holeY, x, y);
+            var upToCorner:Number = _rings.y[corner] - holeY;
+            var up:Number = _rings.y[node] - holeY;
+            // counter-clockwise, the triangle goes along the ray first if the corner is above it
+            var direction:int = upToCorner > 0 ? 1 : -1;
+            var leftOfOutline:Number = (_rings.x[corner] - hitX) * up - upToCorner * (_rings.x[node] - hitX);
+            return direction * up >= 0 && direction * leftOfOutline >= 0 && direction * _rings.orient2d(corner, hole, node) >= 0;
         }
 
-        // Whether a point is inside a counter-clockwise triangle, or on its edge.
-        private static function isInTriangle(aX:Number, aY:Number, bX:Number, bY:Number, cX:Number, cY:Number, x:Number, y:Number):Boolean
+        // A corner where bridges begin is in the ring several times. Returns the node at its place that has the hole's node on its side of the bridges.
+        private function nodeThatSees(corner:int, hole:int):int
         {
-            return isLeft(aX, aY, bX, bY, x, y) && isLeft(bX, bY, cX, cY, x, y) && isLeft(cX, cY, aX, aY, x, y);
-        }
-
-        // Whether a point is on the left of the line from a to b, or on it.
-        private static function isLeft(aX:Number, aY:Number, bX:Number, bY:Number, x:Number, y:Number):Boolean
-        {
-            return (bX - aX) * (y - aY) - (bY - aY) * (x - aX) >= 0;
+            var node:int = corner;
+            do
+            {
+                if (_rings.x[node] == _rings.x[corner] && _rings.y[node] == _rings.y[corner] && seesInside(node, hole))
+                {
+                    return node;
+                }
+                node = _rings.next[node];
+            }
+            while (node != corner);
+            return corner;
         }
 
         // Whether the direction from a corner to another node goes into the polygon.

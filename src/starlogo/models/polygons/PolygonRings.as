@@ -1,10 +1,13 @@
 package starlogo.models.polygons
 {
+    import starlogo.geometry.roundingOfProduct;
     import starlogo.models.FileLimits;
 
     /**
      * A polygon's outline and holes as rings of corners in a plane. The polygon is projected along the coordinate axis nearest to the
      * outline's normal (by M. E. Newell's method), so that the outline is counter-clockwise. Small bends out of the plane do no harm.
+     * Coordinates begin at the outline's first corner, and are rounded to a grid, on which the directions of turns are exact. So a corner that is
+     * on a line up to rounding is on the same side of it in each test.
      *
      * <p>A corner may be in a ring more than once. So rings are made of nodes, and an index stands for a node.</p>
      */
@@ -12,6 +15,12 @@ package starlogo.models.polygons
     {
         /** The tests of corners in one step. */
         internal static const TESTS_PER_STEP:int = 10000;
+
+        // Added to a coordinate from -1 to 1 and taken away again, it rounds the coordinate to a multiple of 2^-51.
+        private static const ROUNDER:Number = 3;
+
+        // The part of two products by which their computed difference may be wrong.
+        private static const PRODUCTS_ROUNDING:Number = 4e-16;
 
         /** The projected coordinate of each node, scaled so that the outline has a size of about 1. */
         internal var x:Vector.<Number> = new Vector.<Number>();
@@ -32,8 +41,9 @@ package starlogo.models.polygons
         /** Whether the outline has an area. Otherwise there is no axis of projection, and no ring. */
         internal var hasArea:Boolean = false;
 
-        // x, y, z of each vertex
+        // x, y, z of each vertex, and the vertex of the outline's first corner
         private var _vertices:Vector.<Number>;
+        private var _origin:uint;
 
         // the indices of the two projected coordinates, and the scale that keeps their products finite
         private var _axisX:int;
@@ -51,6 +61,7 @@ package starlogo.models.polygons
         {
             this.limits = limits;
             _vertices = vertices;
+            _origin = outline[0];
             _scale = 1 / extentOf(outline);
             if (!(_scale > 0 && _scale < Number.POSITIVE_INFINITY))
             {
@@ -106,12 +117,18 @@ package starlogo.models.polygons
         // Adds a node for a vertex and returns its index.
         private function addNode(ofVertex:uint, nextNode:int, previousNode:int):int
         {
-            x.push(_vertices[3 * ofVertex + _axisX] * _scale);
-            y.push(_vertices[3 * ofVertex + _axisY] * _scale);
+            x.push(coordinateOf(ofVertex, _axisX));
+            y.push(coordinateOf(ofVertex, _axisY));
             vertex.push(ofVertex);
             next.push(nextNode);
             previous.push(previousNode);
             return x.length - 1;
+        }
+
+        private function coordinateOf(ofVertex:uint, axis:int):Number
+        {
+            var scaled:Number = (_vertices[3 * ofVertex + axis] - _vertices[3 * _origin + axis]) * _scale;
+            return scaled + ROUNDER - ROUNDER;
         }
 
         /** Takes a node out of its ring. */
@@ -134,18 +151,40 @@ package starlogo.models.polygons
             return count;
         }
 
-        /** Twice the area of the triangle of three nodes; positive if it is counter-clockwise. */
+        /** Twice the area of the triangle of three nodes; positive if it is counter-clockwise, with the exact sign. */
         internal function orient2d(a:int, b:int, c:int):Number
         {
-            var ax:Number = x[a];
-            var ay:Number = y[a];
-            return (x[b] - ax) * (y[c] - ay) - (y[b] - ay) * (x[c] - ax);
+            // differences on the grid are exact
+            var toBX:Number = x[b] - x[a];
+            var toBY:Number = y[b] - y[a];
+            var toCX:Number = x[c] - x[a];
+            var toCY:Number = y[c] - y[a];
+            var left:Number = toBX * toCY;
+            var right:Number = toBY * toCX;
+            var area:Number = left - right;
+            if (Math.abs(area) > PRODUCTS_ROUNDING * (Math.abs(left) + Math.abs(right)))
+            {
+                return area;
+            }
+            return area + (roundingOfProduct(toBX, toCY, left) - roundingOfProduct(toBY, toCX, right));
         }
 
-        /** Whether a node is inside a triangle of three other nodes or on its edge. The triangle must be counter-clockwise. */
-        internal function isInside(node:int, a:int, b:int, c:int):Boolean
+        /**
+         * Whether the triangle of three nodes in a row has another node inside it or on its edge. The triangle must be counter-clockwise. A node
+         * that touches one of its two sides in the ring from outside does not count.
+         */
+        internal function isInside(node:int, before:int, tip:int, after:int):Boolean
         {
-            return orient2d(a, b, node) >= 0 && orient2d(b, c, node) >= 0 && orient2d(c, a, node) >= 0;
+            var left:Number = orient2d(before, tip, node);
+            var right:Number = orient2d(tip, after, node);
+            return left >= 0 && right >= 0 && orient2d(after, before, node) >= 0
+                && !(left == 0 && isBeyond(node, before, tip)) && !(right == 0 && isBeyond(node, tip, after));
+        }
+
+        // Whether no edge at a node goes to the left of a line.
+        private function isBeyond(node:int, from:int, to:int):Boolean
+        {
+            return orient2d(from, to, previous[node]) <= 0 && orient2d(from, to, next[node]) <= 0;
         }
 
         private function extentOf(loop:Vector.<uint>):Number

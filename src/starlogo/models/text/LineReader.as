@@ -203,13 +203,15 @@ package starlogo.models.text
             while (isContinued && _end < _text.length);
             _end = Math.min(_end, _text.length);
             refuseIf(_end - _start > MAX_PIECE, _name, "a line and its continuation lines have more than " + MAX_PIECE + " characters", placeOf(_line + 1));
-            var text:String = (_start == 0 ? "\n" : "") + _text.substring(_start, _end) + (_end == _text.length ? "\n" : "");
+            var text:String = (_start == 0 ? "\n" : "") + _text.substring(_start, _end);
             text = TextWords.replaceAll(text, "\r\n", "\n");
             text = TextWords.replaceAll(text, "\r", "\n");
             text = TextWords.replaceAll(text, "\t", " ");
             text = TextWords.replaceAll(text, "\\\n", " " + CONTINUED + " ");
             text = TextWords.replaceAll(text, "\n", " " + END + " ");
-            _words = TextWords.singleSpaced(" " + text + " ").split(" ");
+            // the text's end ends a line, even after a mark that continues it
+            var end:String = _end == _text.length ? " " + END + " " : " ";
+            _words = TextWords.singleSpaced(" " + text + end).split(" ");
             _next = 1;
         }
     }

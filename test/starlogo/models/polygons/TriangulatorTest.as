@@ -1,6 +1,7 @@
 package starlogo.models.polygons
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.models.FileLimits;
@@ -68,6 +69,58 @@ package starlogo.models.polygons
                 star.push([x + radius * Math.cos(angle), y + radius * Math.sin(angle)]);
             }
             return star;
+        }
+
+        /** In a plane that leans, corners in a line are beside it by rounding. Every cut must have them on the same side. */
+        [Test]
+        public function coversStepsInLeaningPlanes():void
+        {
+            const STEPS:Array = [[0, 3], [1, 3], [1, 1], [2, 1], [2, 2], [3, 2], [3, 1], [4, 1], [4, 0], [3, 0], [2, 0], [1, 0], [0, 0]];
+            var random:SeededRandom = new SeededRandom(5);
+            for (var i:int = 0; i < 400; i++)
+            {
+                var u:Vector3D = new Vector3D(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+                var v:Vector3D = new Vector3D(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+                var vertices:Vector.<Number> = new Vector.<Number>();
+                var corners:Vector.<uint> = new Vector.<uint>();
+                for each (var corner:Array in STEPS)
+                {
+                    corners.push(vertices.length / 3);
+                    vertices.push(corner[0] * u.x + corner[1] * v.x + 0.3, corner[0] * u.y + corner[1] * v.y, corner[0] * u.z + corner[1] * v.z - 0.7);
+                }
+                var triangles:Vector.<uint> = new Vector.<uint>();
+                cut(vertices, triangles, new <Vector.<uint>>[corners]);
+                var part:Number = Surfaces.area(vertices, triangles) / u.crossProduct(v).length;
+                assertTrue("plane " + i + ": area " + part + ", not 7", Math.abs(part - 7) < 1e-9);
+            }
+        }
+
+        /** Corners of several holes are in lines with each other. Bridges go to the same corner, and along sides of holes. */
+        [Test]
+        public function leavesHolesInLinesOpen():void
+        {
+            const HOLES:Array = [[[0, 0], [2, 0], [2, 2], [0, 2]], [[0, 0], [2, 0], [0, 2]], [[0, 0], [2, 2], [0, 2]], [[1, 0], [2, 1], [1, 2], [0, 1]],
+                    [[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 0], [1, 0], [2, 0], [2, 2], [0, 2]]];
+            var random:SeededRandom = new SeededRandom(6);
+            for (var i:int = 0; i < 200; i++)
+            {
+                var loops:Array = [[[0, 0], [12, 0], [24, 0], [24, 12], [24, 24], [12, 24], [0, 24], [0, 12]]];
+                var expected:Number = 576;
+                for (var cell:int = 0; cell < 49; cell++)
+                {
+                    if (random.chance(0.2))
+                    {
+                        var hole:Array = [];
+                        for each (var corner:Array in random.pick(HOLES))
+                        {
+                            hole.push([1 + 3 * (cell % 7) + corner[0], 1 + 3 * int(cell / 7) + corner[1]]);
+                        }
+                        expected -= area(hole);
+                        loops.push(random.chance() ? hole : hole.reverse());
+                    }
+                }
+                check("holes in lines " + i, expected, loops);
+            }
         }
 
         [Test]

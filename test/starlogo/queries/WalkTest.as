@@ -74,6 +74,37 @@ package starlogo.queries
         }
 
         [Test]
+        public function longStridesLeadUpStairs():void
+        {
+            const RISE:Number = 0.24;
+            var land:GreatLand = landOf(BuiltInModel.capsule(0.3, 1.8, "hero"));
+            var terrain:Terrain = new Terrain(26, 5, 0.4, -4, -0.8);
+            terrain.isBlocky = true;
+            fillHeights(terrain, function(column:int, row:int):Number
+                {
+                    return RISE * Math.max(0, Math.min(6, column - 12));
+                });
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                // half a patch and more ends at the edge of the next step but one, where a round agent hangs a step higher
+                for each (var stride:Number in [0.1, 0.25, 0.5, 0.8, 1, 2])
+                {
+                    var hero:Agent = agentAt("hero", -2, 0, 0.001);
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, land));
+                    queries.terrain = terrain;
+                    queries.update(new <Agent>[hero]);
+                    for (var walks:int = 0; walks < 60 && hero.z < 6 * RISE - NEAR; walks++)
+                    {
+                        var x:Number = hero.x;
+                        queries.walk(hero, stride, 0, null, _footing);
+                        assertTrue([name, stride, walks, hero.x - x].join(), _footing.stands && hero.x > x && hero.x <= x + stride + NEAR);
+                    }
+                    assertTrue([name, stride, hero.x, hero.z].join(), walks < 60);
+                }
+            }
+        }
+
+        [Test]
         public function wallsFencesAndCeilings():void
         {
             for each (var name:String in NAMES)

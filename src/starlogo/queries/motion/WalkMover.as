@@ -231,9 +231,31 @@ package starlogo.queries.motion
                 return false;
             }
             slide(walk, _upright.place, 0, walk.cosine, _tried);
-            var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
             walk.place.copyFrom(_tried.place);
-            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, height + walk.options.snap + walk.closeDepth);
+            var depth:Number = height + walk.options.snap + walk.closeDepth;
+            return isFarther(walk, plain) && (goDown(walk, depth) || (slideOff(walk, depth) && isFarther(walk, plain)));
+        }
+
+        // Whether the agent is farther along the piece than another place.
+        private static function isFarther(walk:Walk, other:Vector3D):Boolean
+        {
+            var farther:Number = (walk.place.x - other.x) * walk.piece.x + (walk.place.y - other.y) * walk.piece.y;
+            return farther > walk.closeDepth * walk.pieceLength;
+        }
+
+        // Slides down what is too steep to stand on, where the way down from a step has ended: a round agent that has met the edge of the next step hangs
+        // on it. Returns whether the agent stands then, and is no farther from where the piece began than the piece is long.
+        private function slideOff(walk:Walk, depth:Number):Boolean
+        {
+            if (_upright.floorRow < 0)
+            {
+                return false;
+            }
+            slideDown(walk, _upright.place, depth - (walk.place.z - _upright.place.z), walk.pieceLength);
+            walk.place.copyFrom(_tried.place);
+            var dx:Number = walk.place.x - walk.start.x;
+            var dy:Number = walk.place.y - walk.start.y;
+            return dx * dx + dy * dy <= walk.pieceLength * walk.pieceLength && goDown(walk, walk.closeDepth);
         }
 
         // Slides along the way of a piece, and up or down.

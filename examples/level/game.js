@@ -51,6 +51,8 @@ export class Game {
 			return new Walker("enemies", radius * Math.cos(angle), radius * Math.sin(angle), 6, 0xc8322b);
 		});
 		this.#collision.onCollisionStart("bullets", Collision.ANY_BREED, (bullet, other) => this.#hit(bullet, other));
+		this.#queries.update(this.agents);
+		for (const walker of [this.player, ...this.enemies]) this.#queries.walk(walker, 0, 0, { ...STRIDE, fall: Infinity }, walker.footing); // down to the ground
 		this.#collision.update(this.agents); // so that there is a frame to go back to
 	}
 
@@ -74,6 +76,7 @@ export class Game {
 			if (Math.hypot(dx, dy) < 15 && this.#queries.canSee(enemy, player, this.#solid)) enemy.heading = (Math.atan2(dy, dx) * 180) / Math.PI;
 			else if (enemy.footing.part < 0.3) enemy.heading += 20 + 90 * this.#next();
 			this.#walk(enemy, Math.hypot(dx, dy) < 1.5 ? 0 : ENEMY_SPEED, false);
+			if (enemy.z < -10) this.#dropIn(enemy); // it has walked off the level's edge
 		}
 		if (shoots) this.#shoot();
 		for (const bullet of this.bullets) {
@@ -139,9 +142,13 @@ export class Game {
 		bullet.frames = BULLET_FRAMES;
 		if (other.breed !== "enemies") return;
 		this.hits++;
-		other.jumpTo(20 * (this.#next() - 0.5), 20 * (this.#next() - 0.5), 8); // it drops in again
-		other.footing = new Footing();
-		other.speed = 0;
+		this.#dropIn(other);
+	}
+
+	#dropIn(enemy) {
+		enemy.jumpTo(20 * (this.#next() - 0.5), 20 * (this.#next() - 0.5), 8);
+		enemy.footing = new Footing();
+		enemy.speed = 0;
 	}
 
 	/** A random number from 0 to 1. Each game has the same ones. */

@@ -320,7 +320,7 @@ export class Bodies {
 			case "sortOn":
 				return `$${helper}(${args.map((each) => this.text(each)).join(", ")})`;
 			default:
-				throw new Error(`${path} is not known`);
+				throw new Error(`${path} is not known: write it another way, for example int(x) for uint(x), or translate it here, in js/module/bodies.mjs`);
 		}
 	}
 }

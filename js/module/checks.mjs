@@ -36,6 +36,9 @@ const WARNINGS = new Map([
 	...["cast", "near", "nearest"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, null);"]]),
 ]);
 
+/** Classes whose settings are set after the constructor. Agents are left out, because a subclass may pass all that it gets on to `super()`. */
+const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.Collision|queries\.(?:AgentFilter|LevelShapes|WalkOptions))$/;
+
 /** The angles that an agent is turned by. */
 const ANGLES = /^starlogo\.agents\.Agent\.(?:heading|pitch|roll)$/;
 
@@ -182,8 +185,8 @@ export class Checks {
 
 /** What a member says first while a game is developed, about what is allowed and probably a mistake. */
 function warningsOf(qname, name, kind, parameters) {
-	const isCollider = kind === "constructor" && /\.collision\.\w+Collider$/.test(qname) && parameters.length > 0;
-	if (isCollider) return [`$warnOfMore("${name}", arguments, ${parameters.length});`];
+	const isCollider = /\.collision\.\w+Collider$/.test(qname) && parameters.length > 0;
+	if (kind === "constructor" && (isCollider || SET_AFTER.test(qname))) return [`$warnOfMore("${name}", arguments, ${parameters.length});`];
 	if (kind === "set" && ANGLES.test(`${qname}.${name}`)) return [`$warnOfAngle(this, "${name}", value);`];
 	return kind === "method" ? WARNINGS.get(`${qname}.${name}`) ?? [] : [];
 }

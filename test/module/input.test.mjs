@@ -169,6 +169,8 @@ test("lists are arrays of agents, and a frame that is refused changes nothing", 
 		refused(() => collision.collisionSystem.findCollisions([a, item]), "agents[1]");
 		if (item != null) refused(() => collision.collisionSystem.areColliding(a, item), "b must be an Agent");
 	}
+	// eslint-disable-next-line no-sparse-arrays -- a hole, as a second comma or a list that is too long leaves it
+	refused(() => collision.update([a, , b]), "agents[1] must be an Agent, not undefined");
 	refused(() => collision.update([a, a]), "listed twice", `agent ${a.id}`);
 	refused(() => collision.collisionSystem.findCollisions([a, b], {}), "out must be an array");
 	assert.equal(calls, 1);

@@ -386,6 +386,21 @@ test("while a game is developed, angles in radians are warned of, once, and angl
 	for (const degrees of ["[90, 180, 3, -3, 0.5]", many("5 * Math.sin(i)"), many("10 * Math.sin(i)"), many("i % 7"), many("i % 360 - 180"), many("0.01 * i"), many("Math.atan2(Math.sin(i), Math.cos(i)) * 180 / Math.PI")]) assert.deepEqual(run(degrees), [], degrees);
 });
 
+test("while a game is developed, settings for a constructor that takes none are warned of", () => {
+	const program = (module) => `import { AgentFilter, BinCollider, Collision, GreatLand, LevelShapes, WalkOptions } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		new GreatLand(), new AgentFilter(), AgentFilter.ofBreeds("heroes"), new WalkOptions(), new LevelShapes(), new Collision(new BinCollider());
+		new GreatLand({ loadHulls: true }), new AgentFilter({ breeds: ["heroes"] }), new WalkOptions({ stepHeight: 1 }), new LevelShapes(true);
+		new Collision(new BinCollider(), { terrain: null });
+		console.log(JSON.stringify(said));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const none = (name, such) => `starlogo-collision: new ${name} takes no arguments, and does nothing with those that it got: settings${such} are set after it`;
+	assert.deepEqual(run("starlogo-collision.js"), [none("GreatLand", " such as loadHulls"), none("AgentFilter", " such as breeds"), none("WalkOptions", " such as stepHeight"),
+		none("LevelShapes", ""), "starlogo-collision: new Collision takes 1 argument, and does nothing with the others: settings such as terrain are set after it"]);
+	assert.deepEqual(run("starlogo-collision.min.js"), []);
+});
+
 test("while a game is developed, settings that a constructor does not take, levels without a tree and falls without end are warned of, once", () => {
 	const program = (module) => `import { Agent, AgentQueries, BinCollider, BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];

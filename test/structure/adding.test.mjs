@@ -55,6 +55,18 @@ test('every question stands in the files of "A question"', () => {
 	assert.deepEqual(missing(questions, filesOf('docs/adding.md', 'A question'), known).filter((each) => !isAsked(each)), []);
 });
 
+test('every format stands in the files of "A format"', () => {
+	const readers = classesOf('src/starlogo/models', ['ModelReader']);
+	for (const known of ['ColladaReader', 'GltfReader', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);
+	// CookedLoadingTest damages cooked files
+	const known = ['test/starlogo/models/ModelMutationsTest.as: CookedReader', 'test/fuzz/kinds/files.mjs: CookedReader'];
+	const isThere = (each) => {
+		const [file, reader] = each.split(': ');
+		return new RegExp(`\\b${reader.replace(/Reader$/, 'Model')}\\b`).test(read(file));
+	};
+	assert.deepEqual(missing(readers, filesOf('docs/adding.md', 'A format'), known).filter((each) => !isThere(each)), []);
+});
+
 test('members of the namespace engine are @private in documented classes, as ./antw asdoc demands', () => {
 	const hidden = /\/\*\*(?:(?!\*\/)[^])*@private(?:(?!\*\/)[^])*\*\/\s*$/;
 	const members = sourcesBelow('src/starlogo').flatMap((file) => {

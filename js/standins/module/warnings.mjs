@@ -156,9 +156,13 @@ export function $warnOfStale(queries, agents, mover) {
 	if (moved) $warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${$frames - last.frameThen} frames ago: call it once a frame, or refresh(agent)`, "stale");
 }
 
-/** Warns of arguments that a collision system's constructor does not take: `new CombinationCollider(greatLand, { exact: true })`. */
+/** Warns of arguments that a constructor does not take: `new CombinationCollider(greatLand, { exact: true })`, `new AgentFilter({ breeds: ["sheep"] })`. */
 export function $warnOfMore(name, given, taken) {
-	if (given.length > taken) $warn(`new ${name} takes ${taken} argument, and does nothing with the others: settings such as exact are set after it`);
+	if (given.length <= taken) return;
+	const [setting] = given[taken] instanceof Object ? Object.keys(given[taken]) : [];
+	const such = setting === undefined ? "" : ` such as ${setting}`;
+	const [number, others] = taken === 0 ? ["no arguments", "those that it got"] : ["1 argument", "the others"];
+	$warn(`new ${name} takes ${number}, and does nothing with ${others}: settings${such} are set after it`);
 }
 
 /**

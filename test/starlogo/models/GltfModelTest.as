@@ -57,6 +57,18 @@ package starlogo.models
             assertEquals("1,2,3,4,2,3,1,6,3,1,2,5", GltfModel.fromBytes("a", bytes, moved, Model.AS_GIVEN).vertices.join());
         }
 
+        /** Positions behind the normals of their vertices: nothing stands behind the last one. */
+        [Test]
+        public function readsPositionsBehindNormals():void
+        {
+            var view:int = _file.addView([0, 0, 1, 0, 0, 0, 0, 0, 1, 3, 0, 0, 0, 0, 1, 0, 4, 0], 6, Gltf.FLOAT);
+            _file.json.bufferViews[view].byteStride = 24;
+            var position:int = _file.json.accessors.push({componentType: Gltf.FLOAT, type: "VEC3", count: 3, bufferView: view, byteOffset: 12}) - 1;
+            _file.addMesh({attributes: {POSITION: position}});
+            _file.json.nodes.push({mesh: 0});
+            assertEquals("0,0,0,3,0,0,0,4,0", read().vertices.join());
+        }
+
         [Test]
         public function readsEveryKindOfNumber():void
         {

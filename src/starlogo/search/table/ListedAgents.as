@@ -186,7 +186,7 @@ package starlogo.search.table
         {
             if (!(agent is Agent))
             {
-                throw new ArgumentError("agents[" + index + "] " + (agent == null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent")));
+                throw new ArgumentError("agents[" + index + "] " + (agent === null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent")));
             }
             if (agent.isOfWorld)
             {

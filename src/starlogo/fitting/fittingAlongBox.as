@@ -15,7 +15,7 @@ package starlogo.fitting
      *
      * @private
      */
-    public function fittingAlongBox(session:FitSession, boxFitter:Fitter, findAlong:Function):Fit
+    internal function fittingAlongBox(session:FitSession, boxFitter:Fitter, findAlong:Function):Fit
     {
         return new Fit(session, function(session:FitSession):BoundingStructure
             {

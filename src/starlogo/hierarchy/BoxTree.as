@@ -2,11 +2,8 @@ package starlogo.hierarchy
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.vertices.VertexBounds;
-
-    use namespace engine;
 
     /**
      * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
@@ -258,7 +255,7 @@ package starlogo.hierarchy
         }
 
         /** Keeps only the first nodes, so many. The columns are copied, because lists that grew have room to spare. */
-        engine function cutTo(count:int):void
+        public function cutTo(count:int):void
         {
             boxes = boxes.slice(0, 6 * count);
             left = left.slice(0, count);

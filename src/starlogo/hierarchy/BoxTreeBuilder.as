@@ -1,10 +1,7 @@
 package starlogo.hierarchy
 {
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
-
-    use namespace engine;
 
     /**
      * Makes a tree of boxes from the root down (thesis §4.4): divides a node's items between two new nodes, and their items in turn.

@@ -1,9 +1,5 @@
 package starlogo.hierarchy
 {
-    import starlogo.engine;
-
-    use namespace engine;
-
     /**
      * Makes the nodes of a tree from the root down. A BoxTreeBuilder or a CookedTree says where each node is divided.
      *

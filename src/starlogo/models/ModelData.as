@@ -76,5 +76,18 @@ package starlogo.models
             finish(new Normalisation(data));
             return data;
         }
+
+        /**
+         * Makes points without a surface the vertices, if there are no others.
+         *
+         * @param points x, y, z of each; kept
+         * @param expected for the error: what the file must have
+         * @throws ModelError if there are no such points either
+         */
+        public function takeLoosePoints(points:Vector.<Number>, expected:String):void
+        {
+            vertices = vertices.length == 0 ? points : vertices;
+            refuseIf(vertices.length == 0, name, "no vertices: expected " + expected);
+        }
     }
 }

@@ -2,7 +2,6 @@ package starlogo.libraries.cooked
 {
     import flash.errors.EOFError;
     import flash.utils.ByteArray;
-    import starlogo.engine;
     import starlogo.hierarchy.BoxRefit;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
@@ -11,8 +10,6 @@ package starlogo.libraries.cooked
     import starlogo.models.cooked.VarInt;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
-
-    use namespace engine;
 
     /**
      * Writes how a tree divides its items into a section of a cooked file, and restores the tree from that in steps. The boxes are not

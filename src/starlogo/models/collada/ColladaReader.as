@@ -73,7 +73,7 @@ package starlogo.models.collada
 
         private function readingInstances(instances:Vector.<ColladaPlace>):Steps
         {
-            // points without a surface, which are the model's vertices if there are no others
+            // points without a surface
             var loosePoints:Vector.<Number> = new Vector.<Number>();
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
@@ -85,8 +85,7 @@ package starlogo.models.collada
                         });
                 }).call(function():void
                 {
-                    _data.vertices = _data.vertices.length == 0 ? loosePoints : _data.vertices;
-                    refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
+                    _data.takeLoosePoints(loosePoints, "a scene or a library with a geometry in it");
                 });
         }
 

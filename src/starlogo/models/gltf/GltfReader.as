@@ -4,7 +4,6 @@ package starlogo.models.gltf
     import starlogo.models.ModelData;
     import starlogo.models.ModelReader;
     import starlogo.models.VertexFilter;
-    import starlogo.models.refuseIf;
     import starlogo.models.turnToZUp;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -24,7 +23,7 @@ package starlogo.models.gltf
         private var _file:GltfFile;
         private var _scene:GltfScene;
 
-        // Points without a surface. They become the model's vertices if there are no others.
+        // Points without a surface.
         private var _loosePoints:Vector.<Number> = new Vector.<Number>();
 
         /**
@@ -134,8 +133,7 @@ package starlogo.models.gltf
 
         private function droppingUnused():Steps
         {
-            _data.vertices = _data.vertices.length == 0 ? _loosePoints : _data.vertices;
-            refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
+            _data.takeLoosePoints(_loosePoints, "a mesh in the scene");
             return _data.triangles.length == 0 ? null : new VertexFilter(_data.vertices, _data.triangles, new Vector.<uint>(_data.vertices.length / 3));
         }
     }

@@ -49,7 +49,7 @@ package starlogo.broadphase
         internal var count:int;
 
         // The bucket of a cell is its line times stride plus its column, counted from the first bucket. Only the bits in the mask count, which
-        // is NO_BUCKETS if CellLists has no buckets of the level.
+        // is NO_BUCKETS if the level had no members in the last search.
         internal var firstBucket:int;
         internal var mask:int = NO_BUCKETS;
         internal var stride:int;
@@ -94,7 +94,7 @@ package starlogo.broadphase
             return firstBucket + mask + 1;
         }
 
-        /** Whether CellLists has buckets of the level. */
+        /** Whether the level has got buckets in the last search. */
         public function get hasBuckets():Boolean
         {
             return mask != NO_BUCKETS;

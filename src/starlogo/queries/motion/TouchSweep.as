@@ -1,7 +1,6 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ContactPoint;
     import starlogo.data.IntList;
     import starlogo.geometry.Tolerances;
 

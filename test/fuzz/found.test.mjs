@@ -162,6 +162,9 @@ const FOUND = {
 	["edges",2.5359314118977636,3.9415930435061455,2.024441984947771,true],
 	["frame"],
 	["stand",0,0.625,0.5,0.5250409533502534]],
+	"an error that a handler throws has the handler's breeds": [["tiles",0,-2,1,1,369],
+	["handler","onCollisionStart","walls","walls","throw",""],
+	["frame"]],
 };
 
 for (const [name, calls] of Object.entries(FOUND)) test(name, () => assert.equal(problemOf(calls), null));

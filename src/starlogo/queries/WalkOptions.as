@@ -56,8 +56,9 @@ package starlogo.queries
         }
 
         /**
-         * The greatest depth of the ground below it, in patches, at which it stays on the ground. So it can go downhill and down steps. If
-         * the ground is deeper, it falls. With 0 it stays only on ground that it touches.
+         * The greatest depth of the ground below it, in patches, at which it stays on the ground. So it can go downhill and down steps. After a
+         * way up, for example over the upper end of a ramp, the depth below where this way began counts. If the ground is deeper, it falls.
+         * With 0 it stays only on ground that it touches.
          *
          * @throws RangeError if it is negative, above 1e9 or not a number
          */

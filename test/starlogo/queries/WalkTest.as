@@ -105,6 +105,43 @@ package starlogo.queries
         }
 
         [Test]
+        public function longStridesLeadOverTheUpperEndOfARamp():void
+        {
+            const RISE:Number = 0.36;
+            var land:GreatLand = landOf(BuiltInModel.capsule(0.3, 1.8, "hero"));
+            // 42 degrees from x = 0.8 to 3.2
+            var terrain:Terrain = new Terrain(26, 5, 0.4, -4, -0.8);
+            fillHeights(terrain, function(column:int, row:int):Number
+                {
+                    return RISE * Math.max(0, Math.min(6, column - 12));
+                });
+            _options.fall = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                // the longest end up to 0.9 above the plateau before they go down
+                for each (var stride:Number in [0.1, 0.5, 0.8, 1, 2])
+                {
+                    var hero:Agent = agentAt("hero", -2, 0, 0.001);
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, land));
+                    queries.terrain = terrain;
+                    queries.update(new <Agent>[hero]);
+                    queries.moveUntilTouch(hero, 0, 0, -9);
+                    var walks:int = 0;
+                    for (; walks < 90 && hero.x < 3.6; walks++)
+                    {
+                        queries.walk(hero, stride, 0, _options, _footing);
+                        assertTrue([name, stride, walks, hero.x, hero.z].join(), _footing.stands);
+                    }
+                    assertTrue([name, stride, hero.x, hero.z].join(), walks < 90 && Math.abs(hero.z - 6 * RISE) < NEAR);
+                    // in the air it is not pulled down
+                    hero.moveTo(hero.x, 0, hero.z + 0.1);
+                    queries.walk(hero, -0.1, 0, _options, _footing);
+                    assertTrue(name, !_footing.stands && Math.abs(hero.z - 6 * RISE - 0.1) < NEAR);
+                }
+            }
+        }
+
+        [Test]
         public function wallsFencesAndCeilings():void
         {
             for each (var name:String in NAMES)

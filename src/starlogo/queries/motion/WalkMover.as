@@ -133,7 +133,9 @@ package starlogo.queries.motion
                     if (!(_along.metWall && stepUp(walk, _along.place)))
                     {
                         walk.place.copyFrom(_along.place);
-                        stands = goDown(walk, walk.options.snap + walk.closeDepth);
+                        // the ground may have led up only for a part of the piece: on a ramp, and over the edge of a step
+                        var height:Number = Math.max(0, walk.place.z - walk.start.z);
+                        stands = goDown(walk, height + walk.options.snap + walk.closeDepth);
                     }
                 }
             }

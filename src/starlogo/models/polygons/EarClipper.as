@@ -72,7 +72,8 @@ package starlogo.models.polygons
                     _rings.remove(_node);
                     _misses = _misses > 2 * _count ? _misses : 0;
                     _count--;
-                    _node = next[after];
+                    // What is left of a cut part goes first, because no other triangle is right while the ring goes there and back.
+                    _node = _rings.turnsBack(before) ? before : (_rings.turnsBack(after) ? after : next[after]);
                 }
                 else
                 {
@@ -107,10 +108,14 @@ package starlogo.models.polygons
                 if (x >= minX && x <= maxX)
                 {
                     var y:Number = ys[node];
-                    var isAtCorner:Boolean = x == ax && y == ay || x == bx && y == by || x == cx && y == cy;
-                    if (y >= minY && y <= maxY && !isAtCorner && _rings.isInside(node, before, tip, after))
+                    var isAtEnd:Boolean = x == ax && y == ay || x == cx && y == cy;
+                    if (y >= minY && y <= maxY && !isAtEnd)
                     {
-                        return count;
+                        var isAtTip:Boolean = x == bx && y == by;
+                        if (isAtTip ? _rings.goesInto(node, before, tip, after) : _rings.isInside(node, before, tip, after))
+                        {
+                            return count;
+                        }
                     }
                 }
                 count++;

@@ -85,6 +85,7 @@ package starlogo.models.polygons
             var xs:Vector.<Number> = _rings.x;
             var ys:Vector.<Number> = _rings.y;
             var corner:int = -1;
+            var edge:int = -1;
             var nearest:Number = Number.POSITIVE_INFINITY;
             var x:Number = xs[hole];
             var y:Number = ys[hole];
@@ -95,38 +96,38 @@ package starlogo.models.polygons
                 // the outline is counter-clockwise, so the edge to the right of an inner point goes upwards
                 if (ys[node] <= y && y <= ys[end] && ys[node] < ys[end])
                 {
-                    var hit:Number = xs[node] + (y - ys[node]) * (xs[end] - xs[node]) / (ys[end] - ys[node]);
+                    // a corner on the ray is met at its own place, without rounding, because the hole may touch it
+                    var met:int = ys[node] == y ? node : (ys[end] == y ? end : -1);
+                    var hit:Number = met >= 0 ? xs[met] : xs[node] + (y - ys[node]) * (xs[end] - xs[node]) / (ys[end] - ys[node]);
                     if (hit >= x && hit < nearest)
                     {
                         nearest = hit;
-                        corner = ys[node] == y ? node : (ys[end] == y ? end : (xs[node] > xs[end] ? node : end));
+                        edge = node;
+                        corner = met >= 0 ? met : (xs[node] > xs[end] ? node : end);
                     }
                 }
                 node = end;
             }
             while (node != _outline);
-            return corner < 0 || ys[corner] == y ? corner : nearestToRay(hole, nearest, corner);
+            return corner < 0 || ys[corner] == y ? corner : nearestToRay(hole, edge, corner);
         }
 
-        // The corner that is visible from a hole's node. It is the given corner, unless others block the line to it. Then it is the blocking corner
-        // nearest to the ray, which meets the outline at hitX.
-        private function nearestToRay(hole:int, hitX:Number, corner:int):int
+        // The corner that is visible from a hole's node. It is the given corner of the edge that the ray from this node meets, unless others block
+        // the line to it. Then it is the blocking corner nearest to the ray.
+        private function nearestToRay(hole:int, edge:int, corner:int):int
         {
             var xs:Vector.<Number> = _rings.x;
-            var ys:Vector.<Number> = _rings.y;
-            var x:Number = xs[hole];
-            var y:Number = ys[hole];
             var result:int = corner;
-            var smallest:Number = Math.abs(ys[corner] - y) / (xs[corner] - x);
+            // counter-clockwise, a corner above the ray is to the left of one nearer to the ray
+            var direction:int = _rings.y[corner] > _rings.y[hole] ? 1 : -1;
             var node:int = _outline;
             do
             {
-                if (xs[node] > x && node != corner && isBetween(node, hole, hitX, corner) && seesInside(node, hole))
+                if (xs[node] > xs[hole] && node != corner && isBetween(node, hole, edge, corner) && seesInside(node, hole))
                 {
-                    var slope:Number = Math.abs(ys[node] - y) / (xs[node] - x);
-                    if (slope < smallest || slope == smallest && xs[node] < xs[result])
+                    var turn:Number = direction * _rings.orient2d(hole, node, result);
+                    if (turn > 0 || turn == 0 && xs[node] < xs[result])
                     {
-                        smallest = slope;
                         result = node;
                     }
                 }
@@ -136,44 +137,53 @@ package starlogo.models.polygons
             return result;
         }
 
-        // Whether a node is inside the triangle of a hole's node, the place where its ray meets the outline, and a corner, or on its edge.
-        private function isBetween(node:int, hole:int, hitX:Number, corner:int):Boolean
+        // Whether a node is inside the triangle of a hole's node, the place where its ray meets an edge of the outline, and a corner of this edge, or
+        // on the triangle's edge.
+        private function isBetween(node:int, hole:int, edge:int, corner:int):Boolean
         {
-            var holeY:Number = _rings.y[hole];
-            var upToCorner:Number = _rings.y[corner] - holeY;
-            var up:Number = _rings.y[node] - holeY;
+            var ys:Vector.<Number> = _rings.y;
             // counter-clockwise, the triangle goes along the ray first if the corner is above it
-            var direction:int = upToCorner > 0 ? 1 : -1;
-            var leftOfOutline:Number = (_rings.x[corner] - hitX) * up - upToCorner * (_rings.x[node] - hitX);
-            return direction * up >= 0 && direction * leftOfOutline >= 0 && direction * _rings.orient2d(corner, hole, node) >= 0;
+            var direction:int = ys[corner] > ys[hole] ? 1 : -1;
+            return direction * (ys[node] - ys[hole]) >= 0 && _rings.orient2d(edge, _rings.next[edge], node) >= 0
+                && direction * _rings.orient2d(corner, hole, node) >= 0;
         }
 
-        // A corner where bridges begin is in the ring several times. Returns the node at its place that has the hole's node on its side of the bridges.
+        // A corner where bridges begin, or where holes touch, is in the ring several times. Returns the node at its place that has the hole on its
+        // side of the others: of those that see it, the one whose next edge is the nearest clockwise.
         private function nodeThatSees(corner:int, hole:int):int
         {
+            var xs:Vector.<Number> = _rings.x;
+            var ys:Vector.<Number> = _rings.y;
+            var next:Vector.<int> = _rings.next;
+            // a hole that touches the corner begins there, and goes on to its next node
+            var seen:int = xs[hole] == xs[corner] && ys[hole] == ys[corner] ? next[hole] : hole;
+            var result:int = -1;
             var node:int = corner;
             do
             {
-                if (_rings.x[node] == _rings.x[corner] && _rings.y[node] == _rings.y[corner] && seesInside(node, hole))
+                if (xs[node] == xs[corner] && ys[node] == ys[corner] && seesInside(node, seen)
+                        && (result < 0 || isTurnedTo(node, next[result], next[node], seen)))
                 {
-                    return node;
+                    result = node;
                 }
-                node = _rings.next[node];
+                node = next[node];
             }
             while (node != corner);
-            return corner;
+            return result < 0 ? corner : result;
         }
 
         // Whether the direction from a corner to another node goes into the polygon.
         private function seesInside(corner:int, node:int):Boolean
         {
-            var previous:int = _rings.previous[corner];
-            var next:int = _rings.next[corner];
-            if (_rings.orient2d(previous, corner, next) > 0)
-            {
-                return _rings.orient2d(corner, next, node) > 0 && _rings.orient2d(corner, node, previous) > 0;
-            }
-            return _rings.orient2d(corner, next, node) > 0 || _rings.orient2d(corner, node, previous) > 0;
+            return isTurnedTo(corner, _rings.next[corner], node, _rings.previous[corner]);
+        }
+
+        // Whether a turn to the left about a corner, from one node to another, meets the direction to a third one between them.
+        private function isTurnedTo(corner:int, from:int, node:int, to:int):Boolean
+        {
+            var isAfter:Boolean = _rings.orient2d(corner, from, node) > 0;
+            var isBefore:Boolean = _rings.orient2d(corner, node, to) > 0;
+            return _rings.orient2d(corner, from, to) > 0 ? isAfter && isBefore : isAfter || isBefore;
         }
     }
 }

@@ -169,6 +169,14 @@ package starlogo.models.polygons
             return area + (roundingOfProduct(toBX, toCY, left) - roundingOfProduct(toBY, toCX, right));
         }
 
+        /** Whether the ring goes back at a node the way it came, or stays in its place. */
+        internal function turnsBack(node:int):Boolean
+        {
+            var before:int = previous[node];
+            var after:int = next[node];
+            return orient2d(before, node, after) == 0 && (x[before] - x[node]) * (x[after] - x[node]) + (y[before] - y[node]) * (y[after] - y[node]) >= 0;
+        }
+
         /**
          * Whether the triangle of three nodes in a row has another node inside it or on its edge. The triangle must be counter-clockwise. A node
          * that touches one of its two sides in the ring from outside does not count.
@@ -179,6 +187,29 @@ package starlogo.models.polygons
             var right:Number = orient2d(tip, after, node);
             return left >= 0 && right >= 0 && orient2d(after, before, node) >= 0
                 && !(left == 0 && isBeyond(node, before, tip)) && !(right == 0 && isBeyond(node, tip, after));
+        }
+
+        /**
+         * Whether the ring goes at a node at the tip's place into the triangle of three nodes in a row, which must be counter-clockwise, or leaves it
+         * out. The ends of its edges may be beyond the triangle: where a hole touches the tip, the ring goes there and back.
+         */
+        internal function goesInto(node:int, before:int, tip:int, after:int):Boolean
+        {
+            return isInCorner(previous[node], before, tip, after) || isInCorner(next[node], before, tip, after)
+                || isAlongSides(previous[node], next[node], before, tip, after);
+        }
+
+        // Whether a node is in the direction of the side after a left turn, and another one in the direction of the side before it.
+        private function isAlongSides(alongAfter:int, alongBefore:int, before:int, tip:int, after:int):Boolean
+        {
+            return orient2d(tip, after, alongAfter) == 0 && orient2d(before, tip, alongAfter) > 0
+                && orient2d(before, tip, alongBefore) == 0 && orient2d(tip, after, alongBefore) > 0;
+        }
+
+        // Whether a node is between the two sides of a left turn, or of what goes on beyond them.
+        private function isInCorner(node:int, before:int, tip:int, after:int):Boolean
+        {
+            return orient2d(before, tip, node) > 0 && orient2d(tip, after, node) > 0;
         }
 
         // Whether no edge at a node goes to the left of a line.

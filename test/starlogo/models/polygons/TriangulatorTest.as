@@ -123,6 +123,43 @@ package starlogo.models.polygons
             }
         }
 
+        /** Holes begin where others pass, or touch them in two corners, and close in a part of the inside. The sides are sides of squares. */
+        [Test]
+        public function leavesHolesThatTouchInCornersOpen():void
+        {
+            const SQUARE_HOLE:Array = [[3, 4], [4, 4], [4, 3], [3, 3]];
+            const STAIRS:Array = [[2, 4], [1, 4], [1, 2], [2, 2], [2, 1], [4, 1], [4, 2], [3, 2], [3, 3], [2, 3]];
+            const BENT:Array = [[3, 2], [2, 2], [2, 3], [1, 3], [1, 1], [3, 1]];
+            const BENT_BACK:Array = [[2, 3], [3, 3], [3, 2], [4, 2], [4, 4], [2, 4]];
+            for each (var pair:Array in [[SQUARE_HOLE, STAIRS], [BENT, BENT_BACK]])
+            {
+                var expected:Number = 30 - Math.abs(area(pair[0])) - Math.abs(area(pair[1]));
+                for (var i:int = 0; i < pair[0].length * pair[1].length; i++)
+                {
+                    var loops:Array = [[[0, 0], [6, 0], [6, 5], [0, 5]], turned(pair[0], i % pair[0].length), turned(pair[1], i / pair[0].length)];
+                    check("holes that touch " + i, expected, loops);
+                    check("in the other order " + i, expected, [loops[0], loops[2], loops[1]]);
+                }
+            }
+        }
+
+        [Test]
+        public function leavesAHoleThatTouchesTheOutlineOpen():void
+        {
+            const OUTLINE:Array = [[4, 1], [3, 1], [3, 0], [2, 0], [2, 1], [1, 1], [1, 2], [2, 2], [2, 3], [1, 3], [1, 4], [4, 4], [4, 3], [5, 3], [5, 2], [4, 2]];
+            const HOLE:Array = [[2, 1], [3, 1], [3, 2], [2, 2]];
+            for (var i:int = 0; i < OUTLINE.length * HOLE.length; i++)
+            {
+                check("touching " + i, 9, [turned(OUTLINE, i % OUTLINE.length), turned(HOLE, i / OUTLINE.length)]);
+            }
+        }
+
+        // A loop that begins at another corner.
+        private static function turned(loop:Array, first:int):Array
+        {
+            return loop.slice(first).concat(loop.slice(0, first));
+        }
+
         [Test]
         public function cutsLargePolygonsInPieces():void
         {

@@ -104,7 +104,9 @@ export class Checks {
 		const isNamed = !isStatic && !/^flash\.|\.(Model|Collision|Terrain)$/.test(type.qname) && type.members.some((each) => each.name === "toString") && member.kind !== "constructor";
 		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
 		const what = member.kind === "set" ? member.name : name;
-		const said = `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
+		// the game knows a setting as that of the class that it made, which may extend this one
+		const isExtended = member.kind === "set" && !isStatic && [...this.#byName.values()].some((each) => each.bases.includes(type.name));
+		const said = isExtended ? `\`\${this.constructor.name}.${member.name}\`` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
 		const where = isNamed ? `this, "${what}"` : `null, ${said}`;
 		const refuse = (kind) => `$refuse(${where}, ${name}, ${kind});`;
 		const unlessNull = isNullable && !/^(Number|u?int|Boolean)$/.test(parameter.type) ? `${name} != null && ` : "";
@@ -117,7 +119,7 @@ export class Checks {
 		const simple = this.#simpleCheck(parameter, member, type);
 		if (simple) {
 			const [helper, test, kind] = simple;
-			return isNamed ? [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`] : [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${said}, ${name});`];
+			return isNamed || isExtended ? [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`] : [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${said}, ${name});`];
 		}
 		switch (parameter.type) {
 			case "ByteArray":

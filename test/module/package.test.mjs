@@ -401,6 +401,23 @@ test("while a game is developed, settings for a constructor that takes none are 
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
 
+test("while a game is developed, a cast that begins inside of a hull is told from a walk", () => {
+	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, GreatLand, Sphere, TightestFitCollider, Vector3D } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.box(40, 40, 8, "ground"));
+		const queries = new AgentQueries(new TightestFitCollider(land));
+		queries.update([new Agent("ground", "levels")]);
+		for (let i = 0; i < 2; i++) queries.castShape(new Sphere(new Vector3D(2, 3, 5), 0.5), 1, 0, 0);
+		console.log(JSON.stringify(said));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const [cast, ...others] = run("starlogo-collision.js");
+	assert.match(cast, /a structure that is cast begins a motion 3\.5 deep inside of the structure around agent \d+ \(breed "levels", shape "ground"\), which it meets at once or not at all\. If this is a level/);
+	assert.deepEqual(others, []);
+	assert.deepEqual(run("starlogo-collision.min.js"), []);
+});
+
 test("while a game is developed, settings that a constructor does not take, levels without a tree and falls without end are warned of, once", () => {
 	const program = (module) => `import { Agent, AgentQueries, BinCollider, BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];

@@ -87,12 +87,14 @@ export function $warnOfEvent(object, type) {
 export function $warnOfInside(agents, index, shape, place, below, depth, isTree) {
 	const level = agents[index];
 	const mover = agents.find((each) => each?.shape === shape && each.x === place.x && each.y === place.y && each.z === place.z);
-	const name = mover ?? `the shape ${JSON.stringify(shape)}`;
+	const isCast = !mover && shape === $STRUCTURE;
+	const name = mover ?? (isCast ? "a structure that is cast" : `the shape ${JSON.stringify(shape)}`);
 	if (!isTree) {
-		$warn(`${name} begins a motion ${$rounded(depth)} deep inside of the structure around ${level}, and a walk pushes it out. If this is a level, whose triangles should count, set hierarchical of it, and take a CombinationCollider with exact. See docs/questions.md in the package, "thrown out of the level"`, `inside ${level.shape} ${shape}`);
+		const end = isCast ? "which it meets at once or not at all" : "and a walk pushes it out";
+		$warn(`${name} begins a motion ${$rounded(depth)} deep inside of the structure around ${level}, ${end}. If this is a level, whose triangles should count, set hierarchical of it, and take a CombinationCollider with exact. See docs/questions.md in the package, "thrown out of the level"`, `inside ${level.shape} ${shape}`);
 		return;
 	}
-	const remedy = below > 0.01 * place.size && shape !== $STRUCTURE
+	const remedy = below > 0.01 * place.size && !isCast
 		? `Its lowest point is ${$rounded(below)} below its place: a model that is AS_GIVEN keeps its origin. If its place is on the ground, move it up by ${$rounded(below)}, or give it a model whose origin is its lowest point.`
 		: "What is inside of a closed model collides; without exact, what is inside of a box of its tree. A room needs exact, and an opening or thick walls.";
 	$warn(`${name} begins a motion at (${[place.x, place.y, place.z].map($rounded).join(", ")}), ${$rounded(depth)} deep inside of ${level}, which does not stop it. ${remedy} See docs/questions.md in the package, "floats in a room"`, `inside ${level.shape} ${shape}`);

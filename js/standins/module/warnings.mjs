@@ -2,6 +2,7 @@
 import { parametersOf } from "./contacts.mjs";
 
 const $MOST_LOOKED_AT = 1000;
+const $MOST_LOOKED_AT_AGAIN = 100;
 const $LONG_SILENCE = 300;
 const $LONG_FALL = 200;
 const $MANY_ANGLES = 30;
@@ -10,6 +11,7 @@ const $STRUCTURE = "structure"; // what a cast structure is called: see Body.rea
 const $warned = /* @__PURE__ */ new Set();
 const $checkedBreeds = /* @__PURE__ */ new Map();
 const $checkedObjects = /* @__PURE__ */ new WeakSet();
+const $framesOf = /* @__PURE__ */ new WeakMap();
 const $silentFrames = /* @__PURE__ */ new WeakMap();
 const $updates = /* @__PURE__ */ new WeakMap();
 const $falls = /* @__PURE__ */ new WeakMap();
@@ -40,6 +42,22 @@ export function $warnOfUnknownProperties(object, isChanging) {
 	if (!isChanging && $checkedObjects.has(object)) return;
 	$checkedObjects.add(object);
 	$lookedAt++;
+	$warnOfNames(object);
+}
+
+/**
+ * Looks at agents again, because a game may set a property later than the first frame: at the first hundred of a list, in the second, fourth, eighth
+ * frame and so on of a Collision or of questions.
+ */
+export function $warnOfLaterProperties(system, agents) {
+	const frames = ($framesOf.get(system) ?? 0) + 1;
+	$framesOf.set(system, frames);
+	if (frames === 1 || (frames & (frames - 1)) !== 0 || !Array.isArray(agents)) return;
+	for (const agent of agents.slice(0, $MOST_LOOKED_AT_AGAIN)) if ($checkedObjects.has(agent)) $warnOfNames(agent);
+}
+
+/** Warns of the names of an object's own properties that do nothing. */
+function $warnOfNames(object) {
 	for (const name of Object.keys(object)) {
 		if (/^[_$]/.test(name) || name.length < 4) continue;
 		const type = object.constructor.name;
@@ -163,7 +181,7 @@ export function $warnOfMore(name, given, taken) {
 	if (given.length <= taken) return;
 	const [setting] = given[taken] instanceof Object ? Object.keys(given[taken]) : [];
 	const such = setting === undefined ? "" : ` such as ${setting}`;
-	const [number, others] = taken === 0 ? ["no arguments", "those that it got"] : ["1 argument", "the others"];
+	const [number, others] = [["no arguments", "those that it got"], ["1 argument", "the others"], ["2 arguments", "the others"]][taken];
 	$warn(`new ${name} takes ${number}, and does nothing with ${others}: settings${such} are set after it`);
 }
 

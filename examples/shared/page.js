@@ -36,7 +36,7 @@ function coloured(code) {
 /** Shows code beside the picture. */
 function showCode(code, file) {
 	const name = file.split("/").pop();
-	const listing = element("pre", { tabIndex: 0, innerHTML: coloured(code.trim()) });
+	const listing = element("pre", { innerHTML: coloured(code.trim()) });
 	listing.setAttribute("aria-label", `The code of ${name}`);
 	const link = element("a", { href: file, download: name, textContent: name });
 	document.querySelector(".code").replaceChildren(element("p", { className: "file" }, link, ` · ${code.trim().split("\n").length} lines of code`), listing);

@@ -27,8 +27,8 @@ const ANSWERED = new Set(["ByteArray", "String"]);
 /** What methods call first while a game is developed. addModel looks at its object's properties, because settings are often made just before. */
 const WARNINGS = new Map([
 	["starlogo.GreatLand.addModel", ["$warnOfUnknownProperties(this, true);"]],
-	["starlogo.collision.Collision.update", ["$warnOfSilence(this, agents);"]],
-	["starlogo.queries.AgentQueries.update", ["$warnOfStale(this, agents, null);"]],
+	["starlogo.collision.Collision.update", ["$warnOfSilence(this, agents);", "$warnOfLaterProperties(this, agents);"]],
+	["starlogo.queries.AgentQueries.update", ["$warnOfStale(this, agents, null);", "$warnOfLaterProperties(this, agents);"]],
 	...["refresh", "moveUntilTouch", "slide"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, agent);"]]),
 	["starlogo.queries.AgentQueries.walk", ["$warnOfStale(this, null, agent);", "$warnOfFall(agent, dx, dy);"]],
 	["starlogo.queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
@@ -36,7 +36,7 @@ const WARNINGS = new Map([
 	...["cast", "near", "nearest"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, null);"]]),
 ]);
 
-/** Classes whose settings are set after the constructor. Agents are left out, because a subclass may pass all that it gets on to `super()`. */
+/** Classes whose settings are set after the constructor. Those of agents are too, but a subclass may pass all that it gets on to `super()`. */
 const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.Collision|queries\.(?:AgentFilter|LevelShapes|WalkOptions))$/;
 
 /** The angles that an agent is turned by. */
@@ -104,7 +104,9 @@ export class Checks {
 		const isNamed = !isStatic && !/^flash\.|\.(Model|Collision|Terrain)$/.test(type.qname) && type.members.some((each) => each.name === "toString") && member.kind !== "constructor";
 		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
 		const what = member.kind === "set" ? member.name : name;
-		const said = `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
+		// the game knows a setting as that of the class that it made, which may extend this one
+		const isExtended = member.kind === "set" && !isStatic && [...this.#byName.values()].some((each) => each.bases.includes(type.name));
+		const said = isExtended ? `\`\${this.constructor.name}.${member.name}\`` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
 		const where = isNamed ? `this, "${what}"` : `null, ${said}`;
 		const refuse = (kind) => `$refuse(${where}, ${name}, ${kind});`;
 		const unlessNull = isNullable && !/^(Number|u?int|Boolean)$/.test(parameter.type) ? `${name} != null && ` : "";
@@ -117,7 +119,7 @@ export class Checks {
 		const simple = this.#simpleCheck(parameter, member, type);
 		if (simple) {
 			const [helper, test, kind] = simple;
-			return isNamed ? [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`] : [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${said}, ${name});`];
+			return isNamed || isExtended ? [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`] : [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${said}, ${name});`];
 		}
 		switch (parameter.type) {
 			case "ByteArray":
@@ -187,6 +189,7 @@ export class Checks {
 function warningsOf(qname, name, kind, parameters) {
 	const isCollider = /\.collision\.\w+Collider$/.test(qname) && parameters.length > 0;
 	if (kind === "constructor" && (isCollider || SET_AFTER.test(qname))) return [`$warnOfMore("${name}", arguments, ${parameters.length});`];
+	if (kind === "constructor" && qname === "starlogo.agents.Agent") return [`if (arguments.length > ${parameters.length} && new.target === Agent) $warnOfMore("Agent", arguments, ${parameters.length});`];
 	if (kind === "set" && ANGLES.test(`${qname}.${name}`)) return [`$warnOfAngle(this, "${name}", value);`];
 	return kind === "method" ? WARNINGS.get(`${qname}.${name}`) ?? [] : [];
 }

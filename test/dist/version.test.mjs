@@ -28,6 +28,7 @@ test('the newest in CHANGELOG.md is it', () => {
 });
 
 test('what is built has it', () => {
+	for (const file of ['bin/module/package.json', 'bin/dist/asdoc/index.html']) assert.ok(existsSync(inRoot(file)), `${file} is not built: ./antw dist builds it`);
 	assert.equal(readJson('bin/module/package.json').version, VERSION);
 	assert.match(readFileSync(inRoot('bin/module/starlogo-collision.js'), 'utf8').slice(0, 200), new RegExp(`^/\\*! starlogo-collision ${VERSION},`));
 	assert.match(readFileSync(inRoot('bin/dist/asdoc/index.html'), 'utf8').slice(0, 1000), new RegExp(`collision engine ${VERSION}\\b`));

@@ -116,6 +116,7 @@ for (const { name, title, file } of examples) {
 		assert.ok(listing.length > 500 && readFileSync(path.join(folder, file), 'utf8').includes(listing), 'the code that is shown is that of the file');
 		assert.equal(await page.title(), title);
 		assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'it is no wider than a phone');
+		assert.equal(await page.evaluate(() => { const { scrollWidth, clientWidth } = document.querySelector('pre'); return scrollWidth - clientWidth; }), 0, 'no code is cut off');
 		if (!isSwf(name) && name !== 'three-instances') assert.ok(await colours() > 20);
 		assert.deepEqual(said.splice(0), []);
 	});

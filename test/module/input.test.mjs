@@ -110,6 +110,7 @@ test("levels and depths are whole numbers", () => {
 		assert.equal(object[name], 7);
 	}
 	refused(() => (agent.traversalDepth = -1), "traversalDepth", "-1");
+	refused(() => (collider.maxDepth = 2.5), "HierarchicalCollider.maxDepth must be a whole number", "2.5");
 	refused(() => (agent.traversalDepth = 2 ** 31), "traversalDepth must be a whole number in the range of 32 bits", "2147483648");
 	// in a constructor the object is not whole yet
 	for (const capacity of [1.5, NaN]) refused(() => new FrameTimes(capacity), "new FrameTimes: capacity must be a whole number", String(capacity));

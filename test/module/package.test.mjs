@@ -310,6 +310,30 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
 
+test("while a game is developed, names that do nothing are warned of when they are set after the first frame, too", () => {
+	const program = (module) => `import { Agent, AgentQueries, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const collision = new Collision(new BinCollider());
+		const queries = new AgentQueries(new BinCollider());
+		const agents = [new Agent("sphere", "wolves"), new Agent("sphere")];
+		const asked = [new Agent("cube")];
+		for (let frame = 1; frame <= 20; frame++) {
+			collision.update(agents);
+			queries.update(asked);
+			if (frame === 1) agents[1].sweep = true;
+			if (frame === 5) agents[0].colour = "grey";
+			if (frame === 9) asked[0].isHierarchical = true;
+		}
+		console.log(JSON.stringify(said));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const said = run("starlogo-collision.js");
+	const expected = [/sweep is no property of Agent .*is sweeps meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/];
+	assert.equal(said.length, expected.length, said.join("\n"));
+	expected.forEach((pattern, i) => assert.match(said[i], pattern));
+	assert.deepEqual(run("starlogo-collision.min.js"), []);
+});
+
 test("while a game is developed, handlers and places that can't be meant are warned of, once", () => {
 	const program = (module) => `import { Agent, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, Model } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
@@ -387,17 +411,37 @@ test("while a game is developed, angles in radians are warned of, once, and angl
 });
 
 test("while a game is developed, settings for a constructor that takes none are warned of", () => {
-	const program = (module) => `import { AgentFilter, BinCollider, Collision, GreatLand, LevelShapes, WalkOptions } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+	const program = (module) => `import { Agent, AgentFilter, BinCollider, Collision, GreatLand, LevelShapes, WalkOptions } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
 		console.warn = (text) => said.push(text);
 		new GreatLand(), new AgentFilter(), AgentFilter.ofBreeds("heroes"), new WalkOptions(), new LevelShapes(), new Collision(new BinCollider());
 		new GreatLand({ loadHulls: true }), new AgentFilter({ breeds: ["heroes"] }), new WalkOptions({ stepHeight: 1 }), new LevelShapes(true);
 		new Collision(new BinCollider(), { terrain: null });
+		class Wolf extends Agent { constructor(...all) { super(...all); this.all = all; } }
+		new Agent("sphere"), new Agent("sphere", "wolves"), new Wolf("sphere", "wolves", 3), new Agent("sphere", "wolves", { sweeps: true });
 		console.log(JSON.stringify(said));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const none = (name, such) => `starlogo-collision: new ${name} takes no arguments, and does nothing with those that it got: settings${such} are set after it`;
 	assert.deepEqual(run("starlogo-collision.js"), [none("GreatLand", " such as loadHulls"), none("AgentFilter", " such as breeds"), none("WalkOptions", " such as stepHeight"),
-		none("LevelShapes", ""), "starlogo-collision: new Collision takes 1 argument, and does nothing with the others: settings such as terrain are set after it"]);
+		none("LevelShapes", ""), "starlogo-collision: new Collision takes 1 argument, and does nothing with the others: settings such as terrain are set after it",
+		"starlogo-collision: new Agent takes 2 arguments, and does nothing with the others: settings such as sweeps are set after it"]);
+	assert.deepEqual(run("starlogo-collision.min.js"), []);
+});
+
+test("while a game is developed, a cast that begins inside of a hull is told from a walk", () => {
+	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, GreatLand, Sphere, TightestFitCollider, Vector3D } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.box(40, 40, 8, "ground"));
+		const queries = new AgentQueries(new TightestFitCollider(land));
+		queries.update([new Agent("ground", "levels")]);
+		for (let i = 0; i < 2; i++) queries.castShape(new Sphere(new Vector3D(2, 3, 5), 0.5), 1, 0, 0);
+		console.log(JSON.stringify(said));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const [cast, ...others] = run("starlogo-collision.js");
+	assert.match(cast, /a structure that is cast begins a motion 3\.5 deep inside of the structure around agent \d+ \(breed "levels", shape "ground"\), which it meets at once or not at all\. If this is a level/);
+	assert.deepEqual(others, []);
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
 

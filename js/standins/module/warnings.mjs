@@ -2,6 +2,7 @@
 import { parametersOf } from "./contacts.mjs";
 
 const $MOST_LOOKED_AT = 1000;
+const $MOST_LOOKED_AT_AGAIN = 100;
 const $LONG_SILENCE = 300;
 const $LONG_FALL = 200;
 const $MANY_ANGLES = 30;
@@ -10,6 +11,7 @@ const $STRUCTURE = "structure"; // what a cast structure is called: see Body.rea
 const $warned = /* @__PURE__ */ new Set();
 const $checkedBreeds = /* @__PURE__ */ new Map();
 const $checkedObjects = /* @__PURE__ */ new WeakSet();
+const $framesOf = /* @__PURE__ */ new WeakMap();
 const $silentFrames = /* @__PURE__ */ new WeakMap();
 const $updates = /* @__PURE__ */ new WeakMap();
 const $falls = /* @__PURE__ */ new WeakMap();
@@ -40,6 +42,22 @@ export function $warnOfUnknownProperties(object, isChanging) {
 	if (!isChanging && $checkedObjects.has(object)) return;
 	$checkedObjects.add(object);
 	$lookedAt++;
+	$warnOfNames(object);
+}
+
+/**
+ * Looks at agents again, because a game may set a property later than the first frame: at the first hundred of a list, in the second, fourth, eighth
+ * frame and so on of a Collision or of questions.
+ */
+export function $warnOfLaterProperties(system, agents) {
+	const frames = ($framesOf.get(system) ?? 0) + 1;
+	$framesOf.set(system, frames);
+	if (frames === 1 || (frames & (frames - 1)) !== 0 || !Array.isArray(agents)) return;
+	for (const agent of agents.slice(0, $MOST_LOOKED_AT_AGAIN)) if ($checkedObjects.has(agent)) $warnOfNames(agent);
+}
+
+/** Warns of the names of an object's own properties that do nothing. */
+function $warnOfNames(object) {
 	for (const name of Object.keys(object)) {
 		if (/^[_$]/.test(name) || name.length < 4) continue;
 		const type = object.constructor.name;
@@ -87,12 +105,14 @@ export function $warnOfEvent(object, type) {
 export function $warnOfInside(agents, index, shape, place, below, depth, isTree) {
 	const level = agents[index];
 	const mover = agents.find((each) => each?.shape === shape && each.x === place.x && each.y === place.y && each.z === place.z);
-	const name = mover ?? `the shape ${JSON.stringify(shape)}`;
+	const isCast = !mover && shape === $STRUCTURE;
+	const name = mover ?? (isCast ? "a structure that is cast" : `the shape ${JSON.stringify(shape)}`);
 	if (!isTree) {
-		$warn(`${name} begins a motion ${$rounded(depth)} deep inside of the structure around ${level}, and a walk pushes it out. If this is a level, whose triangles should count, set hierarchical of it, and take a CombinationCollider with exact. See docs/questions.md in the package, "thrown out of the level"`, `inside ${level.shape} ${shape}`);
+		const end = isCast ? "which it meets at once or not at all" : "and a walk pushes it out";
+		$warn(`${name} begins a motion ${$rounded(depth)} deep inside of the structure around ${level}, ${end}. If this is a level, whose triangles should count, set hierarchical of it, and take a CombinationCollider with exact. See docs/questions.md in the package, "thrown out of the level"`, `inside ${level.shape} ${shape}`);
 		return;
 	}
-	const remedy = below > 0.01 * place.size && shape !== $STRUCTURE
+	const remedy = below > 0.01 * place.size && !isCast
 		? `Its lowest point is ${$rounded(below)} below its place: a model that is AS_GIVEN keeps its origin. If its place is on the ground, move it up by ${$rounded(below)}, or give it a model whose origin is its lowest point.`
 		: "What is inside of a closed model collides; without exact, what is inside of a box of its tree. A room needs exact, and an opening or thick walls.";
 	$warn(`${name} begins a motion at (${[place.x, place.y, place.z].map($rounded).join(", ")}), ${$rounded(depth)} deep inside of ${level}, which does not stop it. ${remedy} See docs/questions.md in the package, "floats in a room"`, `inside ${level.shape} ${shape}`);
@@ -161,7 +181,7 @@ export function $warnOfMore(name, given, taken) {
 	if (given.length <= taken) return;
 	const [setting] = given[taken] instanceof Object ? Object.keys(given[taken]) : [];
 	const such = setting === undefined ? "" : ` such as ${setting}`;
-	const [number, others] = taken === 0 ? ["no arguments", "those that it got"] : ["1 argument", "the others"];
+	const [number, others] = [["no arguments", "those that it got"], ["1 argument", "the others"], ["2 arguments", "the others"]][taken];
 	$warn(`new ${name} takes ${number}, and does nothing with ${others}: settings${such} are set after it`);
 }
 

@@ -33,8 +33,9 @@ package starlogo.collision
      * (thesis §3.7, §6.1).
      *
      * <p>All pairs of a frame are known before the first handler runs. A handler may do anything to the game. If it moves or adds agents, this
-     * counts from the next frame on. If it removes an agent from the list, no further handler of this frame is called for it. If a handler
-     * throws, the others are still called. Then update throws the first error, and <code>handlerErrors</code> has all of them.</p>
+     * counts from the next frame on. If it removes an agent from the list, no further handler of this frame is called for it, unless the agent is
+     * back in the list before the next of these calls. If a handler throws, the others are still called. Then update throws the first error, and
+     * <code>handlerErrors</code> has all of them.</p>
      *
      * <p>If an agent sweeps (<code>Agent.sweeps</code>), the pairs come by the time at which their motions make them touch. So a handler can stop a
      * paintball at its first touch by removing it from the list.</p>

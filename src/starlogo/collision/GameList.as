@@ -27,8 +27,9 @@ package starlogo.collision
             return findIndex(pairs.list, pairs.rows[2 * pair]) >= 0 && (second < ListedAgents.FIRST_LISTED || findIndex(pairs.list, second) >= 0);
         }
 
-        // Finds the index of a row's agent, and notes it. Once the agent was missing, it stays away for the rest of the frame. When agents are removed,
-        // others move towards the start of the list, so an agent is looked for there first.
+        // Finds the index of a row's agent, and notes it. Once the agent was missing, it stays away for the rest of the frame. An agent that is back
+        // before it is looked for was never missing. When agents are removed, others move towards the start of the list, so an agent is looked for there
+        // first.
         private function findIndex(list:ListedAgents, row:int):int
         {
             var agent:Agent = list.agents[row];

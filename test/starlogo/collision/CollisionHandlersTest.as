@@ -302,6 +302,47 @@ package starlogo.collision
         }
 
         [Test]
+        public function anAgentHasLeftIfItIsMissingWhenItsNextCallIsDue():void
+        {
+            addAll("bears", "balls", "balls", "balls");
+            assertEquals("added again before", "01,02,03,12,13,23", callsIfAddedAgainWith(1).join());
+            assertEquals("added again after", "01,03,13", callsIfAddedAgainWith(3).join());
+        }
+
+        // The first handler of the bear and ball 1 removes ball 2, the second handler of the bear and another ball adds it again. Returns the calls.
+        private function callsIfAddedAgainWith(number:int):Array
+        {
+            var all:Vector.<Agent> = _agents.concat();
+            var list:Vector.<Agent> = _agents.concat();
+            var calls:Array = [];
+            var collision:Collision = new Collision(new BinCollider(_greatLand));
+            collision.onCollision("bears", "balls", function(bear:Agent, ball:Agent):void
+                {
+                    calls.push("0" + all.indexOf(ball));
+                    if (ball == all[1])
+                    {
+                        list.splice(list.indexOf(all[2]), 1);
+                    }
+                });
+            collision.onCollision("bears", "balls", function(bear:Agent, ball:Agent):void
+                {
+                    if (all.indexOf(ball) == number)
+                    {
+                        list.push(all[2]);
+                    }
+                });
+            collision.onCollision("balls", "balls", function(ball:Agent, other:Agent):void
+                {
+                    if (all.indexOf(ball) < all.indexOf(other))
+                    {
+                        calls.push(all.indexOf(ball) + "" + all.indexOf(other));
+                    }
+                });
+            collision.update(list);
+            return calls;
+        }
+
+        [Test]
         public function resetInAHandlerEndsTheCallsOfItsFrame():void
         {
             addAll("bears", "balls", "balls", "balls");

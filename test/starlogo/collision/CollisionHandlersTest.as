@@ -280,7 +280,6 @@ package starlogo.collision
             assertEquals("first,first", names());
         }
 
-        // Handlers do at random what they like to a list, and every call is what the rules say, worked out by searching the list.
         [Test]
         public function theLastFramesListMayBeTheNextFramesAndChange():void
         {
@@ -374,6 +373,7 @@ package starlogo.collision
             _collision.restore(_collision.snapshot(), _agents);
         }
 
+        // Handlers do at random what they like to a list, and every call is what the rules say, worked out by searching the list.
         [Test]
         public function callsAreThoseOfTheRulesWhateverHandlersDo():void
         {

@@ -9,6 +9,7 @@ export const DoubleSide = THREE.DoubleSide;
 export const Group = THREE.Group;
 export const Mesh = THREE.Mesh;
 export const MeshStandardMaterial = THREE.MeshStandardMaterial;
+export const heroMesh = new THREE.Mesh(new THREE.CapsuleGeometry(0.3, 1.2).translate(0, 0.9, 0));
 export const hills = new THREE.Mesh(new THREE.PlaneGeometry(80, 80).rotateX(-Math.PI / 2));
 export const Vector3 = THREE.Vector3;
 export const scene = new THREE.Scene();
@@ -23,7 +24,7 @@ body.position.y = 8;
 gltf.scene.add(body);
 
 /** Whether the samples have done what the page says. */
-export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, level, crate, crateMesh, greatLand }) {
+export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, level, crate, crateMesh, heroGroup, greatLand }) {
 	let calls = 0;
 	collision.onCollision('bears', 'bears', () => calls++);
 	bear.heading = 90;
@@ -38,6 +39,7 @@ export async function check({ frame, bear, other, drawn, collision, wireframe, s
 	assert.equal(hit.agent, level);
 	assert.ok(mark.position.distanceTo(new THREE.Vector3(5, 0, 7)) < 1e-9);
 	assert.ok(crateMesh.position.distanceTo(new THREE.Vector3(0, 0.9, 0)) < 1e-9 && crateMesh.scale.x === 1 && crate.size === 1);
+	assert.ok(heroGroup.position.distanceTo(new THREE.Vector3(5, 0, -2)) < 1e-9 && Math.abs(heroGroup.scale.x - 1) < 1e-9);
 	assert.equal(Math.min(...greatLand.modelOf('crate').vertices), -1);
 	assert.equal(collision.terrain, terrain);
 	assert.ok(terrain.heightAt(3, 4) > 1.99 && Math.abs(ground.boundingBox.max.y - terrain.heightAt(3, 4)) < 1e-6);

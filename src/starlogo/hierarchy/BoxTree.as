@@ -30,6 +30,9 @@ package starlogo.hierarchy
         /** The largest other depth limit. A visit with it ends at the leaves. */
         public static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
 
+        // The boxes' margins are at least as large as if this were the model's largest coordinate. So no box is smaller than a structure may be.
+        private static const LEAST_COORDINATE:Number = 1e-50;
+
         /** The model's vertices: x, y, z of each. */
         public var vertices:Vector.<Number>;
 
@@ -222,7 +225,7 @@ package starlogo.hierarchy
                 largest = Math.max(largest, Math.abs(extents[i]));
             }
             VertexBounds.requireWithin(largest);
-            radiusAboutOrigin = largest * Math.sqrt(3);
+            radiusAboutOrigin = largest == 0 ? 0 : Math.max(LEAST_COORDINATE, largest) * Math.sqrt(3);
         }
 
         /**

@@ -108,6 +108,17 @@ package starlogo.models
             return _rotation.lengthSquared == 0 && _translation.lengthSquared == 0 && _scale.x == 1 && _scale.y == 1 && _scale.z == 1;
         }
 
+        /**
+         * Whether it makes a mirror image.
+         *
+         * @private
+         */
+        engine function get isMirror():Boolean
+        {
+            // the product of very small factors would be 0
+            return _scale.x < 0 != (_scale.y < 0 != _scale.z < 0);
+        }
+
         /** The text of a transform file with the same meaning. */
         public function toString():String
         {

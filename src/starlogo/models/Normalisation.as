@@ -195,7 +195,7 @@ package starlogo.models
         // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.
         private function close():void
         {
-            var isMirror:Boolean = factors.x * factors.y * factors.z < 0;
+            var isMirror:Boolean = _data.transform != null && _data.transform.isMirror;
             for each (var labels:TriangleLabels in [_data.materials, _data.meshes])
             {
                 labels.close(_data.triangles.length / 3);

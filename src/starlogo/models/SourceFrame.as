@@ -67,7 +67,7 @@ package starlogo.models
             {
                 for (var row:int = 0; row < 3; row++)
                 {
-                    back.push(_matrix.rows[4 * row + k] / squareOf(row));
+                    back.push(inverseAt(row, k));
                 }
                 back.push(_offset[k]);
             }
@@ -128,16 +128,13 @@ package starlogo.models
          */
         engine function addMove(x:Number, y:Number, z:Number, divisor:Number):void
         {
-            var rows:Vector.<Number> = _matrix.rows;
-            // a turn's inverse is its transpose; the factors along the new axes are divided out
-            for (var row:int = 0; row < 3; row++)
+            for (var k:int = 0; k < 3; k++)
             {
-                var share:Number = (row == 0 ? x : (row == 1 ? y : z)) / squareOf(row);
-                for (var k:int = 0; k < 3; k++)
-                {
-                    _offset[k] += rows[4 * row + k] * share;
-                    rows[4 * row + k] /= divisor;
-                }
+                _offset[k] += x * inverseAt(0, k) + y * inverseAt(1, k) + z * inverseAt(2, k);
+            }
+            for (var i:int = 0; i < 12; i++)
+            {
+                _matrix.rows[i] /= divisor;
             }
             _unit *= divisor;
         }
@@ -156,13 +153,20 @@ package starlogo.models
             _unit /= factor;
         }
 
-        // The squared length of a row of the matrix.
-        private function squareOf(row:int):Number
+        // How far one unit along an axis of the model, which is a row of the matrix, goes along an axis of the source. A turn's inverse is its
+        // transpose, and the factors along the new axes are divided out. The row's largest number is divided out before its numbers are squared,
+        // because the squares of very small or large numbers are 0 or infinite.
+        private function inverseAt(row:int, axis:int):Number
         {
-            var x:Number = _matrix.rows[4 * row];
-            var y:Number = _matrix.rows[4 * row + 1];
-            var z:Number = _matrix.rows[4 * row + 2];
-            return x * x + y * y + z * z;
+            var first:int = 4 * row;
+            var x:Number = _matrix.rows[first];
+            var y:Number = _matrix.rows[first + 1];
+            var z:Number = _matrix.rows[first + 2];
+            var largest:Number = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
+            x /= largest;
+            y /= largest;
+            z /= largest;
+            return _matrix.rows[first + axis] / largest / (x * x + y * y + z * z) / largest;
         }
     }
 }

@@ -89,6 +89,49 @@ package starlogo.libraries
         }
 
         [Test]
+        public function bothSidesOfAMirrorImageKeepTheirMaterials():void
+        {
+            // Read backwards, the list of indices is the same. So only the materials tell whether it was reversed.
+            var text:String = "v 0 0 0\nv 1 0 0\nv 0 0 1\nusemtl front\no one\nf 1 2 3\nusemtl back\no two\nf 3 2 1\n";
+            for each (var x:Number in [-1, 1])
+            {
+                var model:Model = new ObjModel("sign", text, new ModelTransform(null, new Vector3D(x, 1, 1)));
+                var read:Model = CookedModel.fromBytes("sign", _greatLand.cook(model));
+                assertSameModel(model, read);
+                assertEquals(x < 0 ? "1,0" : "0,1", model.materials.join());
+                assertEquals(model.materials.join(), read.materials.join());
+                assertEquals(model.meshes.join(), read.meshes.join());
+            }
+        }
+
+        [Test]
+        public function aModelWithoutAPlaceInItsSourceIsNotCooked():void
+        {
+            // the unit of the model is too small for the inverse to be a number
+            var model:Model = new Model("small", new <Number>[0, 0, 0, Number.MIN_VALUE * 2, 0, 0]);
+            assertThrows(ModelError, /"small".*its place in its source/, _greatLand.cook, model);
+        }
+
+        [Test]
+        public function aModelsOwnVerticesHaveNoTransform():void
+        {
+            // No form of a mirror image but the one with the model's own vertices restores it.
+            var mirror:Model = new ObjModel("mirror", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n", new ModelTransform(null, new Vector3D(-1, 1, 1)));
+            var bytes:ByteArray = rewritten(mirror, function(index:int, section:ByteArray):ByteArray
+                {
+                    if (index == CookedFile.MODEL)
+                    {
+                        // whether a transform follows stands after the scaling and the form; 2 is the VarInt of 1
+                        section.position = 2;
+                        section.writeByte(2);
+                        section.position = 0;
+                    }
+                    return section;
+                });
+            assertThrows(ModelError, "wrong number: 1", CookedModel.fromBytes, "mirror", bytes);
+        }
+
+        [Test]
         public function everySettingThatMattersCounts():void
         {
             var model:Model = bear();

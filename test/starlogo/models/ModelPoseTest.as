@@ -61,6 +61,30 @@ package starlogo.models
         }
 
         [Test]
+        public function theSourceMayBeOfAnySize():void
+        {
+            // the squares of these are 0 or infinite
+            for each (var size:Number in [1e-250, 1e-160, 1e160, 1e250])
+            {
+                var corners:Vector.<Number> = new Vector.<Number>();
+                for each (var number:Number in CORNERS)
+                {
+                    corners.push(number * size);
+                }
+                for each (var scaling:String in [Model.FOOTPRINT, Model.VOLUME])
+                {
+                    var model:Model = new Model("pyramid", corners, FACES, scaling);
+                    var first:Vector.<Number> = model.vertices.slice();
+                    model.pose(corners);
+                    for (var i:int = 0; i < first.length; i++)
+                    {
+                        assertClose(first[i], model.vertices[i], 1e-14);
+                    }
+                }
+            }
+        }
+
+        [Test]
         public function whatIsRefusedChangesNothing():void
         {
             var model:Model = new Model("pyramid", CORNERS, FACES);

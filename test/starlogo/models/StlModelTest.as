@@ -102,6 +102,7 @@ package starlogo.models
                 }
                 Failures.of(StlModel.fromBytes, "a", part);
             }
+            Failures.assertFails("", "no STL file, or one that is cut off", StlModel.fromBytes, "a", part);
         }
 
         private static function binaryOf(facets:Array, header:String = ""):ByteArray

@@ -9,6 +9,7 @@ package starlogo.queries
     import starlogo.collision.Collider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import starlogo.terrain.WorldBounds;
     import support.EachCollider;
     import support.agentAt;
@@ -69,6 +70,26 @@ package starlogo.queries
                     queries.distanceToPoint(a, new Vector3D(30, 20, 10), alone);
                     queries.distance(a, b, null, alone);
                     assertEquals(collider + " at " + distance + ": the second", pointB + "", alone + "");
+                }
+            }
+        }
+
+        // The margins of their trees' boxes are much smaller than the least size of a structure.
+        [Test]
+        public function pointsVeryCloseToTheirOriginsAreApart():void
+        {
+            for each (var size:Number in [1e-50, 1e-62, 1e-200])
+            {
+                var land:GreatLand = landOf(new Model("point", new <Number>[size, 2 * size, -size], null, Model.AS_GIVEN));
+                for each (var name:String in EachCollider.ALL_NAMES)
+                {
+                    var agents:Vector.<Agent> = new <Agent>[agentAt("point", 0, 0, 0), agentAt("point", 3, 0, 0)];
+                    agents[1].heading = 30;
+                    agents[1].hierarchical = true;
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, land));
+                    queries.update(agents);
+                    assertTrue(name, Math.abs(queries.distance(agents[0], agents[1]) - 3) <= 1 + 1e-9);
+                    assertEquals(name, 1, queries.slide(agents[0], 0, 5, 0));
                 }
             }
         }

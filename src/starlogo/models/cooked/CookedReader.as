@@ -86,7 +86,8 @@ package starlogo.models.cooked
             _data.cooked = file;
             _data.scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
             var form:int = readCount(CookedWriter.DOUBLE);
-            var hasTransform:Boolean = readCount(1) == 1;
+            // the model's own vertices are transformed already
+            var hasTransform:Boolean = readCount(form == CookedWriter.DOUBLE ? 0 : 1) == 1;
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
             new FileLimits(_data.name, _bytes.length).requireMesh(vertexCount, triangleCount);

@@ -7,7 +7,9 @@ package starlogo.models.cooked
     import starlogo.models.Model;
     import starlogo.models.ModelData;
     import starlogo.models.ModelTransform;
+    import starlogo.models.SourceFrame;
     import starlogo.models.TriangleLabels;
+    import starlogo.models.refuseIf;
 
     use namespace engine;
 
@@ -27,7 +29,7 @@ package starlogo.models.cooked
 
         private static const LARGEST:Number = 1000000000;
 
-        /** The bytes of a model's section. */
+        /** The bytes of a model's section. @throws ModelError if it needs the model's place in its source, which is not finite */
         public static function of(model:Model):ByteArray
         {
             var source:Vector.<Number> = model.source.toSource(model.vertices);
@@ -39,15 +41,21 @@ package starlogo.models.cooked
                     return write(model, form, points);
                 }
             }
+            refuseIf(SourceFrame.of(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
             return write(model, DOUBLE, model.vertices);
         }
 
-        // Whether a model of these points and the model's triangles is the model: the vertices, the place in the source and the triangles are equal to
-        // the last bit. They are not if the transform mirrors, because that reverses the triangles.
+        // Whether a model of these points and the model's triangles is the model: the vertices and the place in the source are equal to the last bit. It is
+        // not if the transform mirrors, because that reverses the triangles and what they have.
         private static function areSourceOf(points:Vector.<Number>, model:Model):Boolean
         {
-            var made:ModelData = ModelData.of(model.name, points, model.triangles, model.data.scaling, model.data.transform);
-            return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.frame.numbers, model.source.numbers) && String(made.triangles) == String(model.triangles);
+            var transform:ModelTransform = model.data.transform;
+            if (transform != null && transform.isMirror)
+            {
+                return false;
+            }
+            var made:ModelData = ModelData.of(model.name, points, model.triangles, model.data.scaling, transform);
+            return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.frame.numbers, model.source.numbers);
         }
 
         /** The divisor for the numbers of a form. */

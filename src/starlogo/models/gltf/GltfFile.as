@@ -67,7 +67,7 @@ package starlogo.models.gltf
             _fetch = fetch;
             if (text == null)
             {
-                text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : FileText.decode(name, bytes, "glTF");
+                text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : FileText.decode(name, bytes, "glTF file");
             }
             text = TextWords.withoutByteOrderMark(text);
             limits = new FileLimits(name, text.length);

@@ -49,7 +49,7 @@ package starlogo.models.stl
             }
             else
             {
-                addText(text == null ? FileText.decode(data.name, bytes, "STL") : text);
+                addText(text == null ? FileText.decode(data.name, bytes, "STL file, or one that is cut off") : text);
             }
             data.vertices = _points.coordinates;
             call(checkEnd);

@@ -26,15 +26,15 @@ package starlogo.models.text
         /**
          * The text of a file.
          *
-         * @param format the format's name for the message, if the format has a binary form too; null otherwise
+         * @param expected what a binary file should have been, for the message; null if the format has no binary form
          * @throws ModelError if the bytes are no text, for example an image
          */
-        public static function decode(name:String, bytes:ByteArray, format:String = null):String
+        public static function decode(name:String, bytes:ByteArray, expected:String = null):String
         {
             refuseIf(bytes == null || bytes.length == 0, name, "the file is empty");
             checkSize(name, bytes);
             refuseIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
-            return TextWords.withoutByteOrderMark(decoded(name, bytes, format));
+            return TextWords.withoutByteOrderMark(decoded(name, bytes, expected));
         }
 
         /** Throws if a file has too many bytes. */
@@ -43,7 +43,7 @@ package starlogo.models.text
             refuseIf(bytes.length > FileLimits.MOST_BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + FileLimits.MOST_BYTES);
         }
 
-        private static function decoded(name:String, bytes:ByteArray, format:String):String
+        private static function decoded(name:String, bytes:ByteArray, expected:String):String
         {
             var mark:int = bytes.length < 2 ? 0 : bytes[0] << 8 | bytes[1];
             var isLowFirst:Boolean = mark == 0xFFFE || mark == 0x3C00; // a byte-order mark, or a "<" without one
@@ -53,7 +53,7 @@ package starlogo.models.text
             }
             bytes.position = 0;
             var text:String = bytes.readUTFBytes(bytes.length);
-            checkText(name, bytes, text.length == bytes.length, format);
+            checkText(name, bytes, text.length == bytes.length, expected);
             var declaration:Array = text.substr(0, DECLARATION_LENGTH).match(/^<\?xml[^>]*encoding=["'](iso-8859-1|windows-1252)["']/i);
             return declaration == null ? text : latin(bytes, declaration[1].toLowerCase() == "windows-1252");
         }
@@ -65,15 +65,15 @@ package starlogo.models.text
         }
 
         // The player ends a text at its first zero character.
-        private static function checkText(name:String, bytes:ByteArray, isPlain:Boolean, format:String):void
+        private static function checkText(name:String, bytes:ByteArray, isPlain:Boolean, expected:String):void
         {
             var length:int = isPlain ? Math.min(bytes.length, HEAD_LENGTH) : bytes.length;
             for (var i:int = 0; i < length; i++)
             {
                 if (bytes[i] == 0)
                 {
-                    throw new ModelError(name, "", format == null ? "this is a binary file, not text: expected a model"
-                            : "this is a binary file, but no " + format + " file");
+                    throw new ModelError(name, "", expected == null ? "this is a binary file, not text: expected a model"
+                            : "this is a binary file, but no " + expected);
                 }
             }
         }

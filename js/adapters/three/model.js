@@ -1,6 +1,6 @@
 import { Matrix4, Mesh, Vector3 } from "three";
 import { ArgumentError, Model, ModelError } from "starlogo-collision";
-import { refuseOthers, textOf } from "./arguments.js";
+import { optionsOf, textOf } from "./arguments.js";
 import { isYUp } from "./axes.js";
 
 /** For each model: the up axis of its source, whether that is placed, and of which vertices of which meshes it was made. */
@@ -19,8 +19,8 @@ const point = new Vector3();
  * @param {object} source an Object3D, whose own transform does not count, or a BufferGeometry
  * @param {{up?: "y" | "z", scaling?: string}} options the up axis of the source, and how the model is scaled (Model's scalings)
  */
-export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPRINT, ...others } = {}) {
-	refuseOthers("modelFromObject", others, "up", "scaling");
+export function modelFromObject(name, source, options = {}) {
+	const { up, scaling } = optionsOf("modelFromObject", options, { up: "y", scaling: Model.FOOTPRINT });
 	return modelOf(name, source, surfaceOf(name, source, up), { up, isPlaced: false }, scaling);
 }
 
@@ -31,8 +31,8 @@ export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPR
  * @param {object} object an Object3D, whose parent is the land, or a BufferGeometry
  * @param {{up?: "y" | "z"}} options the up axis of the land
  */
-export function levelFromObject(name, object, { up = "y", ...others } = {}) {
-	refuseOthers("levelFromObject", others, "up");
+export function levelFromObject(name, object, options = {}) {
+	const { up } = optionsOf("levelFromObject", options, { up: "y" });
 	return modelOf(name, object, surfaceOf(name, object, up, true), { up, isPlaced: true }, Model.AS_GIVEN);
 }
 

@@ -364,7 +364,11 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		binding.updateModel();
 		assert.equal(Math.max(...model.vertices.filter((_, i) => i % 3 === 2)), 1.5);
 		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source).updateModel(), /has no model/);
-		assert.throws(() => new ThreeAgentBinding(new Agent("box"), new THREE.Group(), model).updateModel(), /other meshes/);
+		const before = [...model.vertices];
+		for (const other of [new THREE.Group(), new THREE.Mesh(new THREE.SphereGeometry()), new THREE.Mesh(new THREE.PlaneGeometry()), new THREE.Mesh(new THREE.BufferGeometry())]) {
+			assert.throws(() => new ThreeAgentBinding(new Agent("box"), other, model).updateModel(), /^ArgumentError: .* other meshes/);
+		}
+		assert.deepEqual([...model.vertices], before);
 		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source, new Model("own", model.vertices)).updateModel(), /modelFromObject/);
 		assert.throws(() => bindInstance(new Agent("box"), new THREE.InstancedMesh(source.geometry, source.material, 2), 1, model).updateModel(), /instance/);
 	});

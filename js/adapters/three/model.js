@@ -62,9 +62,9 @@ export function poseModel(model, object) {
 	let at = 0;
 	const place = (mesh, matrix) => {
 		if (mesh.isBatchedMesh) throw new ArgumentError(`model "${model.name}" was made of a BatchedMesh, which has no pose`);
-		const { position } = mesh.geometry.attributes;
-		for (const vertex of parts[part++] ?? refuse()) {
-			if (vertex >= position.count) refuse();
+		const { count, vertices } = parts[part++] ?? refuse();
+		if (count !== countOf(mesh)) refuse();
+		for (const vertex of vertices) {
 			mesh.getVertexPosition(vertex, point).applyMatrix4(matrix);
 			posed[at] = point.x;
 			posed[at + 1] = up === "y" ? -point.z : point.y;
@@ -145,7 +145,7 @@ class Labels {
 class Surface {
 	vertices = [];
 	triangles = [];
-	/** For each mesh or instance, in the order of eachMesh: the mesh's vertices that have become the surface's next ones. */
+	/** For each mesh or instance, in the order of eachMesh: how many vertices the mesh has, and those that have become the surface's next ones. */
 	parts = [];
 	/** The mesh and the material of each triangle. */
 	meshes = new Labels();
@@ -199,7 +199,7 @@ class Surface {
 	/** Adds triangles of a mesh: its points, three corners for each triangle, and the material of each triangle. */
 	#add(mesh, points, corners, materials, place) {
 		const part = [];
-		this.parts.push(part);
+		this.parts.push({ count: points.length / 3, vertices: part });
 		// scaled to 0, as hidden instances often are
 		if (place.getMaxScaleOnAxis() === 0) return;
 		const [second, third] = place.determinant() < 0 ? [2, 1] : [1, 2];
@@ -227,7 +227,7 @@ class Surface {
 	#read(mesh) {
 		const { geometry } = mesh;
 		const position = geometry.getAttribute("position");
-		const count = position?.count ?? 0;
+		const count = countOf(mesh);
 		this.#mesh = mesh;
 		({ corners: this.#corners, materials: this.#materials } = count === 0 ? { corners: [], materials: [] } : drawnTriangles(geometry, mesh.material));
 		for (let i = 0; i < this.#corners.length; i++) {
@@ -241,6 +241,9 @@ class Surface {
 		return new ModelError(this.#name, title && `mesh "${title}"`, problem);
 	}
 }
+
+/** How many vertices a mesh has. */
+const countOf = (mesh) => mesh.geometry.getAttribute("position")?.count ?? 0;
 
 /** A mesh's name, or its geometry's if it has none. */
 const titleOf = (mesh) => mesh.name || mesh.geometry.name;

@@ -72,3 +72,23 @@ export class ByteArray {
 	/** The bytes, copied. */
 	toUint8Array(): Uint8Array;
 }
+
+/** What a CollisionRecorder has recorded of the collisions of two breeds, or of all. */
+export interface RecordedCollisions {
+	/** The collisions in all frames. */
+	collisions: number;
+	/** The mean of all frames. */
+	mean: number;
+	/** The most collisions of a frame. */
+	most: number;
+	/** How many frames had how many collisions. */
+	histogram: { collisions: number; frames: number }[];
+}
+
+/** What a CollisionRecorder has recorded, as an object for JSON. */
+export interface CollisionRecord extends RecordedCollisions {
+	/** How many frames there were. */
+	frames: number;
+	/** The collisions of each pair of breeds. */
+	breeds: (RecordedCollisions & { breeds: [string, string] })[];
+}

@@ -18,6 +18,7 @@ const BY_NAME = new Map([
 	["scaling", "Scaling"],
 	["structureNames", "string[]"],
 	["systemNames", "string[]"],
+	["toObject", "CollisionRecord"],
 	["upAxis", "UpAxis"],
 ]);
 
@@ -138,7 +139,7 @@ class Writer {
 					// what is set may be a list that its owner does not change
 					return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: readonly ${result});`;
 				}
-				return `${text}\t${visible}${isStatic}${member.kind === "const" ? "readonly " : ""}${member.name}: ${result};`;
+				return `${text}\t${visible}${isStatic}${member.kind === "const" || /\bRead only\./.test(said) ? "readonly " : ""}${member.name}: ${result};`;
 		}
 	}
 
@@ -245,7 +246,9 @@ class Writer {
 			const written = /<code>(?:function)?(\([^<]*)<\/code>/.exec(said)?.[1];
 			if (!written) return PRIMITIVES.Function + orNull;
 			const more = /<code>(contact:Contact)<\/code>/.exec(said)?.[1] ?? (/third argument would be null/.test(said) ? "contact:null" : undefined);
-			return this.#functionType(more ? written.replace(")", `, ${more})`) : written);
+			// "null for none" is of what a function returns, if the function itself has to be there
+			const orNone = value === null && /\bnull for none\b/.test(said) ? " | null" : "";
+			return this.#functionType(more ? written.replace(")", `, ${more})`) : written) + orNone;
 		}
 		return `${this.#type(type)}${orNull}`;
 	}

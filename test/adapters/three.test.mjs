@@ -197,6 +197,15 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		}
 		const notOptions = /^ArgumentError: \w+: options must be a literal such as \{ up: "y" \}, not "as given"$/;
 		for (const make of [() => modelFromObject("any", object, Model.AS_GIVEN), () => levelFromObject("any", object, Model.AS_GIVEN), () => new ThreeAgentBinding(new Agent("box"), object, null, Model.AS_GIVEN)]) assert.throws(make, notOptions);
+		const crowd = new THREE.InstancedMesh(geometry, undefined, 3);
+		for (const none of [null, [], 5]) {
+			for (const make of [() => modelFromObject("any", geometry, none), () => levelFromObject("any", geometry, none), () => terrainFromMesh(geometry, 2, 2, 1, 0, 0, none), () => new TerrainGeometry(terrain, none),
+				() => new ThreeAgentBinding(new Agent("any"), object, null, none), () => bindInstance(new Agent("any"), crowd, 0, null, none), () => new ThreeWireframe(none)]) {
+				assert.throws(make, /^ArgumentError: \w+: options must be a literal such as \{ up: "y" \}, not (null|Array|5)$/);
+			}
+		}
+		// an index that is not there would bind the whole mesh
+		for (const index of [undefined, null, 3, -1, 0.5, "0"]) assert.throws(() => bindInstance(new Agent("any"), crowd, index), /^RangeError: the mesh has instances 0 to 2, not /);
 		assert.throws(() => levelFromObject("any", { scene: object }), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not Object\. Its scene is an Object3D$/);
 		const group = new THREE.Group();
 		group.name = "hall";
@@ -355,7 +364,11 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		binding.updateModel();
 		assert.equal(Math.max(...model.vertices.filter((_, i) => i % 3 === 2)), 1.5);
 		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source).updateModel(), /has no model/);
-		assert.throws(() => new ThreeAgentBinding(new Agent("box"), new THREE.Group(), model).updateModel(), /other meshes/);
+		const before = [...model.vertices];
+		for (const other of [new THREE.Group(), new THREE.Mesh(new THREE.SphereGeometry()), new THREE.Mesh(new THREE.PlaneGeometry()), new THREE.Mesh(new THREE.BufferGeometry())]) {
+			assert.throws(() => new ThreeAgentBinding(new Agent("box"), other, model).updateModel(), /^ArgumentError: .* other meshes/);
+		}
+		assert.deepEqual([...model.vertices], before);
 		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source, new Model("own", model.vertices)).updateModel(), /modelFromObject/);
 		assert.throws(() => bindInstance(new Agent("box"), new THREE.InstancedMesh(source.geometry, source.material, 2), 1, model).updateModel(), /instance/);
 	});
@@ -668,6 +681,15 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			assert.equal(wireframe.geometry.drawRange.count, 2 + 6 + 2);
 			assert.throws(() => wireframe.showRay(contact.point, new engine.Vector3D()), /^ArgumentError: the direction must be finite and not 0/);
 			assert.throws(() => wireframe.showLines([1, 2, 3]), /^ArgumentError: a line is six numbers: 3 /);
+			for (const lines of [null, undefined, 5, "lines1", [1, 2, 3, 4, 5, NaN], [1, 2, 3, 4, 5, "6"]]) assert.throws(() => wireframe.showLines(lines), /^ArgumentError: /);
+			for (const value of [null, undefined, {}, 5, { point: contact.point }]) assert.throws(() => wireframe.showContact(value), /^ArgumentError: ThreeWireframe\.showContact: /);
+			for (const point of [null, undefined, {}, [1, 2, 3]]) {
+				assert.throws(() => wireframe.showRay(point, contact.normal), /^ArgumentError: ThreeWireframe\.showRay: /);
+				assert.throws(() => wireframe.showRay(contact.point, point), /^ArgumentError: ThreeWireframe\.showRay: /);
+			}
+			assert.throws(() => wireframe.showRay(contact.point, contact.normal, Infinity), /^ArgumentError: a line is six finite numbers/);
+			assert.throws(() => wireframe.showRay(contact.point, contact.normal, 1, {}), /^ArgumentError: ThreeWireframe\.showRay: /);
+			assert.throws(() => wireframe.showStructure(fit, {}), /^ArgumentError: ThreeWireframe: agent must be an Agent, not Object$/);
 			assert.throws(() => wireframe.showLevel(root, 0), /^RangeError/);
 			assert.equal(wireframe.geometry.drawRange.count, 2 + 6 + 2);
 			wireframe.dispose();

@@ -231,6 +231,28 @@ test("systems, models, files and settings are of their classes", () => {
 	filter.breeds = null;
 });
 
+test("a fitter has to find a structure", () => {
+	const { BoundingStructuresLibrary, Fitter } = engine;
+	class AnyFitter extends Fitter {
+		constructor(found) {
+			super();
+			this.found = found;
+		}
+
+		findStructure() {
+			return this.found;
+		}
+	}
+	const library = new BoundingStructuresLibrary();
+	library.add("any", [0, 0, 0, 1, 1, 1]);
+	const before = library.tightestFit("any");
+	for (const [found, shown] of [[null, "null"], [undefined, "undefined"], [5, "5"], ["sphere", "sphere"], [{ center: { x: 0, y: 0, z: 0 }, radius: 9, kind: 0 }, "[object Object]"]]) {
+		library.fitters = [new AnyFitter(found)];
+		refused(() => library.add("any", [0, 0, 0, 2, 2, 2]), `shape "any": the library needs fitters of spheres, capsules or boxes, but `, `found ${shown}`);
+	}
+	assert.equal(library.tightestFit("any"), before);
+});
+
 test("structures and what Flash has take numbers and their own kind", () => {
 	for (const [value] of NO_NUMBERS.filter(([each]) => each !== undefined)) {
 		refused(() => new Sphere(new Vector3D(), value), "radius must be a number");
@@ -594,6 +616,8 @@ test("a load may be awaited, and aborted alone", async () => {
 	// nothing but the promise hears of these, and of what is aborted none at all
 	await assert.rejects(loader.loadAsync("broken", "data:text/plain,v 1 2"), { name: "ModelError", message: /^model "broken", line 1/ });
 	await assert.rejects(loader.loadAsync("number", 7), /url must be a string/);
+	await assert.rejects(loader.loadAsync("z", url, { upaxis: "y" }), /^ArgumentError: ModelLoader\.loadAsync: options\.upaxis is no option; (?:the nearest is upAxis; )?there are upAxis, scaling, signal$/);
+	for (const none of [null, "y", 5, []]) await assert.rejects(loader.loadAsync("z", url, none), /^ArgumentError: ModelLoader\.loadAsync: options must be a literal such as \{ upAxis: "y" \}, not /);
 	const texts = [];
 	loader.addEventListener("error", (event) => texts.push(event.text));
 	await assert.rejects(loader.loadAsync("damaged", "data:text/plain,v 1 2"), { name: "ModelError" });

@@ -29,6 +29,7 @@ import {
 	Collision,
 	CollisionBlocks,
 	CollisionLines,
+	type CollisionRecord,
 	CollisionRecorder,
 	CollisionStatistics,
 	CollisionSystem,
@@ -79,6 +80,7 @@ import {
 	Point,
 	PointTaker,
 	RayHit,
+	type RecordedCollisions,
 	RitterSphereFitter,
 	SearchCounts,
 	ShapeChoice,
@@ -166,7 +168,10 @@ export function play(bearText: string): number {
 		const counts: SearchCounts = statistics;
 		log.push(`${statistics.agents} agents, ${counts.collisions} collisions`);
 		const times: FrameTimes = (observer as CollisionRecorder).frameTimes;
-		if (times.frames !== 1 || collision.lastAgents.length !== 2) log.push("not measured");
+		const record: CollisionRecord = (observer as CollisionRecorder).toObject();
+		const all: RecordedCollisions[] = [record, ...record.breeds];
+		const recorded: number = record.frames + all.reduce((sum: number, { mean, histogram }) => sum + mean + histogram.length, 0);
+		if (times.frames !== 1 || collision.lastAgents.length !== 2 || !(recorded > 0)) log.push("not measured");
 	}
 	passThrough(greatLand);
 	useBlocks(greatLand, [bear, ball]);
@@ -322,7 +327,7 @@ export function fitAll(vertices: Float64Array): number[] {
 	log.push(`${library.tightestFit("cloud").volume}, ${hierarchies.has("cloud")}, ${hull.dimension}`);
 	const session = new FitSession(vertices);
 	const fit: Fit = new NaiveSphereFitter().fitting(session);
-	const work: Steps = new StepSequence().add(fit).slices(7, 3, (first: number, end: number) => log.push(`${first} to ${end}`));
+	const work: Steps = new StepSequence().add(fit).slices(7, 3, (first: number, end: number) => log.push(`${first} to ${end}`)).begin(() => null);
 	finish(work);
 	return fitters.map((fitter) => fitter.fit(vertices).volume);
 }

@@ -184,6 +184,8 @@ new AgentQueries(plain).walk(near[0]!, 1, 0, null, new Footing());
 collision.removeHandler("heroes", "heroes", () => 0, "start");
 // @ts-expect-error there is no such kind
 collision.removeHandler("heroes", "heroes", () => 0, "begin");
+// @ts-expect-error the kind of a structure stays
+land.boundingStructures.tightestFit("cube").kind = 1;
 // what questions find are the game's own agents
 const questions = new AgentQueries(collision);
 const met = questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, filter, hit);

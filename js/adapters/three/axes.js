@@ -1,6 +1,6 @@
 import { Quaternion, Vector3 } from "three";
 import { ArgumentError, Vector3D } from "starlogo-collision";
-import { textOf } from "./arguments.js";
+import { requirePoint, textOf } from "./arguments.js";
 
 /** Whether y is up. The only other axis is z. */
 export function isYUp(up) {
@@ -10,21 +10,14 @@ export function isYUp(up) {
 
 /** A point or direction of a scene with y up, in the engine's axes. */
 export function toEngine(vector, out = null) {
-	const { x, y, z } = checked("toEngine", vector);
+	const { x, y, z } = requirePoint("toEngine", vector);
 	return put(out ?? new Vector3D(), x, -z, y);
 }
 
 /** A point or direction of the engine, in the axes of a scene with y up. */
 export function toScene(vector, out = null) {
-	const { x, y, z } = checked("toScene", vector);
+	const { x, y, z } = requirePoint("toScene", vector);
 	return put(out ?? new Vector3(), x, z, -y);
-}
-
-function checked(call, vector) {
-	if (typeof vector?.x !== "number" || typeof vector.y !== "number" || typeof vector.z !== "number") {
-		throw new ArgumentError(`${call}: x, y and z must be numbers, as a Vector3 has them, not ${textOf(vector)}`);
-	}
-	return vector;
 }
 
 // not -0, which prints differently
@@ -51,9 +44,10 @@ export class AgentPlace {
 	/**
 	 * @param {object} agent the agent
 	 * @param {boolean} isYUp whether the scene has y up
+	 * @param {string} call the function that has got the agent
 	 */
-	constructor(agent, isYUp) {
-		if (typeof agent?.getQuaternion !== "function") throw new ArgumentError(`ThreeAgentBinding: agent must be an Agent, not ${textOf(agent)}`);
+	constructor(agent, isYUp, call) {
+		if (typeof agent?.getQuaternion !== "function") throw new ArgumentError(`${call}: agent must be an Agent, not ${textOf(agent)}`);
 		this.agent = agent;
 		this.#isYUp = isYUp;
 	}

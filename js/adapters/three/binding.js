@@ -1,6 +1,6 @@
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { Agent, ArgumentError } from "starlogo-collision";
-import { refuseOthers, textOf } from "./arguments.js";
+import { optionsOf, textOf } from "./arguments.js";
 import { AgentPlace, isYUp } from "./axes.js";
 import { poseModel, upOf } from "./model.js";
 
@@ -38,15 +38,15 @@ export class ThreeAgentBinding {
 	 * @param {{up?: "y" | "z", modelUp?: "y" | "z", index?: number}} options the up axis of the land and of the model's source; the index of
 	 * the instance in an InstancedMesh
 	 */
-	constructor(agent, object, model = null, { up = "y", modelUp = upOf(model) ?? up, index = null, ...others } = {}) {
-		refuseOthers("ThreeAgentBinding", others, "up", "modelUp", "index");
+	constructor(agent, object, model = null, options = {}) {
+		const { up, modelUp, index } = optionsOf("ThreeAgentBinding", options, { up: "y", modelUp: undefined, index: null });
 		const isLandYUp = isYUp(up);
-		this.#place = new AgentPlace(agent, isLandYUp);
+		this.#place = new AgentPlace(agent, isLandYUp, "ThreeAgentBinding");
 		if (!object?.isObject3D) throw new ArgumentError(`ThreeAgentBinding: object must be an Object3D, not ${textOf(object)}`);
 		this.#drawn = index === null ? new DrawnObject(object) : new DrawnInstance(object, index);
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isLandYUp);
-		if (isYUp(modelUp) !== isLandYUp) {
+		if (isYUp(modelUp === undefined ? upOf(model) ?? up : modelUp) !== isLandYUp) {
 			const turn = new Quaternion(isLandYUp ? -Math.SQRT1_2 : Math.SQRT1_2, 0, 0, Math.SQRT1_2);
 			this.#turn = this.#turn ? this.#turn.multiply(turn) : turn;
 		}
@@ -138,7 +138,16 @@ export class ThreeAgentBinding {
  * @param {object} model as for ThreeAgentBinding
  * @param {object} options up and modelUp, as for ThreeAgentBinding
  */
-export const bindInstance = (agent, mesh, index, model = null, options = {}) => new ThreeAgentBinding(agent, mesh, model, { ...options, index });
+export function bindInstance(agent, mesh, index, model = null, options = {}) {
+	requireInstance(mesh, index);
+	return new ThreeAgentBinding(agent, mesh, model, { ...optionsOf("bindInstance", options, { up: "y", modelUp: undefined }), index });
+}
+
+function requireInstance(mesh, index) {
+	if (!mesh?.isInstancedMesh) throw new ArgumentError(`an InstancedMesh is needed, not ${textOf(mesh)}`);
+	const { count } = mesh.instanceMatrix;
+	if (!(Number.isInteger(index) && index >= 0 && index < count)) throw new RangeError(`the mesh has instances 0 to ${count - 1}, not ${textOf(index)}`);
+}
 
 const turned = new Quaternion();
 const offset = new Vector3();
@@ -202,9 +211,7 @@ class DrawnObject {
 /** The matrix of an instance of an InstancedMesh, with the methods of a DrawnObject. */
 class DrawnInstance {
 	constructor(mesh, index) {
-		if (!mesh.isInstancedMesh) throw new ArgumentError(`an InstancedMesh is needed, not ${textOf(mesh)}`);
-		const { count } = mesh.instanceMatrix;
-		if (!(Number.isInteger(index) && index >= 0 && index < count)) throw new RangeError(`the mesh has instances 0 to ${count - 1}, not ${textOf(index)}`);
+		requireInstance(mesh, index);
 		this.object = mesh;
 		this.index = index;
 	}

@@ -214,6 +214,7 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
      *
      * @param contact the contact that a handler was given
      * @returns this
+     * @throws ArgumentError if it is no contact
      */
     showContact(contact: Contact): this;
 
@@ -225,7 +226,7 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
      * @param reach its length in patches if it hits nothing; the default is 1
      * @param hit the hit: it is shown as a cross and a normal
      * @returns this
-     * @throws ArgumentError if the direction is 0 or not finite
+     * @throws ArgumentError if an argument is of the wrong kind or not finite, or if the direction is 0
      */
     showRay(origin: Point, direction: Point, reach?: number, hit?: RayHit | null): this;
 
@@ -235,7 +236,7 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
      * @param lines six numbers each, z up; copied
      * @param agent the lines are in the space of its model; without an agent, in the world
      * @returns this
-     * @throws ArgumentError if the numbers are no multiple of six
+     * @throws ArgumentError if the numbers are no multiple of six, or one is not finite; if the agent is none
      */
     showLines(lines: ArrayLike<number>, agent?: Agent | null): this;
 

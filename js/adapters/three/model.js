@@ -1,6 +1,6 @@
 import { Matrix4, Mesh, Vector3 } from "three";
 import { ArgumentError, Model, ModelError } from "starlogo-collision";
-import { refuseOthers, textOf } from "./arguments.js";
+import { optionsOf, textOf } from "./arguments.js";
 import { isYUp } from "./axes.js";
 
 /** For each model: the up axis of its source, whether that is placed, and of which vertices of which meshes it was made. */
@@ -19,8 +19,8 @@ const point = new Vector3();
  * @param {object} source an Object3D, whose own transform does not count, or a BufferGeometry
  * @param {{up?: "y" | "z", scaling?: string}} options the up axis of the source, and how the model is scaled (Model's scalings)
  */
-export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPRINT, ...others } = {}) {
-	refuseOthers("modelFromObject", others, "up", "scaling");
+export function modelFromObject(name, source, options = {}) {
+	const { up, scaling } = optionsOf("modelFromObject", options, { up: "y", scaling: Model.FOOTPRINT });
 	return modelOf(name, source, surfaceOf(name, source, up), { up, isPlaced: false }, scaling);
 }
 
@@ -31,8 +31,8 @@ export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPR
  * @param {object} object an Object3D, whose parent is the land, or a BufferGeometry
  * @param {{up?: "y" | "z"}} options the up axis of the land
  */
-export function levelFromObject(name, object, { up = "y", ...others } = {}) {
-	refuseOthers("levelFromObject", others, "up");
+export function levelFromObject(name, object, options = {}) {
+	const { up } = optionsOf("levelFromObject", options, { up: "y" });
 	return modelOf(name, object, surfaceOf(name, object, up, true), { up, isPlaced: true }, Model.AS_GIVEN);
 }
 
@@ -62,9 +62,9 @@ export function poseModel(model, object) {
 	let at = 0;
 	const place = (mesh, matrix) => {
 		if (mesh.isBatchedMesh) throw new ArgumentError(`model "${model.name}" was made of a BatchedMesh, which has no pose`);
-		const { position } = mesh.geometry.attributes;
-		for (const vertex of parts[part++] ?? refuse()) {
-			if (vertex >= position.count) refuse();
+		const { count, vertices } = parts[part++] ?? refuse();
+		if (count !== countOf(mesh)) refuse();
+		for (const vertex of vertices) {
 			mesh.getVertexPosition(vertex, point).applyMatrix4(matrix);
 			posed[at] = point.x;
 			posed[at + 1] = up === "y" ? -point.z : point.y;
@@ -145,7 +145,7 @@ class Labels {
 class Surface {
 	vertices = [];
 	triangles = [];
-	/** For each mesh or instance, in the order of eachMesh: the mesh's vertices that have become the surface's next ones. */
+	/** For each mesh or instance, in the order of eachMesh: how many vertices the mesh has, and those that have become the surface's next ones. */
 	parts = [];
 	/** The mesh and the material of each triangle. */
 	meshes = new Labels();
@@ -199,7 +199,7 @@ class Surface {
 	/** Adds triangles of a mesh: its points, three corners for each triangle, and the material of each triangle. */
 	#add(mesh, points, corners, materials, place) {
 		const part = [];
-		this.parts.push(part);
+		this.parts.push({ count: points.length / 3, vertices: part });
 		// scaled to 0, as hidden instances often are
 		if (place.getMaxScaleOnAxis() === 0) return;
 		const [second, third] = place.determinant() < 0 ? [2, 1] : [1, 2];
@@ -227,7 +227,7 @@ class Surface {
 	#read(mesh) {
 		const { geometry } = mesh;
 		const position = geometry.getAttribute("position");
-		const count = position?.count ?? 0;
+		const count = countOf(mesh);
 		this.#mesh = mesh;
 		({ corners: this.#corners, materials: this.#materials } = count === 0 ? { corners: [], materials: [] } : drawnTriangles(geometry, mesh.material));
 		for (let i = 0; i < this.#corners.length; i++) {
@@ -241,6 +241,9 @@ class Surface {
 		return new ModelError(this.#name, title && `mesh "${title}"`, problem);
 	}
 }
+
+/** How many vertices a mesh has. */
+const countOf = (mesh) => mesh.geometry.getAttribute("position")?.count ?? 0;
 
 /** A mesh's name, or its geometry's if it has none. */
 const titleOf = (mesh) => mesh.name || mesh.geometry.name;

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry } from "three";
 import { ArgumentError, Terrain, TerrainSurface } from "starlogo-collision";
-import { refuseOthers, textOf } from "./arguments.js";
+import { optionsOf, textOf } from "./arguments.js";
 import { isYUp } from "./axes.js";
 import { surfaceOf } from "./model.js";
 
@@ -17,8 +17,8 @@ export class TerrainGeometry extends BufferGeometry {
 	 * @param {object} terrain the ground
 	 * @param {{up?: "y" | "z"}} options the up axis of the land
 	 */
-	constructor(terrain, { up = "y", ...others } = {}) {
-		refuseOthers("TerrainGeometry", others, "up");
+	constructor(terrain, options = {}) {
+		const { up } = optionsOf("TerrainGeometry", options, { up: "y" });
 		super();
 		if (!(terrain instanceof Terrain)) throw new ArgumentError(`a Terrain is needed, not ${textOf(terrain)}`);
 		this.#terrain = terrain;
@@ -62,8 +62,8 @@ export class TerrainGeometry extends BufferGeometry {
  * @param {number} y where the first height is
  * @param {{up?: "y" | "z"}} options the up axis of the land
  */
-export function terrainFromMesh(source, columns, rows, cellWidth = 1, x = 0, y = 0, { up = "y", ...others } = {}) {
-	refuseOthers("terrainFromMesh", others, "up");
+export function terrainFromMesh(source, columns, rows, cellWidth = 1, x = 0, y = 0, options = {}) {
+	const { up } = optionsOf("terrainFromMesh", options, { up: "y" });
 	const terrain = new Terrain(columns, rows, cellWidth, x, y);
 	const { vertices, triangles } = surfaceOf("terrain", source, up, true);
 	const heights = new Array(columns * rows).fill(-Infinity);

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, Matrix4, Vector3 } from "three";
 import { ArgumentError, Wireframes } from "starlogo-collision";
-import { refuseOthers } from "./arguments.js";
+import { optionsOf, requirePoint, textOf } from "./arguments.js";
 import { AgentPlace, isYUp } from "./axes.js";
 
 const matrix = new Matrix4();
@@ -25,8 +25,8 @@ export class ThreeWireframe extends LineSegments {
 	 *
 	 * @param {{color?: number | string, up?: "y" | "z"}} options the lines' colour, and the up axis of the land
 	 */
-	constructor({ color = 0xffcc00, up = "y", ...others } = {}) {
-		refuseOthers("ThreeWireframe", others, "color", "up");
+	constructor(options = {}) {
+		const { color, up } = optionsOf("ThreeWireframe", options, { color: 0xffcc00, up: "y" });
 		super(new BufferGeometry(), new LineBasicMaterial({ color }));
 		this.#isYUp = isYUp(up);
 		this.frustumCulled = false;
@@ -44,7 +44,10 @@ export class ThreeWireframe extends LineSegments {
 	}
 
 	/** Shows a contact: its point, its normal and its depth. */
-	showContact({ point: { x, y, z }, normal, depth }) {
+	showContact(contact) {
+		const { x, y, z } = requirePoint("ThreeWireframe.showContact", contact?.point);
+		const { normal, depth } = contact;
+		requirePoint("ThreeWireframe.showContact", normal);
 		const lines = crossAt(x, y, z);
 		lines.push(x, y, z, x + normal.x * depth, y + normal.y * depth, z + normal.z * depth);
 		return this.showLines(lines);
@@ -52,7 +55,9 @@ export class ThreeWireframe extends LineSegments {
 
 	/** Shows a ray up to its hit, with the normal there. Without a hit it is `reach` long. */
 	showRay(origin, direction, reach = 1, hit = null) {
-		const { x, y, z } = origin;
+		const { x, y, z } = requirePoint("ThreeWireframe.showRay", origin);
+		requirePoint("ThreeWireframe.showRay", direction);
+		if (hit) requirePoint("ThreeWireframe.showRay", hit.normal);
 		const length = Math.hypot(direction.x, direction.y, direction.z);
 		if (!(length > 0 && length < Infinity)) throw new ArgumentError(`the direction must be finite and not 0, not (${direction.x}, ${direction.y}, ${direction.z})`);
 		const far = (hit ? hit.distance : reach) / length;
@@ -67,8 +72,10 @@ export class ThreeWireframe extends LineSegments {
 	 * copied.
 	 */
 	showLines(lines, agent = null) {
+		if (typeof lines?.length !== "number") throw new ArgumentError(`ThreeWireframe.showLines: lines must be an array of numbers, not ${textOf(lines)}`);
 		if (lines.length % 6 !== 0) throw new ArgumentError(`a line is six numbers: ${lines.length} are no lines`);
-		const part = { place: agent === null ? null : new AgentPlace(agent, this.#isYUp), lines: Float64Array.from(lines), first: this.#count };
+		for (let i = 0; i < lines.length; i++) if (!Number.isFinite(lines[i])) throw new ArgumentError(`a line is six finite numbers, not ${textOf(lines[i])}`);
+		const part = { place: agent === null ? null : new AgentPlace(agent, this.#isYUp, "ThreeWireframe"), lines: Float64Array.from(lines), first: this.#count };
 		this.#parts.push(part);
 		this.#count += lines.length / 3;
 		this.#makeRoom();

@@ -213,8 +213,11 @@ export function $listen(target, type, listener, { once = false, capture = false,
 }
 
 /** `loader.loadAsync(name, url, { upAxis, scaling, signal })`. */
-export function $loadAsync(loader, name, url, { upAxis = "z", scaling = "footprint", signal = null }) {
+export function $loadAsync(loader, name, url, given) {
 	return new Promise((resolve, reject) => {
+		const kind = "a literal such as { upAxis: \"y\" }";
+		if (given === null) $refuse("ModelLoader.loadAsync", "options", given, kind);
+		const { upAxis, scaling, signal } = $options("ModelLoader.loadAsync", "options", given, { upAxis: "z", scaling: "footprint", signal: null }, kind);
 		signal?.throwIfAborted();
 		loader.load(name, url, upAxis, scaling);
 		const load = loader._loads.at(-1);

@@ -96,7 +96,7 @@ package starlogo.bounding
             }
             setCorners(relative);
             setBox();
-            checkSize(measureRadius(), "a hull");
+            checkSize(VertexBounds.of(this.points).largest, "a hull");
         }
 
         /** @inheritDoc */
@@ -159,7 +159,8 @@ package starlogo.bounding
             var planes:Vector.<Number> = halfSpaces;
             for (var i:int = 0; i < planes.length; i += 4)
             {
-                if (planes[i] * x + planes[i + 1] * y + planes[i + 2] * z > planes[i + 3] + limit)
+                // The comparison is false for NaN too.
+                if (!(planes[i] * x + planes[i + 1] * y + planes[i + 2] * z <= planes[i + 3] + limit))
                 {
                     return false;
                 }
@@ -172,7 +173,8 @@ package starlogo.bounding
         {
             checkVector(center, "the centre of a hull");
             checkLength(radius, "the radius around a hull's corners");
-            checkSize(checkLength(measureRadius(), "the radius of a hull"), "a hull");
+            checkLength(measureRadius(), "the radius of a hull");
+            checkSize(VertexBounds.of(points).largest, "a hull");
             return place(Placement.IDENTITY, new Hull(POINT));
         }
 

@@ -139,7 +139,8 @@ package starlogo.diagnostics
         }
 
         /**
-         * The record as an object for JSON: <code>frames</code>, <code>collisions</code>, <code>histogram</code> and <code>breeds</code>.
+         * The record as an object for JSON: <code>frames</code>, <code>collisions</code>, <code>mean</code>, <code>most</code>, <code>histogram</code>
+         * and <code>breeds</code>.
          *
          * <p>A histogram is a list of <code>{collisions, frames}</code>: the number of frames with that number of collisions. Above 16,
          * numbers are grouped in classes whose widths double. The least number of a class stands for the class. <code>breeds</code> is a

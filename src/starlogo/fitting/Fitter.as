@@ -8,7 +8,8 @@ package starlogo.fitting
 
     /**
      * An algorithm that finds a bounding structure for a model (thesis §3.4). The structure encloses every vertex, to within 1e-6 of the
-     * model's size. This holds for any vertices: for one or two, for vertices on a line or in a plane, and for repeated ones.
+     * model's size. This holds for any vertices: for one or two, for vertices on a line or in a plane, and for repeated ones. Far from the
+     * origin the coordinates themselves are rounded. There a vertex may also be outside by Tolerances.ROUNDING times the sum of its coordinates.
      *
      * <p>This is the abstract base class. Each algorithm is a subclass, which implements <code>findStructure()</code>, or
      * <code>fitting()</code> if it works in steps. Only vertices on the convex hull decide how tight a fit can be (thesis §3.4.2), so the

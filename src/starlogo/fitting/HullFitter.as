@@ -13,7 +13,7 @@ package starlogo.fitting
      * SIGGRAPH 2000). The next edge is always the one that makes the hull grow least.</p>
      *
      * <p>Vertices in a plane get a polygon. Vertices on a line get a segment, and vertices in one place get a point. All vertices are
-     * inside, up to rounding in double precision. The cost is n log n for n vertices.</p>
+     * inside, up to rounding: Tolerances.ROUNDING times the sum of its coordinates. The cost is n log n for n vertices.</p>
      */
     public final class HullFitter extends Fitter
     {

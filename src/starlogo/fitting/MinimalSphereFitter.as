@@ -4,8 +4,8 @@ package starlogo.fitting
     import starlogo.fitting.minimal.SmallestEnclosingBall;
 
     /**
-     * Finds the smallest bounding sphere (not in the thesis), exact except for rounding, about 1e-12 of the radius. It usually takes 5 to
-     * 15 passes over the hull's vertices, and two over all vertices.
+     * Finds the smallest bounding sphere (not in the thesis), exact except for rounding: about 1e-12 of the radius, and 1e-15 of the
+     * largest coordinate. It usually takes 5 to 15 passes over the hull's vertices, and two over all vertices.
      */
     public final class MinimalSphereFitter extends Fitter
     {

@@ -4,8 +4,10 @@ package starlogo.fitting
      * Finds the smallest bounding box with one axis along z, among those rotated about z by multiples of an increment below 90 degrees
      * (thesis §3.4.2). It is for models that only rotate about z, as a heading does.
      *
-     * <p>The box is never larger than the axis-aligned box. With the default increment, the sides are at most 9 % longer than the sides
-     * of the best box with an axis along z. With an increment of 90 degrees or more, only the axis-aligned box is tried.</p>
+     * <p>The box is never larger than the axis-aligned box. The best box with an axis along z may be between two rotations that are tried. With
+     * the default increment, one of the two is at most 5 degrees away. There the sides along the ground are longer by at most 9 % of the longest
+     * of them, and the box that is found is not larger than that one. With an increment of 90 degrees or more, only the axis-aligned box is
+     * tried.</p>
      */
     public final class ZAlignedBoxFitter extends Fitter
     {

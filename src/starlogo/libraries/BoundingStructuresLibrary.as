@@ -119,7 +119,8 @@ package starlogo.libraries
          * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, if the number of coordinates is not a
          *     multiple of 3, or if a coordinate is not finite or beyond 1e60; if the list of fitters is empty, or one of them finds a structure
          *     that cannot be collided or does not enclose the vertices
-         * @throws RangeError if the vertices are in different places, but less than 1e-70 apart
+         * @throws RangeError if the vertices are in different places, but less than 2e-70 apart along each axis, or if a fitter finds a
+         *     structure with a number that is not finite, or beyond the limits of structures
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {

@@ -22,8 +22,8 @@ package starlogo.libraries
     public final class HierarchiesLibrary
     {
         /**
-         * Whether a node is split at a mean along the longest axis of its box: the mean of its vertices, or of its triangles' centres.
-         * Otherwise it is split halfway along that axis (§4.4).
+         * Whether a node is split at a mean along the longest axis of its box: the mean of its vertices, or of the middles of its
+         * triangles' boxes. Otherwise it is split halfway along that axis (§4.4).
          */
         public var splitByMean:Boolean = false;
 
@@ -51,7 +51,8 @@ package starlogo.libraries
 
         /**
          * A node with at most this many vertices is a leaf (§4.4). In another place the thesis splits a node with exactly this many (§4.8).
-         * A single triangle is always a leaf. A vertex that several triangles of the node share counts once. The default is 5.
+         * A single triangle is always a leaf, and so are several items in one place: vertices, or triangles whose boxes have the same middle. A
+         * vertex that several triangles of the node share counts once. The default is 5.
          *
          * @throws RangeError if you set it to less than 1
          */

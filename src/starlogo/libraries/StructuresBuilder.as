@@ -102,7 +102,8 @@ package starlogo.libraries
 
         private function checkingOf(fitter:Fitter, structure:BoundingStructure, tolerance:Number):Steps
         {
-            if (structure == null || structure.kind > BoundingStructure.BOX)
+            // In JavaScript, a fitter may return anything.
+            if (!(structure is BoundingStructure) || structure.kind > BoundingStructure.BOX)
             {
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
             }

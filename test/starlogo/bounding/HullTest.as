@@ -8,6 +8,7 @@ package starlogo.bounding
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.hull.ConvexHull;
     import support.PointSets;
     import support.assertThrows;
     import support.create;
@@ -168,6 +169,38 @@ package starlogo.bounding
         }
 
         [Test]
+        public function doesNotContainAPointThatIsNone():void
+        {
+            for each (var points:Vector.<Number> in [PointSets.box(1, 1, 1), PointSets.box(1, 1, 0), PointSets.box(1, 0, 0), PointSets.box(0, 0, 0)])
+            {
+                assertFalse(new Hull(points).contains(new Vector3D(NaN, 0, 0)));
+                assertFalse(new Hull(points).contains(new Vector3D(0, 0, Infinity)));
+            }
+        }
+
+        [Test]
+        public function theVolumeOfANeedleIsNotNegative():void
+        {
+            var random:SeededRandom = new SeededRandom(7105);
+            var solid:int = 0;
+            for (var i:int = 0; i < 300; i++)
+            {
+                var points:Vector.<Number> = PointSets.turned(PointSets.cloud(random, 4 + i % 7, 1, 1), random);
+                for (var k:int = 0; k < points.length; k += 3)
+                {
+                    // near a line through the origin
+                    points[k + 1] = 0.7 * points[k] + 1e-11 * points[k + 1];
+                    points[k + 2] = -0.3 * points[k] + 1e-11 * points[k + 2];
+                }
+                var hull:Hull = new Hull(points);
+                assertTrue(hull.volume >= 0 && hull.volume < 1e-15);
+                assertTrue(new ConvexHull(points).volume >= 0);
+                solid += hull.topology.dimension == 3 ? 1 : 0;
+            }
+            assertTrue(solid > 100);
+        }
+
+        [Test]
         public function movesLikeItsPoints():void
         {
             var random:SeededRandom = new SeededRandom(7103);
@@ -262,9 +295,15 @@ package starlogo.bounding
             assertThrows(ArgumentError, "", create, Hull, new <Number>[1, 2]);
             assertThrows(ArgumentError, "", create, Hull, new <Number>[1, 2, NaN]);
             assertThrows(ArgumentError, "", create, Hull, new <Number>[1, 2, 1e61]);
-            assertThrows(RangeError, "size", create, Hull, new <Number>[0, 0, 0, 1e-80, 0, 0]);
+            for each (var tiny:Number in [1e-80, 1e-200, 1e-310])
+            {
+                assertThrows(RangeError, "size", create, Hull, new <Number>[0, 0, 0, tiny, 0, 0]);
+            }
             var hull:Hull = new Hull(PointSets.box(1, 1, 1));
-            assertThrows(RangeError, "", hull.scale, 1e71);
+            for each (var factor:Number in [1e71, 1e-71, 1e-200, 1e-300])
+            {
+                assertThrows(RangeError, "", hull.scale, factor);
+            }
             assertThrows(ArgumentError, "same kind", hull.place, new Placement(), new Sphere(new Vector3D(), 1));
             assertEquals(8, hull.volume);
         }

@@ -170,6 +170,25 @@ package starlogo.models
         }
 
         [Test]
+        public function aLineMayHaveExactlyAsManyCharactersAsTheLimitWhereverItStands():void
+        {
+            const VERTICES:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+            const CORNERS:String = "f 1 2 3" + new Array(1000000 - 6).join(" ");
+            const CONTINUED:String = "f 1 2 3 \\\n" + new Array(1000000 - 9).join(" ");
+            assertEquals("1000000,1000000", [CORNERS.length, CONTINUED.length].join());
+            const COMMENTS:String = VERTICES + new Array(3000).join("# a comment\n");
+            for each (var parts:Array in [[VERTICES, CORNERS, "\n"], [VERTICES, CONTINUED, "\r\n"], [COMMENTS, CORNERS, "\r"], [COMMENTS, CONTINUED, ""]])
+            {
+                assertEquals(3, new ObjModel("a", parts.join("")).triangles.length);
+                var error:ModelError = Failures.of(function():void
+                    {
+                        new ObjModel("a", parts[0] + parts[1] + " " + parts[2]);
+                    });
+                assertEquals("line " + parts[0].split("\n").length, error.place);
+            }
+        }
+
+        [Test]
         public function turnsTheUpAxis():void
         {
             const TEXT:String = "v 0 0 0\nv 2 4 8\n";

@@ -139,7 +139,8 @@ package starlogo.geometry.hull
                 sum += (points[a] - fromX) * (bY * cZ - bZ * cY) + (points[a + 1] - fromY) * (bZ * cX - bX * cZ)
                     + (points[a + 2] - fromZ) * (bX * cY - bY * cX);
             }
-            return sum / 6;
+            // the volume of a needle is a rounding error, which may be negative
+            return sum > 0 ? sum / 6 : 0;
         }
 
         // The steps that build the hull of vertices on a grid, and join its corners. Vertices without volume get an extra point outside, the apex.

@@ -16,8 +16,8 @@ package starlogo.models.text
         private static const END:String = "\uE000";
         private static const CONTINUED:String = "\uE001";
 
-        // A line is read in one step, together with its continuation lines.
-        private static const MAX_PIECE:int = 1000000;
+        // The most characters of a statement: a line with its continuation lines. It is read in one step.
+        private static const MAX_STATEMENT:int = 1000000;
 
         private static const RETURN:int = 0x0D;
         private static const LINE_FEED:int = 0x0A;
@@ -187,22 +187,10 @@ package starlogo.models.text
             return rest;
         }
 
-        // Continued lines stay in one piece.
         private function readPiece():void
         {
             _start = _end;
-            _end += CHARACTERS_PER_PIECE;
-            do
-            {
-                _end = TextWords.indexOfEither(_text, LINE_FEED, RETURN, _end, Math.min(_text.length, _start + MAX_PIECE));
-                // the second of the two characters that end a line may be the first that is found
-                var isSecond:Boolean = _text.charCodeAt(_end) == LINE_FEED && _text.charCodeAt(_end - 1) == RETURN;
-                var isContinued:Boolean = _text.charAt(_end - (isSecond ? 2 : 1)) == "\\";
-                _end += _text.charCodeAt(_end) == RETURN && _text.charCodeAt(_end + 1) == LINE_FEED ? 2 : 1;
-            }
-            while (isContinued && _end < _text.length);
-            _end = Math.min(_end, _text.length);
-            refuseIf(_end - _start > MAX_PIECE, _name, "a line and its continuation lines have more than " + MAX_PIECE + " characters", placeOf(_line + 1));
+            _end = findEndOfPiece();
             var text:String = (_start == 0 ? "\n" : "") + _text.substring(_start, _end);
             text = TextWords.replaceAll(text, "\r\n", "\n");
             text = TextWords.replaceAll(text, "\r", "\n");
@@ -213,6 +201,44 @@ package starlogo.models.text
             var end:String = _end == _text.length ? " " + END + " " : " ";
             _words = TextWords.singleSpaced(" " + text + end).split(" ");
             _next = 1;
+        }
+
+        // The end of the last statement that ends within CHARACTERS_PER_PIECE. If none does, the next statement is a piece of its own.
+        private function findEndOfPiece():int
+        {
+            var end:int = _start + CHARACTERS_PER_PIECE;
+            if (end >= _text.length)
+            {
+                return _text.length;
+            }
+            for (var before:int = end; before > _start; before--)
+            {
+                var code:int = _text.charCodeAt(before - 1);
+                if ((code == LINE_FEED || code == RETURN && _text.charCodeAt(before) != LINE_FEED) && !isContinued(before))
+                {
+                    return before;
+                }
+            }
+            do
+            {
+                end = TextWords.indexOfEither(_text, LINE_FEED, RETURN, end, Math.min(_text.length, _start + MAX_STATEMENT + 1));
+                refuseIf(end - _start > MAX_STATEMENT, _name, "a line and its continuation lines have more than " + MAX_STATEMENT + " characters",
+                        placeOf(_start == 0 ? 1 : _line));
+                end += _text.charCodeAt(end) == RETURN && _text.charCodeAt(end + 1) == LINE_FEED ? 2 : 1;
+            }
+            while (end < _text.length && isContinued(end));
+            return Math.min(end, _text.length);
+        }
+
+        // Whether the next line continues the line that ends before an index.
+        private function isContinued(end:int):Boolean
+        {
+            var last:int = end - 2;
+            if (_text.charCodeAt(end - 1) == LINE_FEED && _text.charCodeAt(last) == RETURN)
+            {
+                last--;
+            }
+            return _text.charAt(last) == "\\";
         }
     }
 }

@@ -82,11 +82,11 @@ package starlogo.convex
             }
         }
 
-        // Writes the middle of the part of an edge or a face that is within another face. If there is no such part, it is the middle of that face.
+        // Writes the middle of the part of an edge or a face that is within another face.
         private static function writeMeanWithin(inner:ContactFeature, face:ContactFeature, out:ContactPoint):void
         {
             inner.clip(face, out);
-            writeMean(inner.end > 0 ? inner : face, out);
+            writeMean(inner, out);
         }
 
         private static function writeMean(feature:ContactFeature, out:ContactPoint):void

@@ -67,7 +67,7 @@ package starlogo.convex
 
         /**
          * Makes the corners an outline: counter-clockwise around a contact's normal, seen against it, and without those between others (gift
-         * wrapping).
+         * wrapping). Of corners in the same place, such as those of both sides of a thin box, one is left.
          */
         public function makeOutline(contact:ContactPoint):void
         {
@@ -89,15 +89,15 @@ package starlogo.convex
                 add(found, last);
                 return;
             }
-            for (var at:int = nextOf(first, found, foundEnd, contact); at != first && end < foundEnd; at = nextOf(at, found, foundEnd, contact))
+            for (var at:int = nextOf(first, found, foundEnd, contact); !areInOnePlace(at, first, found) && end < foundEnd; at = nextOf(at, found, foundEnd, contact))
             {
                 add(found, at);
             }
         }
 
         /**
-         * Keeps the part of an edge or a face that is within another face (Sutherland and Hodgman, "Reentrant polygon clipping", 1974). No corners are
-         * left if there is none.
+         * Keeps the part of an edge or a face that is within another face (Sutherland and Hodgman, "Reentrant polygon clipping", 1974). What two
+         * shapes share where they touch may be as narrow as rounding, so if all is outside of a side of the face, what is nearest to that side is left.
          *
          * @param face in the same plane or in a parallel one. Both are outlines
          * @param contact has the normal of the planes
@@ -105,12 +105,19 @@ package starlogo.convex
         public function clip(face:ContactFeature, contact:ContactPoint):void
         {
             var p:Vector.<Number> = face.points;
-            _slack = Tolerances.DIRECTION * (Math.abs(p[3] - p[0]) + Math.abs(p[4] - p[1]) + Math.abs(p[5] - p[2])
+            _slack = Tolerances.ROUNDING * (Math.abs(p[3] - p[0]) + Math.abs(p[4] - p[1]) + Math.abs(p[5] - p[2])
                     + Math.abs(p[6] - p[3]) + Math.abs(p[7] - p[4]) + Math.abs(p[8] - p[5]));
+            var isAllCut:Boolean = true;
             var last:int = face.end - 3;
-            for (var at:int = 0; at < face.end && end > 0; at += 3)
+            for (var at:int = 0; at < face.end; at += 3)
             {
-                cut(p, last, at, contact);
+                isAllCut = cut(p, last, at, contact, false) && isAllCut;
+                last = at;
+            }
+            // what is nearest to a side may be beside the face, so these sides come last
+            for (at = 0; at < face.end && !isAllCut; at += 3)
+            {
+                cut(p, last, at, contact, true);
                 last = at;
             }
         }
@@ -146,6 +153,15 @@ package starlogo.convex
             return true;
         }
 
+        // Whether two corners are as near to each other as rounding.
+        private function areInOnePlace(corner:int, other:int, found:Vector.<Number>):Boolean
+        {
+            var x:Number = found[corner] - found[other];
+            var y:Number = found[int(corner + 1)] - found[int(other + 1)];
+            var z:Number = found[int(corner + 2)] - found[int(other + 2)];
+            return x * x + y * y + z * z <= 4 * _slack * _slack;
+        }
+
         private static function farthestFrom(corner:int, found:Vector.<Number>, foundEnd:int):int
         {
             var best:int = corner;
@@ -174,6 +190,10 @@ package starlogo.convex
             var z:Number = 0;
             for (var i:int = 0; i < foundEnd; i += 3)
             {
+                if (areInOnePlace(i, at, found))
+                {
+                    continue;
+                }
                 var ux:Number = found[i] - found[at];
                 var uy:Number = found[int(i + 1)] - found[int(at + 1)];
                 var uz:Number = found[int(i + 2)] - found[int(at + 2)];
@@ -191,8 +211,8 @@ package starlogo.convex
             return best;
         }
 
-        // Keeps the part on the inner side of an edge of a polygon.
-        private function cut(edges:Vector.<Number>, edgeFrom:int, edgeTo:int, contact:ContactPoint):void
+        // Keeps the part on the inner side of an edge of a polygon. If there is none, keeps all or only what is nearest to the edge, and returns false.
+        private function cut(edges:Vector.<Number>, edgeFrom:int, edgeTo:int, contact:ContactPoint, keepsNearest:Boolean):Boolean
         {
             var edgeX:Number = edges[edgeTo] - edges[edgeFrom];
             var edgeY:Number = edges[int(edgeTo + 1)] - edges[int(edgeFrom + 1)];
@@ -202,9 +222,25 @@ package starlogo.convex
             var inY:Number = contact.normalZ * edgeX - contact.normalX * edgeZ;
             var inZ:Number = contact.normalX * edgeY - contact.normalY * edgeX;
             var from:Number = inX * edges[edgeTo] + inY * edges[int(edgeTo + 1)] + inZ * edges[int(edgeTo + 2)];
-            from -= _slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var kept:Vector.<Number> = _before;
             var before:Vector.<Number> = points;
+            var innermost:Number = -Infinity;
+            for (var i:int = 0; i < end; i += 3)
+            {
+                var along:Number = inX * before[i] + inY * before[int(i + 1)] + inZ * before[int(i + 2)];
+                innermost = along > innermost ? along : innermost;
+            }
+            var rounding:Number = _slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
+            var isAllOutside:Boolean = innermost < from - rounding;
+            if (isAllOutside)
+            {
+                if (!keepsNearest)
+                {
+                    return false;
+                }
+                from = innermost;
+            }
+            from -= rounding;
             var count:int = 0;
             var last:int = end - 3;
             var lastInwards:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - from;
@@ -213,7 +249,7 @@ package starlogo.convex
             for (var at:int = 0; at < end; at += 3)
             {
                 var inwards:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - from;
-                if (inwards > 0 != lastInwards > 0 && !(isEdge && at == 0))
+                if (inwards >= 0 != lastInwards >= 0 && !(isEdge && at == 0))
                 {
                     var share:Number = lastInwards / (lastInwards - inwards);
                     kept[count] = before[last] + share * (before[at] - before[last]);
@@ -221,7 +257,7 @@ package starlogo.convex
                     kept[int(count + 2)] = before[int(last + 2)] + share * (before[int(at + 2)] - before[int(last + 2)]);
                     count += 3;
                 }
-                if (inwards > 0)
+                if (inwards >= 0)
                 {
                     kept[count] = before[at];
                     kept[int(count + 1)] = before[int(at + 1)];
@@ -234,6 +270,7 @@ package starlogo.convex
             points = kept;
             _before = before;
             end = count;
+            return !isAllOutside;
         }
     }
 }

@@ -56,6 +56,21 @@ package starlogo.intersection
             checkNormal(across, level, 0, 0, 1, 0.5, true);
         }
 
+        /** Seen along the normal the sides that touch have nothing in common but for rounding. The middle of one side may be far from the other. */
+        [Test]
+        public function thePointOfPlatesThatMeetAtTheirBordersIsThere():void
+        {
+            var plate:Box = new Box(new Vector3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1), 0, 1, 1);
+            for each (var middle:Vector3D in [new Vector3D(0.5, -1.3000000002, -0.1000000006), new Vector3D(0.4999999, -1.3000000002, -0.1000000006)])
+            {
+                var other:Box = new Box(middle, new Vector3D(1, 0, 0), new Vector3D(0, 0.6, 0.8), new Vector3D(0, -0.8, 0.6), 0.5, 0.5, 1e-9);
+                PairTable.findContact(plate, other, _displacement, _touch);
+                var around:Sphere = new Sphere(new Vector3D(_touch.x, _touch.y, _touch.z), _touch.depth + 1e-7);
+                assertTrue("the plate is at " + around, intersects(around, plate));
+                assertTrue("the other is at " + around, intersects(around, other));
+            }
+        }
+
         [Test]
         public function thePointOfTwoFacesIsInTheMiddleOfTheirOverlap():void
         {

@@ -22,6 +22,12 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
+        override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _tests.findTreeContact(a, b, motion, false, out);
+        }
+
+        /** @inheritDoc */
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             _tests.findTreeImpact(a, b, motion, false, out);

@@ -80,10 +80,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
-            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE, _limits.exact);
-            _impacts.findContact(own, out);
-            finish(own, motion, out);
+            findTreeContact(a, b, motion, _limits.exact, out);
         }
 
         /** @inheritDoc */
@@ -163,6 +160,15 @@ package starlogo.search.pairs
             var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), exact);
             _testCount++;
             _impacts.findImpact(own, out);
+            finish(own, motion, out);
+        }
+
+        /** Finds the contact of two parts as <code>findContactOfParts()</code> does. @param exact as in areOverlapping */
+        internal function findTreeContact(a:Body, b:Body, motion:RelativeMotion, exact:Boolean, out:ContactPoint):void
+        {
+            // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
+            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE, exact);
+            _impacts.findContact(own, out);
             finish(own, motion, out);
         }
 

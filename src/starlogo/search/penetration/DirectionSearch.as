@@ -90,10 +90,10 @@ package starlogo.search.penetration
                 {
                     sweepBack(out);
                 }
-                out.x = _parting.x - out.depth / 2 * out.normalX;
-                out.y = _parting.y - out.depth / 2 * out.normalY;
-                out.z = _parting.z - out.depth / 2 * out.normalZ;
             }
+            out.x = _parting.x - out.depth / 2 * out.normalX;
+            out.y = _parting.y - out.depth / 2 * out.normalY;
+            out.z = _parting.z - out.depth / 2 * out.normalZ;
             makeSure(out);
         }
 
@@ -135,6 +135,11 @@ package starlogo.search.penetration
             var length:Number = _inner - _outer;
             _back.endAfter(length * _tried.x, length * _tried.y, length * _tried.z);
             _pair.findImpact(_back, _parting);
+            if (_back.time == RelativeMotion.NEVER)
+            {
+                // rounding hides the touch at the end
+                _pair.findContactOfParts(_parting);
+            }
             var time:Number = Math.min(_back.time, 1);
             out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _outer + time * length;

@@ -2,6 +2,7 @@ package starlogo.search.penetration
 {
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.data.textOf;
     import starlogo.GreatLand;
@@ -10,9 +11,11 @@ package starlogo.search.penetration
     import starlogo.collision.Collision;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.Contact;
+    import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.queries.AgentQueries;
     import starlogo.terrain.Terrain;
     import support.Complaints;
     import support.EachCollider;
@@ -103,6 +106,66 @@ package starlogo.search.penetration
                 var allowed:Number = name == "bins" || name == "tightest fits" ? 0 : 0.2 * deep;
                 assertTrue(name + ": " + elsewhere + " of " + deep + " elsewhere", deep > 20 && elsewhere <= allowed);
             }
+        }
+
+        /** Along a part of a long way out the two may be free. The point belongs to the way that is left, not to the long one. */
+        [Test]
+        public function thePointOfAShortWayOutIsWhereTheTwoTouch():void
+        {
+            var greatLand:GreatLand = landOf(new Model("triangle", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2], Model.AS_GIVEN),
+                    BuiltInModel.box(0.00001, 1, 2, "sheet"));
+            var collider:HierarchicalCollider = new HierarchicalCollider(greatLand);
+            collider.exact = true;
+            var queries:AgentQueries = new AgentQueries(collider);
+            var triangle:Agent = turned("triangle", 30, 80, 300);
+            var sheet:Agent = turned("sheet", 270, 10, 330);
+            sheet.moveTo(-0.442, 0.081, -0.926);
+            expectPointInBoth(collider, queries, triangle, sheet);
+            triangle = turned("triangle", 300, 0, 150);
+            sheet = turned("sheet", 20, 290, 320);
+            sheet.moveTo(-0.164, -0.436, 0.294);
+            expectPointInBoth(collider, queries, triangle, sheet);
+        }
+
+        private static function expectPointInBoth(collider:Collider, queries:AgentQueries, a:Agent, b:Agent):void
+        {
+            var contact:Contact = collider.contactOf(a, b);
+            for each (var agent:Agent in [a, b])
+            {
+                var off:Number = queries.distanceToPoint(agent, contact.point);
+                assertTrue(agent + ": off by " + off + ", " + contact, off <= contact.depth + 2e-8);
+            }
+        }
+
+        /** Far from the origin rounding may hide the touch at the end of a way back. */
+        [Test]
+        public function aContactDoesNotDependOnTheOneBefore():void
+        {
+            var greatLand:GreatLand = landOf(new Model("two", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], new <uint>[0, 1, 2, 0, 1, 3], Model.AS_GIVEN));
+            var collider:HierarchicalCollider = new HierarchicalCollider(greatLand);
+            collider.exact = true;
+            var a:Agent = turned("two", 30, 90, 180);
+            var b:Agent = turned("two", 0, 0, 180);
+            a.size = b.size = 1e-6;
+            a.moveTo(5e8, 0, 0);
+            b.moveTo(5e8, 6e-7, -1e-6);
+            var first:String = textOf(collider.contactOf(a, b));
+            for each (var pitch:Number in [45, 90, 135])
+            {
+                var other:Agent = turned("two", 10, pitch, 0);
+                other.moveTo(0.1, 0.1, 0.05);
+                collider.contactOf(turned("two", 0, 0, 0), other);
+                assertEquals("after a pitch of " + pitch, first, textOf(collider.contactOf(a, b)));
+            }
+        }
+
+        private static function turned(shape:String, heading:Number, pitch:Number, roll:Number):Agent
+        {
+            var agent:Agent = new Agent(shape);
+            agent.heading = heading;
+            agent.pitch = pitch;
+            agent.roll = roll;
+            return agent;
         }
 
         /** Contacts of two agents are the same to the last bit in either order. */

@@ -57,7 +57,7 @@ package starlogo.search
             _motions = new RowMotions(table, narrowPhase, _bins.levels);
             _finder = new PairFinder(table, narrowPhase, _motions);
             _pairs = new FoundPairs(table.list);
-            _keptPairs = new KeptPairs(table, _finder, _motions, narrowPhase.treeLimits, _bins.levels, _pairs);
+            _keptPairs = new KeptPairs(table, _finder, _motions, narrowPhase, _bins.levels, _pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */

@@ -181,14 +181,7 @@ package starlogo.search
             {
                 return all;
             }
-            _members.count = 0;
-            for (var i:int = 0; i < all.count; i++)
-            {
-                if (input.isMember(table, all.numbers[i]))
-                {
-                    _members.add(all.numbers[i]);
-                }
-            }
+            input.listMembers(table, all, _members);
             return _members;
         }
     }

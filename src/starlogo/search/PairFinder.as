@@ -43,7 +43,7 @@ package starlogo.search
         private var _motion:RelativeMotion = new RelativeMotion();
 
         // The members that are tested with the ground or the edges of the world.
-        private var _members:Vector.<int> = new Vector.<int>();
+        private var _members:IntList = new IntList();
 
         /**
          * @param table has the rows
@@ -98,18 +98,9 @@ package starlogo.search
             {
                 return;
             }
-            var others:Vector.<int> = _members;
-            var count:int = 0;
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                var row:int = rows.numbers[i];
-                if (_input.isMember(_table, row))
-                {
-                    others[count] = row;
-                    count++;
-                }
-            }
-            count = _input.interests.keepOfInterest(_table.breeds, worldRow, others, count);
+            _input.listMembers(_table, rows, _members);
+            var others:Vector.<int> = _members.numbers;
+            var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _members.count);
             var kept:int = _motions.areNeeded ? keepTouchingMotions(worldRow, others, count, null)
                 : keepTouchingWorld(worldRow, others, count);
             _out.addPairs(worldRow, others, kept);
@@ -179,7 +170,10 @@ package starlogo.search
                     others[kept] = other;
                     times[int(before + kept)] = _motion.time;
                     kept++;
-                    earlyPairs += _motion.time < 1 ? 1 : 0;
+                    if (_motion.time < 1)
+                    {
+                        earlyPairs++;
+                    }
                 }
             }
             return kept;

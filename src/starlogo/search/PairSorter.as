@@ -24,25 +24,33 @@ package starlogo.search
         private var _firsts:Vector.<int> = new Vector.<int>();
         private var _seconds:Vector.<int> = new Vector.<int>();
 
-        // The memory that the pairs had before.
+        // The memory that the pairs had before, and room for their times.
         private var _spare:Vector.<int> = new Vector.<int>();
+        private var _spareTimes:Vector.<Number> = new Vector.<Number>();
 
         /**
          * Puts pairs into order.
          *
-         * @param times by pair: the time of the touch; null if no agent sweeps
+         * @param times by pair: the time of the touch; null if no agent sweeps. They mean nothing afterwards
          */
         public function sort(pairs:FoundPairs, times:Vector.<Number>):void
         {
-            if (times != null || MANY_AGENTS * pairs.count < pairs.list.rows.count)
+            if (times == null && areSorted(pairs))
+            {
+                return;
+            }
+            if (MANY_AGENTS * pairs.count < pairs.list.rows.count)
             {
                 sortByKeys(pairs, times);
+                return;
             }
-            else if (!areSorted(pairs))
+            var timesBySecond:Vector.<Number> = times == null ? null : _spareTimes;
+            countRanks(pairs);
+            scatter(pairs, 1, _seconds, times, timesBySecond);
+            scatter(pairs, 0, _firsts, timesBySecond, times);
+            if (times != null)
             {
-                countRanks(pairs);
-                scatter(pairs, 1, _seconds);
-                scatter(pairs, 0, _firsts);
+                sortByTimes(pairs, times);
             }
         }
 
@@ -76,7 +84,7 @@ package starlogo.search
             return true;
         }
 
-        // Sorts the indices of the pairs by a key of both ranks. If there are times, sorts them by these too: indices of the same time keep their order.
+        // Sorts by a key of both ranks, and then by times, if there are any.
         private function sortByKeys(pairs:FoundPairs, times:Vector.<Number>):void
         {
             var rows:Vector.<int> = pairs.rows;
@@ -98,15 +106,31 @@ package starlogo.search
             arrange(pairs);
         }
 
+        // Sorts by times. Pairs of the same time keep their order.
+        private function sortByTimes(pairs:FoundPairs, times:Vector.<Number>):void
+        {
+            _indices.count = 0;
+            for (var i:int = 0; i < pairs.count; i++)
+            {
+                _indices.add(i, times[i]);
+            }
+            _indices.sortFirst(pairs.count);
+            arrange(pairs);
+        }
+
         // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). Equals keep their
-        // order, so sorting by the second rows and then by the first ones sorts by both.
-        private function scatter(pairs:FoundPairs, side:int, next:Vector.<int>):void
+        // order, so sorting by the second rows and then by the first ones sorts by both. The times, if there are any, go to another list.
+        private function scatter(pairs:FoundPairs, side:int, next:Vector.<int>, times:Vector.<Number>, timesTo:Vector.<Number>):void
         {
             makeRoom(pairs);
             var ranks:Vector.<int> = pairs.list.ranks;
             var from:Vector.<int> = pairs.rows;
             var to:Vector.<int> = _spare;
             var end:int = 2 * pairs.count;
+            if (times != null && timesTo.length < pairs.count)
+            {
+                timesTo.length = times.length;
+            }
             for (var i:int = 0; i < end; i += 2)
             {
                 var rank:int = ranks[from[int(i + side)]];
@@ -114,6 +138,10 @@ package starlogo.search
                 next[rank] = at + 2;
                 to[at] = from[i];
                 to[int(at + 1)] = from[int(i + 1)];
+                if (times != null)
+                {
+                    timesTo[at >> 1] = times[i >> 1];
+                }
             }
             exchange(pairs);
         }

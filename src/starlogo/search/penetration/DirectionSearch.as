@@ -91,7 +91,7 @@ package starlogo.search.penetration
                 out.y = _parting.y - out.depth / 2 * out.normalY;
                 out.z = _parting.z - out.depth / 2 * out.normalZ;
             }
-            makeSure(out);
+            correctDepth(out);
         }
 
         // Starts along the normal of the surfaces where the two parted. Returns whether the way out along it is shorter than a contact's depth.
@@ -150,8 +150,8 @@ package starlogo.search.penetration
             }
         }
 
-        // Makes sure, in spite of rounding, that the two do not touch a little beyond a contact's depth, and touch a little before it.
-        private function makeSure(out:ContactPoint):void
+        // Corrects what rounding has made of a contact's depth: the two do not touch a little beyond it, and touch a little before it.
+        private function correctDepth(out:ContactPoint):void
         {
             var probe:Number = _pair.probeDistance;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);

@@ -376,7 +376,10 @@ package starlogo.search.table
             for (var i:int = 0; i < reshaped.count; i++)
             {
                 takeShape(reshaped.numbers[i], found[i]);
-                loading += found[i] == null ? 1 : 0;
+                if (found[i] == null)
+                {
+                    loading++;
+                }
                 // a shape of a model that is replaced later would stay in memory
                 found[i] = null;
             }

@@ -64,14 +64,14 @@ package starlogo.ground
             }
             else
             {
-                findOuterContact(out);
+                findLift(out);
                 return;
             }
             _pairs.moveToWorld(out);
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
-        public function findOuterContact(out:ContactPoint):void
+        public function findLift(out:ContactPoint):void
         {
             var origin:Placement = _pairs.origin;
             var box:GroundBox = _pairs.pieces.wholeBox();

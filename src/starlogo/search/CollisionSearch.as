@@ -57,7 +57,7 @@ package starlogo.search
             _motions = new RowMotions(table, narrowPhase, _bins.levels);
             _finder = new PairFinder(table, narrowPhase, _motions);
             _pairs = new FoundPairs(table.list);
-            _keptPairs = new KeptPairs(table, _finder, _motions, narrowPhase.treeLimits, _bins.levels, _pairs);
+            _keptPairs = new KeptPairs(table, _finder, _motions, narrowPhase, _bins.levels, _pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -181,14 +181,7 @@ package starlogo.search
             {
                 return all;
             }
-            _members.count = 0;
-            for (var i:int = 0; i < all.count; i++)
-            {
-                if (input.isMember(table, all.numbers[i]))
-                {
-                    _members.add(all.numbers[i]);
-                }
-            }
+            input.listMembers(table, all, _members);
             return _members;
         }
     }

@@ -12,7 +12,7 @@ package starlogo.search
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
      * <p>PairFinder has pairs added, and PairSorter sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
-     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter exchanges the rows and the times.</p>
+     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter exchanges the rows.</p>
      *
      * @private
      */
@@ -23,9 +23,6 @@ package starlogo.search
 
         /** The rows: a0, b0, a1, b1, ... The list may be longer: rows after the last pair are left over from earlier frames. */
         public var rows:Vector.<int> = new Vector.<int>();
-
-        /** By pair, if an agent sweeps: the time of the touch. PairFinder sets it, for PairSorter; kept pairs have none. */
-        public var times:Vector.<Number> = new Vector.<Number>();
 
         /** Has the agent of each row, and its rank in the list of the frame. */
         public var list:ListedAgents;

@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
 
@@ -72,6 +73,19 @@ package starlogo.search
         {
             return table.shapes[row] != null && (interests == null || interests.representativeOf(table.breeds[row]) >= 0)
                 && (admitted == null || admitted[table.list.ranks[row]]);
+        }
+
+        /** Lists the members among some rows. @param out receives them */
+        public function listMembers(table:AgentTable, rows:IntList, out:IntList):void
+        {
+            out.count = 0;
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                if (isMember(table, rows.numbers[i]))
+                {
+                    out.add(rows.numbers[i]);
+                }
+            }
         }
 
         /** Makes a list a copy of another. */

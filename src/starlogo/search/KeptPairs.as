@@ -29,7 +29,7 @@ package starlogo.search
         private var _table:AgentTable;
         private var _finder:PairFinder;
         private var _motions:RowMotions;
-        private var _limits:TreeLimits;
+        private var _narrowPhase:NarrowPhase;
 
         // The pairs of the search, and whether they and the cells belong to the last one.
         private var _pairs:FoundPairs;
@@ -57,16 +57,16 @@ package starlogo.search
          * @param table has the rows
          * @param finder finds the pairs of changed rows
          * @param motions of the rows, if an agent sweeps
-         * @param limits how far trees are tested
+         * @param narrowPhase has the choice of shapes, and how far trees are tested
          * @param levels those of the bins that search all rows
          * @param pairs has the pairs of the last search, and gets those of the next one
          */
-        public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, limits:TreeLimits, levels:BinLevels, pairs:FoundPairs)
+        public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, narrowPhase:NarrowPhase, levels:BinLevels, pairs:FoundPairs)
         {
             _table = table;
             _finder = finder;
             _motions = motions;
-            _limits = limits;
+            _narrowPhase = narrowPhase;
             _cells = new CellLists(levels);
             _pairs = pairs;
             _found = new FoundPairs(table.list);
@@ -112,7 +112,7 @@ package starlogo.search
             findPairsOfChanged(input);
             _pairs.drop(_marks, _mark);
             // the pairs that are kept touch at the end of their motions
-            _pairs.merge(_found, _finder.countEarly());
+            _pairs.merge(_found, _finder.earlyPairs);
             _areValid = true;
             return true;
         }
@@ -146,7 +146,7 @@ package starlogo.search
 
         private function get currentDepth():int
         {
-            return _limits.exact ? 0 : _limits.maxDepth;
+            return _narrowPhase.treeLimits.exact ? 0 : _narrowPhase.treeLimits.maxDepth;
         }
 
         // The number of rows that were read again, or have another place in the list.
@@ -163,7 +163,7 @@ package starlogo.search
         // Whether so few rows have changed that a search of all rows would take longer.
         private function areFew(changes:int):Boolean
         {
-            var rowsPerChange:int = _table.areSpheres || !_interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
+            var rowsPerChange:int = _narrowPhase.choice.areSpheres || !_interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
             return rowsPerChange * changes <= _table.list.rows.count;
         }
 

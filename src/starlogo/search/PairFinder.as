@@ -24,6 +24,9 @@ package starlogo.search
         /** The number of candidates whose breeds are of interest. */
         public var candidatePairs:int = 0;
 
+        /** The number of pairs that touch before the end of their motions. In the order of the pairs they come first. */
+        public var earlyPairs:int = 0;
+
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
         private var _motions:RowMotions;
@@ -33,11 +36,14 @@ package starlogo.search
         private var _input:FrameInput = null;
         private var _out:FoundPairs = null;
 
+        // By pair, if an agent sweeps: the time of the touch, in the order in which the pairs are found.
+        private var _times:Vector.<Number> = new Vector.<Number>();
+
         // The motion of a pair that is tested.
         private var _motion:RelativeMotion = new RelativeMotion();
 
         // The members that are tested with the ground or the edges of the world.
-        private var _members:Vector.<int> = new Vector.<int>();
+        private var _members:IntList = new IntList();
 
         /**
          * @param table has the rows
@@ -54,7 +60,7 @@ package starlogo.search
         /** Begins a search. @param out receives the pairs */
         public function begin(input:FrameInput, out:FoundPairs):void
         {
-            candidatePairs = 0;
+            candidatePairs = earlyPairs = 0;
             out.begin();
             _input = input;
             _out = out;
@@ -63,18 +69,7 @@ package starlogo.search
         /** Ends the search: puts the pairs into order. */
         public function end():void
         {
-            _sorter.sort(_out, _motions.areNeeded);
-        }
-
-        /** The number of pairs, of those in order, that touch before the end of their motions. They come first. */
-        public function countEarly():int
-        {
-            var early:int = 0;
-            while (_motions.areNeeded && early < _out.count && _out.times[early] < 1)
-            {
-                early++;
-            }
-            return early;
+            _sorter.sort(_out, _motions.areNeeded ? _times : null);
         }
 
         /** @inheritDoc */
@@ -103,18 +98,9 @@ package starlogo.search
             {
                 return;
             }
-            var others:Vector.<int> = _members;
-            var count:int = 0;
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                var row:int = rows.numbers[i];
-                if (_input.isMember(_table, row))
-                {
-                    others[count] = row;
-                    count++;
-                }
-            }
-            count = _input.interests.keepOfInterest(_table.breeds, worldRow, others, count);
+            _input.listMembers(_table, rows, _members);
+            var others:Vector.<int> = _members.numbers;
+            var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _members.count);
             var kept:int = _motions.areNeeded ? keepTouchingMotions(worldRow, others, count, null)
                 : keepTouchingWorld(worldRow, others, count);
             _out.addPairs(worldRow, others, kept);
@@ -123,7 +109,7 @@ package starlogo.search
         // Keeps the rows that touch a row, and moves them to the beginning of the list. The level has the slack of their extents.
         private function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
-            if (_table.areSpheres)
+            if (_narrowPhase.choice.areSpheres)
             {
                 return _narrowPhase.sphereTests.keepTouching(_table, level, row, others, count);
             }
@@ -170,7 +156,7 @@ package starlogo.search
         {
             var ranks:Vector.<int> = _table.list.ranks;
             var rank:int = ranks[row];
-            var times:Vector.<Number> = _out.times;
+            var times:Vector.<Number> = _times;
             var before:int = _out.count;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
@@ -184,6 +170,10 @@ package starlogo.search
                     others[kept] = other;
                     times[int(before + kept)] = _motion.time;
                     kept++;
+                    if (_motion.time < 1)
+                    {
+                        earlyPairs++;
+                    }
                 }
             }
             return kept;

@@ -24,34 +24,33 @@ package starlogo.search
         private var _firsts:Vector.<int> = new Vector.<int>();
         private var _seconds:Vector.<int> = new Vector.<int>();
 
-        // The memory that the pairs and their times had before.
+        // The memory that the pairs had before, and room for their times.
         private var _spare:Vector.<int> = new Vector.<int>();
         private var _spareTimes:Vector.<Number> = new Vector.<Number>();
 
         /**
-         * Puts pairs, and their times if they have any, into order.
+         * Puts pairs into order.
          *
-         * @param haveTimes whether an agent sweeps
+         * @param times by pair: the time of the touch; null if no agent sweeps. They mean nothing afterwards
          */
-        public function sort(pairs:FoundPairs, haveTimes:Boolean):void
+        public function sort(pairs:FoundPairs, times:Vector.<Number>):void
         {
-            if (!haveTimes && areSorted(pairs))
+            if (times == null && areSorted(pairs))
             {
                 return;
             }
             if (MANY_AGENTS * pairs.count < pairs.list.rows.count)
             {
-                sortByKeys(pairs, haveTimes);
+                sortByKeys(pairs, times);
+                return;
             }
-            else
+            var timesBySecond:Vector.<Number> = times == null ? null : _spareTimes;
+            countRanks(pairs);
+            scatter(pairs, 1, _seconds, times, timesBySecond);
+            scatter(pairs, 0, _firsts, timesBySecond, times);
+            if (times != null)
             {
-                countRanks(pairs);
-                scatter(pairs, 1, _seconds, haveTimes);
-                scatter(pairs, 0, _firsts, haveTimes);
-            }
-            if (haveTimes)
-            {
-                sortByTimes(pairs);
+                sortByTimes(pairs, times);
             }
         }
 
@@ -85,8 +84,8 @@ package starlogo.search
             return true;
         }
 
-        // Sorts by a key of both ranks.
-        private function sortByKeys(pairs:FoundPairs, haveTimes:Boolean):void
+        // Sorts by a key of both ranks, and then by times, if there are any.
+        private function sortByKeys(pairs:FoundPairs, times:Vector.<Number>):void
         {
             var rows:Vector.<int> = pairs.rows;
             var ranks:Vector.<int> = pairs.list.ranks;
@@ -96,31 +95,42 @@ package starlogo.search
                 _indices.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
             }
             _indices.sortFirst(pairs.count);
-            arrange(pairs, haveTimes);
+            if (times != null)
+            {
+                for (i = 0; i < pairs.count; i++)
+                {
+                    _indices.keys[i] = times[_indices.numbers[i]];
+                }
+                _indices.sortFirst(pairs.count);
+            }
+            arrange(pairs);
         }
 
-        // Sorts by the times. Pairs of equal times keep their order.
-        private function sortByTimes(pairs:FoundPairs):void
+        // Sorts by times. Pairs of the same time keep their order.
+        private function sortByTimes(pairs:FoundPairs, times:Vector.<Number>):void
         {
             _indices.count = 0;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                _indices.add(i, pairs.times[i]);
+                _indices.add(i, times[i]);
             }
             _indices.sortFirst(pairs.count);
-            arrange(pairs, true);
+            arrange(pairs);
         }
 
         // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). Equals keep their
-        // order, so sorting by the second rows and then by the first ones sorts by both.
-        private function scatter(pairs:FoundPairs, side:int, next:Vector.<int>, haveTimes:Boolean):void
+        // order, so sorting by the second rows and then by the first ones sorts by both. The times, if there are any, go to another list.
+        private function scatter(pairs:FoundPairs, side:int, next:Vector.<int>, times:Vector.<Number>, timesTo:Vector.<Number>):void
         {
             makeRoom(pairs);
             var ranks:Vector.<int> = pairs.list.ranks;
             var from:Vector.<int> = pairs.rows;
             var to:Vector.<int> = _spare;
-            var times:Vector.<Number> = pairs.times;
             var end:int = 2 * pairs.count;
+            if (times != null && timesTo.length < pairs.count)
+            {
+                timesTo.length = times.length;
+            }
             for (var i:int = 0; i < end; i += 2)
             {
                 var rank:int = ranks[from[int(i + side)]];
@@ -128,9 +138,9 @@ package starlogo.search
                 next[rank] = at + 2;
                 to[at] = from[i];
                 to[int(at + 1)] = from[int(i + 1)];
-                if (haveTimes)
+                if (times != null)
                 {
-                    _spareTimes[at >> 1] = times[i >> 1];
+                    timesTo[at >> 1] = times[i >> 1];
                 }
             }
             exchange(pairs);
@@ -172,21 +182,16 @@ package starlogo.search
             }
         }
 
-        // Puts the pairs, and the times that they have, into the order that was found.
-        private function arrange(pairs:FoundPairs, haveTimes:Boolean):void
+        // Puts the pairs into the order of the indices.
+        private function arrange(pairs:FoundPairs):void
         {
             makeRoom(pairs);
             var from:Vector.<int> = pairs.rows;
-            var times:Vector.<Number> = pairs.times;
             for (var i:int = 0; i < pairs.count; i++)
             {
                 var pair:int = _indices.numbers[i];
                 _spare[int(2 * i)] = from[int(2 * pair)];
                 _spare[int(2 * i + 1)] = from[int(2 * pair + 1)];
-                if (haveTimes)
-                {
-                    _spareTimes[i] = times[pair];
-                }
             }
             exchange(pairs);
         }
@@ -197,10 +202,6 @@ package starlogo.search
             {
                 _spare.length = pairs.rows.length;
             }
-            if (_spareTimes.length < pairs.times.length)
-            {
-                _spareTimes.length = pairs.times.length;
-            }
         }
 
         private function exchange(pairs:FoundPairs):void
@@ -208,9 +209,6 @@ package starlogo.search
             var rows:Vector.<int> = pairs.rows;
             pairs.rows = _spare;
             _spare = rows;
-            var times:Vector.<Number> = pairs.times;
-            pairs.times = _spareTimes;
-            _spareTimes = times;
         }
     }
 }

@@ -39,29 +39,31 @@ package starlogo.search
         private function check(list:ListedAgents, pairCount:int, haveTimes:Boolean):void
         {
             var pairs:FoundPairs = new FoundPairs(list);
+            var times:Vector.<Number> = new Vector.<Number>();
             var expected:Array = [];
-            var have:Object = {};
+            var timeOf:Object = {};
             pairs.begin();
             while (expected.length < pairCount)
             {
                 var first:int = _random.integer(0, list.rows.count - 2);
                 var second:int = _random.integer(first + 1, list.rows.count);
                 var time:Number = haveTimes ? _random.integer(0, 4) / 4 : 0;
-                if (!have[first + " " + second])
+                if (timeOf[first + " " + second] == undefined)
                 {
-                    have[first + " " + second] = true;
                     expected.push([time, first, second]);
-                    pairs.times[pairs.count] = time;
+                    times.push(time);
+                    timeOf[first + " " + second] = time;
                     // after the agents comes the ground
                     pairs.add(list.rows.numbers[first], second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.numbers[second]);
                 }
             }
             expected.sort(compare);
-            _sorter.sort(pairs, haveTimes);
+            _sorter.sort(pairs, haveTimes ? times : null);
             assertEquals(pairCount, pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {
-                var found:Array = [haveTimes ? pairs.times[i] : 0, list.ranks[pairs.rows[2 * i]], list.ranks[pairs.rows[2 * i + 1]]];
+                var found:Array = [0, list.ranks[pairs.rows[2 * i]], list.ranks[pairs.rows[2 * i + 1]]];
+                found[0] = timeOf[found[1] + " " + found[2]];
                 assertEquals(i + " of " + pairCount + " pairs of " + list.rows.count, expected[i].join(), found.join());
             }
         }

@@ -114,9 +114,9 @@ package starlogo.search.pairs
         }
 
         /** Finds the contact that lifts a body above all ground under it. */
-        public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        public function findLift(a:Body, b:Body, out:ContactPoint):void
         {
-            queryOf(a, b).penetration.findOuterContact(out);
+            queryOf(a, b).penetration.findLift(out);
         }
 
         /** @inheritDoc */

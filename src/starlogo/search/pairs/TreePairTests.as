@@ -106,7 +106,7 @@ package starlogo.search.pairs
         }
 
         /** Finds the contact of the structures around two bodies, where they are. Its normal points from b to a. */
-        public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        public function findContactOfStructures(a:Body, b:Body, out:ContactPoint):void
         {
             _pose.relate(a.placement, b.placement);
             PairTable.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);

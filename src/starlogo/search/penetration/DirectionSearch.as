@@ -34,11 +34,9 @@ package starlogo.search.penetration
         // The direction, with the distance that is tested.
         private var _tried:Displacement = new Displacement();
 
-        // The two part between these distances: they touch at the inner one, and not at the outer one, once it is tested. The step is how much
-        // farther out the next test is if they do.
+        // The two part between these distances: they touch at the inner one, and not at the outer one, once it is tested.
         private var _inner:Number = 0;
         private var _outer:Number = 0;
-        private var _step:Number = 0;
 
         // The sweep back, and the contact at its end.
         private var _back:RelativeMotion = new RelativeMotion();
@@ -60,8 +58,7 @@ package starlogo.search.penetration
         {
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
             _outer = guess.depth + _pair.tolerance;
-            _step = IMPROVED_DEPTH * _pair.extent;
-            goOut();
+            goOut(IMPROVED_DEPTH * _pair.extent);
             refine(out);
         }
 
@@ -94,7 +91,7 @@ package starlogo.search.penetration
             out.x = _parting.x - out.depth / 2 * out.normalX;
             out.y = _parting.y - out.depth / 2 * out.normalY;
             out.z = _parting.z - out.depth / 2 * out.normalZ;
-            makeSure(out);
+            correctDepth(out);
         }
 
         // Starts along the normal of the surfaces where the two parted. Returns whether the way out along it is shorter than a contact's depth.
@@ -111,15 +108,15 @@ package starlogo.search.penetration
             return !areTouchingAtEnd();
         }
 
-        // Increases the outer distance by longer and longer steps, until the two do not touch there.
-        private function goOut():void
+        // Increases the outer distance by a step until the two do not touch there. Each step is twice as long as the one before.
+        private function goOut(step:Number):void
         {
             _inner = 0;
             while (areTouchingAtEnd() && _outer < 1e300)
             {
                 _inner = _outer;
-                _outer += _step;
-                _step *= 2;
+                _outer += step;
+                step *= 2;
             }
         }
 
@@ -158,14 +155,13 @@ package starlogo.search.penetration
             }
         }
 
-        // Makes sure, in spite of rounding, that the two do not touch a little beyond a contact's depth, and touch a little before it.
-        private function makeSure(out:ContactPoint):void
+        // Corrects what rounding has made of a contact's depth: the two do not touch a little beyond it, and touch a little before it.
+        private function correctDepth(out:ContactPoint):void
         {
             var probe:Number = _pair.probeDistance;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);
             _outer = out.depth + probe;
-            _step = probe;
-            goOut();
+            goOut(probe);
             if (_inner == 0)
             {
                 _tried.distance = out.depth - probe;

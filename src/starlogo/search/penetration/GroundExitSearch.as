@@ -84,7 +84,7 @@ package starlogo.search.penetration
                 return;
             }
             _pair.putBack();
-            _tests.findOuterContact(_pair.first, _pair.second, _lift);
+            _tests.findLift(_pair.first, _pair.second, _lift);
             _lift.depth += _pair.tolerance;
             while (!findPushOrLift(maxDistance, out) && maxDistance / LEAST_SHARE_TAKEN <= _lift.depth)
             {

@@ -64,17 +64,17 @@ package starlogo.search.penetration
         /**
          * Finds the shortest displacement.
          *
-         * @param mostDeciding on how many planes it may end, from 1 to 3
+         * @param mostPlanes on how many planes it may end, from 1 to 3
          * @param slack how much less than required it may go along each normal
          * @param out receives it
          * @return whether there is one
          */
-        public function solve(mostDeciding:int, slack:Number, out:ShortestExit):Boolean
+        public function solve(mostPlanes:int, slack:Number, out:ShortestExit):Boolean
         {
             _slack = slack;
             out.length = Infinity;
-            out.deciding = 0;
-            out.numbers[0] = -1;
+            out.planeCount = 0;
+            out.planes[0] = -1;
             _tried.setTo(0, 0, 0);
             if (leadsOut(0))
             {
@@ -89,11 +89,11 @@ package starlogo.search.penetration
                 _tried.setTo(_depths[i] * _xs[i], _depths[i] * _ys[i], _depths[i] * _zs[i]);
                 keepShorter(1, i, 0, 0, out);
             }
-            for (i = 1; i < count && mostDeciding > 1; i++)
+            for (i = 1; i < count && mostPlanes > 1; i++)
             {
                 for (var j:int = 0; j < i; j++)
                 {
-                    tryLine(i, j, mostDeciding, out);
+                    tryLine(i, j, mostPlanes, out);
                 }
             }
             return out.length < Infinity;
@@ -101,7 +101,7 @@ package starlogo.search.penetration
 
         // Tries the nearest point of the line in which two planes meet, then the points where this line meets planes before them. The sum and the
         // difference of two unit normals are perpendicular, so no digits are lost, even if the planes are nearly parallel.
-        private function tryLine(i:int, j:int, mostDeciding:int, out:ShortestExit):void
+        private function tryLine(i:int, j:int, mostPlanes:int, out:ShortestExit):void
         {
             var sumX:Number = _xs[i] + _xs[j];
             var sumY:Number = _ys[i] + _ys[j];
@@ -119,7 +119,7 @@ package starlogo.search.penetration
             var lineX:Number = sumY * differenceZ - sumZ * differenceY;
             var lineY:Number = sumZ * differenceX - sumX * differenceZ;
             var lineZ:Number = sumX * differenceY - sumY * differenceX;
-            for (var k:int = 0; k < j && mostDeciding > 2; k++)
+            for (var k:int = 0; k < j && mostPlanes > 2; k++)
             {
                 var far:Number = (_depths[k] - (x * _xs[k] + y * _ys[k] + z * _zs[k])) / (lineX * _xs[k] + lineY * _ys[k] + lineZ * _zs[k]);
                 _tried.setTo(x + far * lineX, y + far * lineY, z + far * lineZ);
@@ -128,17 +128,17 @@ package starlogo.search.penetration
         }
 
         // Keeps the displacement that is tried if it is shorter and leads out of all half-spaces. Planes that do not meet make no numbers of it.
-        private function keepShorter(deciding:int, last:int, second:int, third:int, out:ShortestExit):void
+        private function keepShorter(planeCount:int, last:int, second:int, third:int, out:ShortestExit):void
         {
             var length:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
             if (length < out.length && length <= _longest && leadsOut(length))
             {
                 out.displacement.copyFrom(_tried);
                 out.length = length;
-                out.deciding = deciding;
-                out.numbers[0] = last;
-                out.numbers[1] = second;
-                out.numbers[2] = third;
+                out.planeCount = planeCount;
+                out.planes[0] = last;
+                out.planes[1] = second;
+                out.planes[2] = third;
             }
         }
 

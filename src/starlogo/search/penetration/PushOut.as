@@ -29,7 +29,7 @@ package starlogo.search.penetration
         public static const TOO_LONG:int = 2;
 
         /** A result of <code>tryNext()</code>: no push is left that can free the body. */
-        public static const NONE:int = 3;
+        public static const NONE_LEFT:int = 3;
 
         // The most contacts that a push leads out of.
         private static const MOST_CONTACTS:int = 4;
@@ -118,13 +118,13 @@ package starlogo.search.penetration
          *
          * @param most the length of the longest push that counts
          * @param out receives its normal and its depth if the first body is free after it
-         * @return FREE, BLOCKED, TOO_LONG or NONE
+         * @return FREE, BLOCKED, TOO_LONG or NONE_LEFT
          */
         public function tryNext(most:Number, out:ContactPoint):int
         {
             if (!_pushes.next())
             {
-                return NONE;
+                return NONE_LEFT;
             }
             if (_pushes.length > most)
             {
@@ -137,7 +137,7 @@ package starlogo.search.penetration
             }
             if (!findCorner(_tried.distance))
             {
-                return NONE;
+                return NONE_LEFT;
             }
             add(contact);
             return BLOCKED;
@@ -171,7 +171,7 @@ package starlogo.search.penetration
         {
             _tried.setDirection(push.x / _pushes.length, push.y / _pushes.length, push.z / _pushes.length);
             var farther:Number = _pushes.length + _pair.probeDistance;
-            if (_pushes.current.deciding > 1)
+            if (_pushes.current.planeCount > 1)
             {
                 // beyond its end, a push out of several contacts may lead into one of them again
                 _tried.distance = _pushes.length;
@@ -185,7 +185,7 @@ package starlogo.search.penetration
             {
                 return true;
             }
-            if (_pushes.current.deciding == 1)
+            if (_pushes.current.planeCount == 1)
             {
                 return false;
             }

@@ -15,15 +15,15 @@ package starlogo.search.penetration
         private static const MOST:int = 256;
 
         // Before the first push.
-        private static const NONE:ShortestExit = new ShortestExit();
+        private static const AT_START:ShortestExit = new ShortestExit();
 
         /** The current push; one of length 0 at first. Read only. */
-        public var current:ShortestExit = NONE;
+        public var current:ShortestExit = AT_START;
 
         /** Its length. A push in the list that was taken has the length Infinity. Read only. */
         public var length:Number = 0;
 
-        // The pushes, and their number. The numbers of their half-spaces are those of the contacts.
+        // The pushes, and their number. Their planes are numbered as the contacts are.
         private var _pushes:Vector.<ShortestExit> = new Vector.<ShortestExit>();
         private var _count:int = 0;
 
@@ -37,7 +37,7 @@ package starlogo.search.penetration
             _contacts.begin();
             _count = 0;
             length = 0;
-            current = NONE;
+            current = AT_START;
         }
 
         /** Whether the current push is the one that was added first. */
@@ -74,9 +74,9 @@ package starlogo.search.penetration
         public function add(contact:ContactPoint, slack:Number):void
         {
             _halfSpaces.begin();
-            for (var i:int = 0; i < current.deciding; i++)
+            for (var i:int = 0; i < current.planeCount; i++)
             {
-                _halfSpaces.addFrom(_contacts, current.numbers[i]);
+                _halfSpaces.addFrom(_contacts, current.planes[i]);
                 slack *= 2;
             }
             var along:Number = contact.along(current.displacement);
@@ -88,12 +88,12 @@ package starlogo.search.penetration
             }
             var found:ShortestExit = _pushes[_count];
             // if the new contact does not decide, the current push is out of it, and leads nowhere
-            if (_count < MOST && _halfSpaces.solve(3, 0, found) && found.numbers[0] == current.deciding && isNew(found.displacement, slack))
+            if (_count < MOST && _halfSpaces.solve(3, 0, found) && found.planes[0] == current.planeCount && isNew(found.displacement, slack))
             {
-                // its numbers are those of _halfSpaces: the contacts of the current push, and then the new one
-                found.numbers[0] = _contacts.count - 1;
-                found.numbers[1] = current.numbers[found.numbers[1]];
-                found.numbers[2] = current.numbers[found.numbers[2]];
+                // its planes are those of _halfSpaces: the contacts of the current push, and then the new one
+                found.planes[0] = _contacts.count - 1;
+                found.planes[1] = current.planes[found.planes[1]];
+                found.planes[2] = current.planes[found.planes[2]];
                 _count++;
             }
             else

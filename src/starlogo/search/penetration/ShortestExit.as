@@ -15,10 +15,10 @@ package starlogo.search.penetration
         /** Its length; Infinity if no displacement leads out. */
         public var length:Number = Infinity;
 
-        /** How many half-spaces decide: the displacement ends on the planes of these. */
-        public var deciding:int = 0;
+        /** On how many planes the displacement ends: the half-spaces of these decide. */
+        public var planeCount:int = 0;
 
-        /** The numbers of the half-spaces that decide: first the one that was added last, which is -1 if none decides. */
-        public var numbers:Vector.<int> = new <int>[-1, 0, 0];
+        /** The numbers of these half-spaces: first the one that was added last, which is -1 if there is none. */
+        public var planes:Vector.<int> = new <int>[-1, 0, 0];
     }
 }

@@ -27,7 +27,7 @@ package starlogo.search.penetration
 
         // The first contact; the contact of the structures around both; and the displacement that is tried.
         private var _first:ContactPoint = new ContactPoint();
-        private var _outer:ContactPoint = new ContactPoint();
+        private var _ofStructures:ContactPoint = new ContactPoint();
         private var _tried:Displacement = new Displacement();
 
         /**
@@ -83,24 +83,24 @@ package starlogo.search.penetration
             if (_limits.exact && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
                 _leaves.begin(a, b, motion);
-                tryOuter(_leaves, _directionsOfLeaves, out);
+                tryOutOfStructures(_leaves, _directionsOfLeaves, out);
                 _directions.findAlong(out, out);
                 return;
             }
-            tryOuter(_pair, _directions, out);
+            tryOutOfStructures(_pair, _directions, out);
         }
 
         // Tries to go straight along the shortest way out of the structures around both bodies of a pair.
-        private function tryOuter(pair:DisplacedPair, directions:DirectionSearch, out:ContactPoint):void
+        private function tryOutOfStructures(pair:DisplacedPair, directions:DirectionSearch, out:ContactPoint):void
         {
             pair.putBack();
-            _tests.findOuterContact(pair.first, pair.second, _outer);
+            _tests.findContactOfStructures(pair.first, pair.second, _ofStructures);
             if (out.depth == Infinity)
             {
-                directions.findAlong(_outer, out);
+                directions.findAlong(_ofStructures, out);
                 return;
             }
-            _tried.setDirection(_outer.normalX, _outer.normalY, _outer.normalZ);
+            _tried.setDirection(_ofStructures.normalX, _ofStructures.normalY, _ofStructures.normalZ);
             _tried.distance = out.depth - pair.tolerance;
             if (_tried.distance > 0 && !pair.testAt(_tried))
             {

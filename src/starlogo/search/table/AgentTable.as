@@ -155,12 +155,6 @@ package starlogo.search.table
             _placedRevisions[row] = STALE;
         }
 
-        /** Whether all shapes that the choice has made so far, for any table, are spheres. */
-        public function get areSpheres():Boolean
-        {
-            return _choice.areSpheres;
-        }
-
         /** Reads the ground and the edges of the world for a search. Either may be null. */
         public function readWorld(ground:WorldAgent, edges:WorldAgent):void
         {
@@ -181,8 +175,7 @@ package starlogo.search.table
             {
                 breeds[row] = agent.breedNumber;
                 readSurface(row);
-                places.last.read(row, agent);
-                places.previous.read(row, agent);
+                places.readNow(row, agent);
             }
         }
 
@@ -201,8 +194,7 @@ package starlogo.search.table
             var agent:WorldAgent = WorldAgent(list.agents[row]);
             if (agent != null && shapes[row] !== agent.surface)
             {
-                setShape(row, agent.surface);
-                readBody(row);
+                takeShape(row, agent.surface);
             }
         }
 
@@ -322,11 +314,7 @@ package starlogo.search.table
             }
             for (i = 0; i < list.rows.count; i++)
             {
-                var body:Body = _bodies[list.rows.numbers[i]];
-                if (body != null)
-                {
-                    body.rank = i;
-                }
+                _bodies[list.rows.numbers[i]].rank = i;
             }
         }
 
@@ -345,6 +333,7 @@ package starlogo.search.table
             places.grow(length);
             for (; row < length; row++)
             {
+                _bodies[row] = new Body();
                 _bodyRevisions[row] = STALE;
             }
         }
@@ -386,51 +375,37 @@ package starlogo.search.table
             var loading:int = 0;
             for (var i:int = 0; i < reshaped.count; i++)
             {
-                var row:int = reshaped.numbers[i];
-                var shape:ModelShape = found[i];
-                // a shape of a model that is replaced later would stay in memory
-                found[i] = null;
-                if (shape !== shapes[row])
-                {
-                    setShape(row, shape);
-                }
-                if (shape == null)
+                takeShape(reshaped.numbers[i], found[i]);
+                if (found[i] == null)
                 {
                     loading++;
                 }
-                else
-                {
-                    readBody(row);
-                }
+                // a shape of a model that is replaced later would stay in memory
+                found[i] = null;
             }
             return loading;
         }
 
-        private function setShape(row:int, shape:ModelShape):void
+        // Gives a row its shape, and reads the body with it, and the extents of the body. The shape is null while the model is loading.
+        private function takeShape(row:int, shape:ModelShape):void
         {
             var before:ModelShape = shapes[row];
             if (before == null || shape == null || shape.modelName != before.modelName)
             {
                 places.previous.forget(row);
             }
-            shapes[row] = shape;
+            // writing an object costs Adobe's VM more than comparing it first
+            if (shape !== before)
+            {
+                shapes[row] = shape;
+            }
             if (shape == null)
             {
-                // it is read again in the next search
                 _bodyRevisions[row] = STALE;
+                return;
             }
-        }
-
-        // Reads the body of a row, whose shape is known, and the extents of the body.
-        private function readBody(row:int):void
-        {
             var agent:Agent = list.agents[row];
-            var shape:ModelShape = shapes[row];
             var body:Body = _bodies[row];
-            if (body == null)
-            {
-                body = _bodies[row] = new Body();
-            }
             body.readShape(agent, shape);
             body.rank = list.ranks[row];
             places.readExtents(row, body);

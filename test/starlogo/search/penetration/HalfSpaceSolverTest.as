@@ -32,7 +32,7 @@ package starlogo.search.penetration
             assertTrue(_solver.solve(3, 0, _out));
             assertEquals(2, _out.length);
             assertEquals(2, _out.displacement.z);
-            assertEquals(1, _out.deciding);
+            assertEquals(1, _out.planeCount);
         }
 
         [Test]
@@ -41,7 +41,7 @@ package starlogo.search.penetration
             _solver.add(0, 0, 1, -2);
             assertTrue(_solver.solve(3, 0, _out));
             assertEquals(0, _out.length);
-            assertEquals(0, _out.deciding);
+            assertEquals(0, _out.planeCount);
         }
 
         [Test]
@@ -52,7 +52,7 @@ package starlogo.search.penetration
             _solver.add(0, -1, 0, 6);
             assertTrue(_solver.solve(3, 0, _out));
             assertEquals(7, _out.length);
-            assertEquals(3, _out.deciding);
+            assertEquals(3, _out.planeCount);
             assertFalse("with two planes", _solver.solve(2, 0, _out));
         }
 
@@ -88,7 +88,7 @@ package starlogo.search.penetration
                     assertTrue(name, _solver.solve(3, 0, _out));
                     assertTrue(name + " leads out", leadsOut(_out.displacement, 1e-11));
                     assertTrue(name + " is short: " + _out.length, _out.length < (hasWall ? 2.5 : 2.1));
-                    decided[_out.deciding]++;
+                    decided[_out.planeCount]++;
                 }
             }
             assertTrue("all kinds: " + decided, decided[1] > 10 && decided[2] > 10 && decided[3] > 10);
@@ -113,7 +113,7 @@ package starlogo.search.penetration
                 {
                     continue;
                 }
-                decided[_out.deciding]++;
+                decided[_out.planeCount]++;
                 assertTrue("case " + i + " leads out", leadsOut(_out.displacement, CLOSE * (1 + _out.length)));
                 for (var j:int = 0; j < TRIALS && _out.length > 0; j++)
                 {

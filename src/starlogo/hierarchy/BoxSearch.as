@@ -115,7 +115,8 @@ package starlogo.hierarchy
 
         /**
          * Visits the nodes that the box may meet during its motion. The child that is visited next does not pass the stack, because that would take
-         * a sixth more time.
+         * a sixth more time. The times along the axes are compared in pairs, which decides most children along the first axis or the second. One that
+         * is met pays more comparisons than a largest and a least time would take, but processors predict their answers.
          *
          * @param tree the tree
          * @param depth how many of its levels are visited
@@ -147,9 +148,9 @@ package starlogo.hierarchy
             var begin:Number = _from;
             var latest:Number = visitor.limit < LATEST ? visitor.limit : LATEST;
             var enter:Number;
-            var leave:Number;
             var middle:Number;
             var half:Number;
+            var enterNext:Number;
             var visits:int = 0;
             var top:int = 0;
             var node:int = 0;
@@ -164,27 +165,54 @@ package starlogo.hierarchy
                 }
                 else
                 {
-                    var at:int = 6 * left;
-                    include "boxTimes.inc";
-                    var enterLeft:Number = enter;
-                    var leaveLeft:Number = leave;
-                    at += 6;
-                    include "boxTimes.inc";
-                    var meetsLeft:Boolean = enterLeft <= leaveLeft;
-                    var meetsRight:Boolean = enter <= leave;
-                    if (meetsLeft && meetsRight)
+                    var next:int = -1;
+                    for (var child:int = left; child < left + 2; child++)
                     {
+                        var at:int = 6 * child;
+                        // A box is met unless the moving box enters it along one axis after it has left it along another one.
+                        middle = (boxes[at] - fromX) * inverseX;
+                        half = (boxes[int(at + 3)] + widerX) * absX;
+                        var enterX:Number = middle - half;
+                        var leaveX:Number = middle + half;
+                        if (enterX > latest || leaveX < begin)
+                        {
+                            continue;
+                        }
+                        middle = (boxes[int(at + 1)] - fromY) * inverseY;
+                        half = (boxes[int(at + 4)] + widerY) * absY;
+                        var enterY:Number = middle - half;
+                        var leaveY:Number = middle + half;
+                        if (enterY > latest || leaveY < begin || enterY > leaveX || leaveY < enterX)
+                        {
+                            continue;
+                        }
+                        middle = (boxes[int(at + 2)] - fromZ) * inverseZ;
+                        half = (boxes[int(at + 5)] + widerZ) * absZ;
+                        var enterZ:Number = middle - half;
+                        var leaveZ:Number = middle + half;
+                        if (enterZ > latest || leaveZ < begin || enterZ > leaveX || leaveZ < enterX || enterZ > leaveY || leaveZ < enterY)
+                        {
+                            continue;
+                        }
+                        enter = enterX > begin ? enterX : begin;
+                        enter = enterY > enter ? enterY : enter;
+                        enter = enterZ > enter ? enterZ : enter;
+                        if (next < 0)
+                        {
+                            next = child;
+                            enterNext = enter;
+                            continue;
+                        }
                         // The nearer child is next, and the other one waits.
-                        var isRightNext:Boolean = isStill ? isRightNearer(tree, node) : enter < enterLeft;
-                        nodes[top] = isRightNext ? left : left + 1;
-                        enters[top] = isRightNext ? enterLeft : enter;
-                        node = isRightNext ? left + 1 : left;
+                        var isRightNext:Boolean = isStill ? isRightNearer(tree, node) : enter < enterNext;
+                        nodes[top] = isRightNext ? next : child;
+                        enters[top] = isRightNext ? enterNext : enter;
+                        next = isRightNext ? child : next;
                         top++;
-                        continue;
                     }
-                    if (meetsLeft || meetsRight)
+                    if (next >= 0)
                     {
-                        node = meetsLeft ? left : left + 1;
+                        node = next;
                         continue;
                     }
                 }

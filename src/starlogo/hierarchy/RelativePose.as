@@ -39,11 +39,24 @@ package starlogo.hierarchy
          */
         public function relate(a:Placement, b:Placement):void
         {
+            relateAt(a, RelativeMotion.NONE, 0, b);
+        }
+
+        /**
+         * Does what <code>relate()</code> does when a motion has brought the first model from its placement to another place.
+         *
+         * @param time of the motion
+         */
+        public function relateAt(a:Placement, motion:RelativeMotion, time:Number, b:Placement):void
+        {
             var relative:Placement = placement;
-            var x:Number = (b.x - a.x) / a.size;
-            var y:Number = (b.y - a.y) / a.size;
-            var z:Number = (b.z - a.z) / a.size;
-            tolerance = (Touching.marginOfPlace(a.x, a.y, a.z) + Touching.marginOfPlace(b.x, b.y, b.z)) / a.size;
+            var aX:Number = a.x + (motion.startX + time * motion.x);
+            var aY:Number = a.y + (motion.startY + time * motion.y);
+            var aZ:Number = a.z + (motion.startZ + time * motion.z);
+            var x:Number = (b.x - aX) / a.size;
+            var y:Number = (b.y - aY) / a.size;
+            var z:Number = (b.z - aZ) / a.size;
+            tolerance = (Touching.marginOfPlace(aX, aY, aZ) + Touching.marginOfPlace(b.x, b.y, b.z)) / a.size;
             relative.size = b.size / a.size;
             relative.x = a.r00 * x + a.r10 * y + a.r20 * z;
             relative.y = a.r01 * x + a.r11 * y + a.r21 * z;

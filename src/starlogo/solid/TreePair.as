@@ -33,9 +33,6 @@ package starlogo.solid
         /** The second model's pose in the space of the first one. */
         public var pose:RelativePose = new RelativePose();
 
-        // Where a motion has brought the first model.
-        private var _movedA:Placement = new Placement();
-
         /** Whether the two overlap where they stand. */
         public final function areOverlapping():Boolean
         {
@@ -72,12 +69,7 @@ package starlogo.solid
         /** Sets the pose to that where a motion has brought the first model at a time. */
         internal final function relateAt(motion:RelativeMotion, time:Number):void
         {
-            var moved:Placement = _movedA;
-            moved.copyFrom(placementA);
-            moved.x += motion.startX + time * motion.x;
-            moved.y += motion.startY + time * motion.y;
-            moved.z += motion.startZ + time * motion.z;
-            pose.relate(moved, placementB);
+            pose.relateAt(placementA, motion, time, placementB);
         }
 
         /** Whether the two overlap in their pose. */

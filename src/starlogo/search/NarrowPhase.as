@@ -5,6 +5,7 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.ray.ConvexRay;
     import starlogo.search.pairs.EdgePairTests;
     import starlogo.search.pairs.GroundPairTests;
@@ -26,6 +27,9 @@ package starlogo.search
      */
     public final class NarrowPhase
     {
+        // The way out of two that do not touch is no longer than this many times the gap across which they would touch because places are rounded.
+        private static const GAPS_OF_ROUNDING:Number = 4;
+
         /** Tests pairs of spheres. Every collider has it. It is null in a LevelShapes while only rays are asked for. */
         public var sphereTests:SpherePairTests = null;
 
@@ -50,6 +54,8 @@ package starlogo.search
         /** Says which shape each agent has. */
         public var choice:BaseShapeChoice;
 
+        private var _closest:ClosestPoints = new ClosestPoints();
+
         /** @param choice gives the agents their shapes */
         public function NarrowPhase(choice:BaseShapeChoice)
         {
@@ -67,7 +73,8 @@ package starlogo.search
         }
 
         /**
-         * Finds the contact of two bodies where they are, which separates them.
+         * Finds the contact of two bodies where they are, which separates them. If the two do not touch, its point is half way between the points where
+         * they are nearest, its normal points from one of these points to the other, and its depth is 0.
          *
          * @param a is not the ground or the edges of the world
          * @param b may be the ground or the edges of the world: see PairTests
@@ -81,6 +88,13 @@ package starlogo.search
             var tests:PairTests = pairTestsFor(a, b);
             tests.findContactOfParts(a, b, motion, out);
             tests.separate(a, b, motion, out);
+            // two that do not touch need hardly a way out, so no deeper contact has to be tested again
+            var most:Number = Tolerances.SEPARATION * tests.extentOf(a, b) + GAPS_OF_ROUNDING * tests.roundingGapOf(a, b);
+            if (out.depth <= most && !tests.areTouching(a, b))
+            {
+                findClosest(a, b, true, _closest);
+                _closest.writeContact(out);
+            }
         }
 
         /**

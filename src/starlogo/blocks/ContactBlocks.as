@@ -95,8 +95,12 @@ package starlogo.blocks
          */
         public function touchPoint(agent:Agent, other:Agent, out:Vector3D = null):Vector3D
         {
+            var point:Vector3D = contactOf("touch point", agent, other).point;
             out ||= new Vector3D();
-            out.copyFrom(contactOf("touch point", agent, other).point);
+            // not copyFrom, because a game in JavaScript may give any object with x, y and z
+            out.x = point.x;
+            out.y = point.y;
+            out.z = point.z;
             return out;
         }
 

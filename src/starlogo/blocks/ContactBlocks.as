@@ -62,6 +62,7 @@ package starlogo.blocks
          * @param other the agent that touches it
          * @return one of sideNames. Of two sides that are equally near, the first in this list
          * @throws BlockError if one is missing, or both are the same
+         * @throws ArgumentError while the model of one is loading
          */
         public function sideHit(agent:Agent, other:Agent):String
         {
@@ -92,6 +93,7 @@ package starlogo.blocks
          * @param out receives the point; null for a new one
          * @return out, or the new point
          * @throws BlockError if one is missing, or both are the same
+         * @throws ArgumentError while the model of one is loading
          */
         public function touchPoint(agent:Agent, other:Agent, out:Vector3D = null):Vector3D
         {
@@ -111,6 +113,7 @@ package starlogo.blocks
          * @param other the other
          * @return 0 if neither collides along its way (<code>sweeps</code>), or if they part
          * @throws BlockError if one is missing, or both are the same
+         * @throws ArgumentError while the model of one is loading
          */
         public function touchSpeed(agent:Agent, other:Agent):Number
         {

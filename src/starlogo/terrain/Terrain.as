@@ -404,7 +404,13 @@ package starlogo.terrain
                 {
                     var at:int = 4 * (row * picture.width + column);
                     var color:uint = data == null ? picture.getPixel(column, row) : data[at] << 16 | data[at + 1] << 8 | data[at + 2];
-                    greys.push(white * (((color >> 16 & 255) + (color >> 8 & 255) + (color & 255)) / 765));
+                    var sum:int = (color >> 16 & 255) + (color >> 8 & 255) + (color & 255);
+                    greys.push(white / 765 * sum);
+                    if (sum == 765)
+                    {
+                        // without the rounding of the division
+                        greys[int(greys.length - 1)] = white;
+                    }
                 }
             }
             return greys;

@@ -73,7 +73,8 @@ package starlogo.collision
             _wrong.addIf(contact.depth != 0, name + ": a depth", message);
             var toFirst:Number = queries.distanceToPoint(a, contact.point);
             var toSecond:Number = queries.distanceToPoint(b, contact.point);
-            _wrong.addIf(!(Math.abs(toFirst - distance / 2) < NEAR && Math.abs(toSecond - distance / 2) < NEAR), name + ": not half way", message);
+            _wrong.addIf(!(Math.abs(toFirst - distance / 2) < NEAR && Math.abs(toSecond - distance / 2) < NEAR), name + ": not half way, " + toFirst + " and " + toSecond,
+                    message);
             var gap:Vector3D = first.subtract(second);
             _wrong.addIf(!(gap.dotProduct(contact.normal) > (1 - NEAR) * distance) && distance > NEAR, name + ": another normal", message);
             var reversed:Contact = collider.contactOf(b, a);

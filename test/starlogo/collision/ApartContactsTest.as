@@ -58,6 +58,33 @@ package starlogo.collision
             assertTrue(_apart + " are apart", _apart > 400);
         }
 
+        // Two of the three cubes stand at the same height, as legs do. The point between them belongs to nothing.
+        [Test]
+        public function theNearestPointToAnEdgeIsTheAgentsOwn():void
+        {
+            var bounds:WorldBounds = new WorldBounds(-5, -5, -5, 5, 5, 5);
+            var legs:Agent = new Agent("apart");
+            legs.hierarchical = true;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
+                for each (var z:Number in [-2, -5, -5.1])
+                {
+                    for (legs.heading = 0; legs.heading < 90; legs.heading += 15)
+                    {
+                        legs.moveTo(0.3, 0.2, z);
+                        var own:Vector3D = new Vector3D();
+                        var other:Vector3D = new Vector3D();
+                        var distance:Number = queries.distance(legs, bounds.agent, own, other);
+                        var message:String = own + " and " + other + " at " + z + ", heading " + legs.heading;
+                        _wrong.addIf(!(queries.distanceToPoint(legs, own) < NEAR), name + ": not of the agent", message);
+                        _wrong.addIf(!(Math.abs(Vector3D.distance(own, other) - distance) < NEAR) || z > -5 && Math.abs(other.z + 5) > NEAR, name + ": not of the edge", message);
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
         private function check(name:String, collider:Collider, queries:AgentQueries, a:Agent, b:Agent):void
         {
             var first:Vector3D = new Vector3D();

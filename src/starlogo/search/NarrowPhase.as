@@ -27,7 +27,7 @@ package starlogo.search
      */
     public final class NarrowPhase
     {
-        // The way out of two that do not touch is no longer than this many times the gap across which they would touch because places are rounded.
+        // The contact of two that do not touch is no deeper than this many times the gap across which they would touch because places are rounded.
         private static const GAPS_OF_ROUNDING:Number = 4;
 
         /** Tests pairs of spheres. Every collider has it. It is null in a LevelShapes while only rays are asked for. */
@@ -87,14 +87,16 @@ package starlogo.search
             motion.time = 1;
             var tests:PairTests = pairTestsFor(a, b);
             tests.findContactOfParts(a, b, motion, out);
-            tests.separate(a, b, motion, out);
-            // two that do not touch need hardly a way out, so no deeper contact has to be tested again
+            // structures that are deeper in each other touch; the contact of trees or the ground may be deep without a touch
+            var areStructures:Boolean = a.form < ModelShape.TREE && b.form < ModelShape.TREE;
             var most:Number = Tolerances.SEPARATION * tests.extentOf(a, b) + GAPS_OF_ROUNDING * tests.roundingGapOf(a, b);
-            if (out.depth <= most && !tests.areTouching(a, b))
+            if (!(areStructures && out.depth > most) && !tests.areTouching(a, b))
             {
                 findClosest(a, b, true, _closest);
                 _closest.writeContact(out);
+                return;
             }
+            tests.separate(a, b, motion, out);
         }
 
         /**

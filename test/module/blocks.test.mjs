@@ -122,6 +122,9 @@ test("the blocks of contacts have the contact of the frame, and push out in all 
 			sides.set(side, (sides.get(side) ?? 0) + 1);
 			const point = contacts.touchPoint(agent, other);
 			assert.deepEqual([point.x, point.y, point.z, contacts.touchSpeed(agent, other)], [contact.point.x, contact.point.y, contact.point.z, contact.approachSpeed]);
+			const literal = { x: 0, y: 0, z: 0 };
+			assert.equal(contacts.touchPoint(agent, other, literal), literal);
+			assert.deepEqual(literal, { x: point.x, y: point.y, z: point.z });
 		});
 		for (let frame = 0; frame < 5; frame++) {
 			for (const agent of game.agents) game.place(agent);
@@ -190,7 +193,7 @@ test("the blocks of the ground and the edges build, stop, bounce and wrap by pla
 });
 
 test("the blocks that walk move agents as walks and motions do, and traits and structures are those that were set", () => {
-	let [standing, falling, bumped] = [0, 0, 0];
+	let [standing, falling, bumped, level] = [0, 0, 0, 0];
 	inGames((game) => {
 		const { agents, blocks, traits, structures, walker } = game;
 		walker.setSolid("bears", true);
@@ -198,6 +201,8 @@ test("the blocks that walk move agents as walks and motions do, and traits and s
 		walker.setSolid("balls", false);
 		assert.deepEqual([...walker.solidBreeds], ["bears"]);
 		const twins = new AgentQueries(blocks.collision);
+		// it has made no search, so it sees agents where they are now
+		const unused = new CollisionBlocks(blocks.greatLand, agents).systemNamed(blocks.systemName);
 		const solid = { breeds: ["bears"] };
 		const obstacles = { breeds: ["bears", Collision.TERRAIN] };
 		// does something with an agent, and goes back
@@ -223,10 +228,18 @@ test("the blocks that walk move agents as walks and motions do, and traits and s
 				return own;
 			};
 			const { z } = agent;
-			alike(() => walker.forward(agent, steps), () => {
-				twins.slide(agent, x, y, 0, solid);
-				agent.z = z;
-			}, "forward");
+			const depths = () => agents.filter((each) => each.breed === "bears" && each !== agent).map((each) => unused.contactOf(agent, each).depth);
+			const before = depths();
+			after(agent, () => {
+				walker.forward(agent, steps);
+				assert.equal(agent.z, z);
+				depths().forEach((depth, k) => assert.ok(depth <= before[k] + CLOSE, `forward, ${depth} deep, not ${before[k]}`));
+			});
+			// along upright walls it is a slide
+			if (Math.abs(after(agent, () => twins.slide(agent, x, y, 0, solid))[3] - z) < 1e-12) {
+				level++;
+				alike(() => walker.forward(agent, steps), () => void twins.slide(agent, x, y, 0, solid), "forward");
+			}
 			alike(() => walker.walk(agent, steps), () => void twins.walk(agent, x, y, { fall: 0, filter: obstacles }), "walk");
 			const speed = game.between(-0.3, 0.3);
 			const next = alike(() => walker.fall(agent, speed), () => {
@@ -262,5 +275,5 @@ test("the blocks that walk move agents as walks and motions do, and traits and s
 		structures.show(others[0], true);
 		assert.deepEqual(agents.filter((each) => structures.isShown(each)), agents.filter((each) => each.breed === "bears" || each === others[0]));
 	});
-	assert.ok(standing > 5 && falling > 20 && bumped > 0, `${standing} ${falling} ${bumped}`);
+	assert.ok(standing > 5 && falling > 20 && bumped > 0 && level > 20, `${standing} ${falling} ${bumped} ${level}`);
 });

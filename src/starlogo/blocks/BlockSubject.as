@@ -48,6 +48,16 @@ package starlogo.blocks
             }
         }
 
+        /** Throws a BlockError if an agent cannot go so far in one step, or not so fast. @param what the value is for */
+        public static function checkWay(block:String, value:Number, what:String):void
+        {
+            checkNumber(block, value, what);
+            if (Math.abs(value) > Agent.LARGEST_COORDINATE)
+            {
+                throw new BlockError(block, "needs a number up to " + Agent.LARGEST_COORDINATE + " for " + what + ", but got " + value + ".");
+            }
+        }
+
         /** Throws a BlockError if the breed's name is missing. */
         public static function checkBreed(block:String, breed:String):void
         {

@@ -62,6 +62,7 @@ package starlogo.blocks
          * @param other the agent that touches it
          * @return one of sideNames. Of two sides that are equally near, the first in this list
          * @throws BlockError if one is missing, or both are the same
+         * @throws ArgumentError while the model of one is loading
          */
         public function sideHit(agent:Agent, other:Agent):String
         {
@@ -92,11 +93,16 @@ package starlogo.blocks
          * @param out receives the point; null for a new one
          * @return out, or the new point
          * @throws BlockError if one is missing, or both are the same
+         * @throws ArgumentError while the model of one is loading
          */
         public function touchPoint(agent:Agent, other:Agent, out:Vector3D = null):Vector3D
         {
+            var point:Vector3D = contactOf("touch point", agent, other).point;
             out ||= new Vector3D();
-            out.copyFrom(contactOf("touch point", agent, other).point);
+            // not copyFrom, because a game in JavaScript may give any object with x, y and z
+            out.x = point.x;
+            out.y = point.y;
+            out.z = point.z;
             return out;
         }
 
@@ -107,6 +113,7 @@ package starlogo.blocks
          * @param other the other
          * @return 0 if neither collides along its way (<code>sweeps</code>), or if they part
          * @throws BlockError if one is missing, or both are the same
+         * @throws ArgumentError while the model of one is loading
          */
         public function touchSpeed(agent:Agent, other:Agent):Number
         {

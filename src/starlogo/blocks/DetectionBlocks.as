@@ -182,7 +182,7 @@ package starlogo.blocks
          * @param breed as in countWithin; also Collision.TERRAIN, for the ground
          * @param distance how far it looks, in patches, 0 or more
          * @return null if there is none
-         * @throws BlockError if something is missing, or the distance is negative or infinite
+         * @throws BlockError if something is missing, or the distance is negative, more than 1e9 or not a number
          */
         public function ahead(agent:Agent, breed:String, distance:Number):Agent
         {
@@ -213,6 +213,7 @@ package starlogo.blocks
             {
                 throw new BlockError(block, "needs a finite distance.");
             }
+            BlockSubject.checkWay(block, distance, "the distance");
             return queries.castAgent(agent, distance * Trigonometry.cosine(agent.heading), distance * Trigonometry.sine(agent.heading), 0, filterFor(breed), _ahead);
         }
 

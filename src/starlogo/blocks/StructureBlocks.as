@@ -65,9 +65,14 @@ package starlogo.blocks
             _agents.clear();
         }
 
-        /** Whether an agent's structures are shown, because of the agent itself or its breed. */
+        /**
+         * Whether an agent's structures are shown, because of the agent itself or its breed.
+         *
+         * @throws ArgumentError if the agent is null
+         */
         public function isShown(agent:Agent):Boolean
         {
+            requireGiven("agent", agent);
             return _agents.find(agent.id, 0) == 1 || _breeds.indexOf(agent.breed) >= 0;
         }
 

@@ -68,7 +68,7 @@ package starlogo.blocks
          *
          * @param agent the agent that builds, at its place
          * @param height by how much, in patches; a negative height digs
-         * @throws BlockError if something is missing, the height is not a number, or the agent is outside of the ground
+         * @throws BlockError if something is missing, the height is not a number, or the agent is more than half a cell outside of the ground
          */
         public function buildWall(agent:Agent, height:Number):void
         {
@@ -103,7 +103,7 @@ package starlogo.blocks
          * @param x of the place
          * @param y of the place
          * @param height by how much, in patches; a negative height digs
-         * @throws BlockError if the game has no ground, a number is wrong, or the place is outside of the ground
+         * @throws BlockError if the game has no ground, a number is wrong, or the place is more than half a cell outside of the ground
          */
         public function raiseGround(x:Number, y:Number, height:Number):void
         {
@@ -114,7 +114,7 @@ package starlogo.blocks
          * The block "terrain height": how high the ground is at the agent's place.
          *
          * @param agent the agent that asks
-         * @return patches; 0 outside of the ground
+         * @return patches; 0 outside of the ground and over a hole
          * @throws BlockError if something is missing
          */
         public function terrainHeight(agent:Agent):Number
@@ -125,7 +125,7 @@ package starlogo.blocks
         }
 
         /**
-         * The block "reset terrain": makes the ground flat again, of height 0.
+         * The block "reset terrain": makes the ground flat again, of height 0, without holes.
          *
          * @throws BlockError if the game has no ground
          */

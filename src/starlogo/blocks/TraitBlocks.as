@@ -95,9 +95,14 @@ package starlogo.blocks
             apply("one way", subject, "isOneWay", isOn);
         }
 
-        /** Gives an agent the settings of its breed. Call it when an agent has joined the game or changed its breed. */
+        /**
+         * Gives an agent the settings of its breed. Call it when an agent has joined the game or changed its breed.
+         *
+         * @throws ArgumentError if the agent is null
+         */
         public function welcome(agent:Agent):void
         {
+            requireGiven("agent", agent);
             var traits:Object = _breeds[PREFIX + agent.breed];
             for (var trait:String in traits)
             {

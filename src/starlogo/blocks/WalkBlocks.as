@@ -3,11 +3,14 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.data.requireGiven;
+    import starlogo.engine;
     import starlogo.geometry.Trigonometry;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.Footing;
     import starlogo.queries.ShapeHit;
     import starlogo.queries.WalkOptions;
+
+    use namespace engine;
 
     /**
      * The blocks that move agents over floors and along walls: "solid", "forward", "walk", "fall", "jump", "standing?", "what I stand on". Floors
@@ -58,7 +61,7 @@ package starlogo.blocks
             _gravity = value;
         }
 
-        /** The names of the solid breeds. The list that is read is a copy, and so is the list that is kept. */
+        /** The names of the solid breeds. The list that is read is a copy, and so is the list that is kept. @throws ArgumentError if it is set to null */
         public function get solidBreeds():Array
         {
             var names:Array = [];
@@ -71,6 +74,7 @@ package starlogo.blocks
 
         public function set solidBreeds(names:Array):void
         {
+            requireGiven("solidBreeds", names);
             _solid.breeds = Vector.<String>(names);
             _options.filter.breeds = _solid.breeds.concat();
             _options.filter.breeds.push(Collision.TERRAIN);
@@ -100,19 +104,17 @@ package starlogo.blocks
         }
 
         /**
-         * The block "forward", in a game with solid breeds: moves the agent by its heading, at its height. It slides along solid agents. The
-         * ground is not in its way.
+         * The block "forward", in a game with solid breeds: moves the agent by its heading, at its height. It slides along solid agents, and their
+         * slopes stop it as walls do. The ground is not in its way.
          *
          * @param agent the agent that moves
          * @param steps how far, in patches; a negative number moves it back
-         * @throws BlockError if there is no agent, or steps is not a number
+         * @throws BlockError if there is no agent, or steps is not a number or more than 1e9 either way
          */
         public function forward(agent:Agent, steps:Number):void
         {
             check("forward", agent, steps, "steps");
-            var height:Number = agent.z;
-            _detection.queries.slide(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), 0, _solid);
-            agent.z = height;
+            _detection.queries.slideLevel(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), _solid);
         }
 
         /**
@@ -121,7 +123,7 @@ package starlogo.blocks
          *
          * @param agent the agent that walks
          * @param steps how far, in patches; a negative number moves it back
-         * @throws BlockError if there is no agent, or steps is not a number
+         * @throws BlockError if there is no agent, or steps is not a number or more than 1e9 either way
          */
         public function walk(agent:Agent, steps:Number):void
         {
@@ -136,7 +138,7 @@ package starlogo.blocks
          * @param agent the agent that falls, or rises
          * @param speed its upward speed, in patches a frame
          * @return its new speed; 0 if it stands, or has bumped its head
-         * @throws BlockError if there is no agent, or the speed is not a number
+         * @throws BlockError if there is no agent, or the speed is not a number or more than 1e9 either way
          */
         public function fall(agent:Agent, speed:Number):Number
         {
@@ -145,7 +147,7 @@ package starlogo.blocks
             {
                 return _detection.queries.moveUntilTouch(agent, 0, 0, speed, _options.filter) < 1 ? 0 : speed - _gravity;
             }
-            _options.fall = _gravity - speed;
+            _options.fall = Math.min(_gravity - speed, Agent.LARGEST_COORDINATE);
             _detection.queries.walk(agent, 0, 0, _options, _footing);
             return _footing.stands ? 0 : speed - _gravity;
         }
@@ -157,7 +159,7 @@ package starlogo.blocks
          * @param height how high, in patches, 0 or more
          * @param speed its upward speed, in patches a frame
          * @return its new speed
-         * @throws BlockError if there is no agent, or the height is negative or not a number
+         * @throws BlockError if there is no agent, or the height is negative, more than 1e9 or not a number
          */
         public function jump(agent:Agent, height:Number, speed:Number):Number
         {
@@ -199,7 +201,7 @@ package starlogo.blocks
         private static function check(block:String, agent:Agent, value:Number, what:String):void
         {
             BlockSubject.checkAgent(block, agent);
-            BlockSubject.checkNumber(block, value, what);
+            BlockSubject.checkWay(block, value, what);
         }
     }
 }

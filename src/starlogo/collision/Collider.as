@@ -136,7 +136,8 @@ package starlogo.collision
          * @param collider the normal points to it
          * @param collidee another agent
          * @param out receives the contact; created if null
-         * @return out. If the two do not touch, the point is where they are nearest, and the depth is 0
+         * @return out. If the two do not touch, the point is half way between the points where they are nearest, the normal points from one of these
+         *     points to the other, and the depth is 0
          * @throws ArgumentError if one is null, if both are the same agent, or if a model is unknown or still loading
          */
         override public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact

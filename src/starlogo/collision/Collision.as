@@ -148,8 +148,8 @@ package starlogo.collision
         }
 
         /**
-         * The errors that handlers threw in the last frame, in order. The next frame empties the list. If a handler throws something else, it
-         * becomes the message of an Error. At the end of each message stand the breeds for which the handler was added.
+         * The errors that handlers threw in the last frame, in order. The next frame empties the list, even if it refuses its agents. If a handler throws
+         * something else, it becomes the message of an Error. At the end of each message stand the breeds for which the handler was added.
          */
         public function get handlerErrors():Vector.<Error>
         {
@@ -157,8 +157,9 @@ package starlogo.collision
         }
 
         /**
-         * The breeds that handlers name and that no agent of the last frame had. One of them may be misspelt. They are found when you ask, so a
-         * frame pays nothing.
+         * The breeds that the handlers of the last frame name and that none of its agents had. One of them may be misspelt. A handler that you add or
+         * remove after that frame counts from the next one on. Before the first frame, and after <code>reset()</code>, there are none. The breeds are
+         * found when you ask, so a frame pays nothing.
          */
         public function get breedsWithoutAgents():Vector.<String>
         {

@@ -59,6 +59,26 @@ package starlogo.convex
             bZ = gap.pointZ - atB * z;
         }
 
+        /**
+         * Writes the contact of two shapes that do not touch: its point is half way between the two points, and its depth is 0. If the points are the same,
+         * or no points were found, its point and its normal stay.
+         */
+        public function writeContact(out:ContactPoint):void
+        {
+            var x:Number = aX - bX;
+            var y:Number = aY - bY;
+            var z:Number = aZ - bZ;
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            out.depth = 0;
+            if (distance < Infinity && length > 0)
+            {
+                out.x = bX + x / 2;
+                out.y = bY + y / 2;
+                out.z = bZ + z / 2;
+                out.setNormal(x / length, y / length, z / length);
+            }
+        }
+
         /** Exchanges the two shapes. */
         public function swap():void
         {

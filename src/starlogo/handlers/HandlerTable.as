@@ -85,6 +85,7 @@ package starlogo.handlers
             {
                 list.clear();
             }
+            interests = new BreedInterests();
             _hasChanged = true;
         }
 

@@ -369,6 +369,12 @@ package starlogo.queries
             return _moves.slide(agent, dx, dy, dz, filter);
         }
 
+        /** @private As <code>slide()</code>, but at the agent's height: see MoveQueries.slideLevel. */
+        engine function slideLevel(agent:Agent, dx:Number, dy:Number, filter:AgentFilter):Number
+        {
+            return _moves.slideLevel(agent, dx, dy, filter);
+        }
+
         /** @copy AgentWalks#walk() */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {

@@ -61,8 +61,8 @@ package starlogo.queries
             var distance:Number = answer(_seen.bodyOf(agent), _body, out, null);
             if (distance == 0)
             {
-                // without the rounding of the point that was found
-                write(out, point.x, point.y, point.z);
+                // without the rounding of the point that was found, which stands in the game's point if that is out too
+                write(out, _point.center.x, _point.center.y, _point.center.z);
             }
             return distance;
         }

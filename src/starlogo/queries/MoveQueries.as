@@ -111,7 +111,14 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             _seen.requireMovable(agent, "slide");
-            return idle.moveSliding(agent, dx, dy, dz, filter);
+            return idle.moveSliding(agent, dx, dy, dz, filter, SlideLimits.NONE);
+        }
+
+        /** Slides, but at the agent's height: a slope is an upright wall. The errors are those of <code>slide()</code>. */
+        public function slideLevel(agent:Agent, dx:Number, dy:Number, filter:AgentFilter):Number
+        {
+            _seen.requireMovable(agent, "slide");
+            return idle.moveSliding(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
         }
 
         // These questions, or the nested ones while a filter's accepts is being called.
@@ -143,14 +150,19 @@ package starlogo.queries
             return fraction;
         }
 
-        private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
+        private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
             _body.readAgent(agent);
             setMotion(agent, dx, dy, dz);
             _found.begin(Collector.ALL, 1, agent, filter);
             _body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, _found);
-            var fraction:Number = _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
+            var fraction:Number = _slider.slide(_body, _body.rows, _from, _motion, limits, _slid);
             _slider.restoreClearance(_body, _slid.place);
+            if (limits === SlideLimits.LEVEL)
+            {
+                // the clearance leads off slopes by their normals
+                _slid.place.z = _from.z;
+            }
             if (dx != 0 || dy != 0 || dz != 0)
             {
                 _seen.moveAgent(agent, _slid.place);

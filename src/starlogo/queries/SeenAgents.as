@@ -166,7 +166,7 @@ package starlogo.queries
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
         engine function requireMovable(agent:Agent, what:String):void
         {
-            if (agent != null && table.list.rowOf(agent) >= 0)
+            if (agent != null && table.list.rowOf(agent) >= ListedAgents.FIRST_LISTED)
             {
                 requireUnlocked(what);
             }

@@ -5,6 +5,7 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.ray.ConvexRay;
     import starlogo.search.pairs.EdgePairTests;
     import starlogo.search.pairs.GroundPairTests;
@@ -26,6 +27,9 @@ package starlogo.search
      */
     public final class NarrowPhase
     {
+        // The contact of two that do not touch is no deeper than this many times the gap across which they would touch because places are rounded.
+        private static const GAPS_OF_ROUNDING:Number = 4;
+
         /** Tests pairs of spheres. Every collider has it. It is null in a LevelShapes while only rays are asked for. */
         public var sphereTests:SpherePairTests = null;
 
@@ -50,6 +54,8 @@ package starlogo.search
         /** Says which shape each agent has. */
         public var choice:BaseShapeChoice;
 
+        private var _closest:ClosestPoints = new ClosestPoints();
+
         /** @param choice gives the agents their shapes */
         public function NarrowPhase(choice:BaseShapeChoice)
         {
@@ -67,7 +73,8 @@ package starlogo.search
         }
 
         /**
-         * Finds the contact of two bodies where they are, which separates them.
+         * Finds the contact of two bodies where they are, which separates them. If the two do not touch, its point is half way between the points where
+         * they are nearest, its normal points from one of these points to the other, and its depth is 0.
          *
          * @param a is not the ground or the edges of the world
          * @param b may be the ground or the edges of the world: see PairTests
@@ -80,6 +87,15 @@ package starlogo.search
             motion.time = 1;
             var tests:PairTests = pairTestsFor(a, b);
             tests.findContactOfParts(a, b, motion, out);
+            // structures that are deeper in each other touch; the contact of trees or the ground may be deep without a touch
+            var areStructures:Boolean = a.form < ModelShape.TREE && b.form < ModelShape.TREE;
+            var most:Number = Tolerances.SEPARATION * tests.extentOf(a, b) + GAPS_OF_ROUNDING * tests.roundingGapOf(a, b);
+            if (!(areStructures && out.depth > most) && !tests.areTouching(a, b))
+            {
+                findClosest(a, b, true, _closest);
+                _closest.writeContact(out);
+                return;
+            }
             tests.separate(a, b, motion, out);
         }
 

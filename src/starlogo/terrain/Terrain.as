@@ -73,7 +73,7 @@ package starlogo.terrain
          * @param picture in Flash a BitmapData, in JavaScript an ImageData
          * @param height the height of white; black is 0, and greys are in between. A color counts as the mean of its red, green and blue
          * @throws ArgumentError if there is no picture, or it has too little data
-         * @throws RangeError as the constructor does for the other numbers, and if the height is not finite
+         * @throws RangeError as the constructor does for the other numbers, and if the height is not finite or too large
          */
         public static function fromPicture(picture:Object, height:Number, cellWidth:Number = 1, x:Number = 0, y:Number = 0):Terrain
         {
@@ -81,12 +81,13 @@ package starlogo.terrain
             {
                 throw new ArgumentError("a picture is needed, not " + picture);
             }
+            requireInWorld("the height of white", height, 0, 0);
             var terrain:Terrain = new Terrain(picture.width, picture.height, cellWidth, x, y);
             if ("data" in picture && picture.data.length < 4 * terrain.columns * terrain.rows)
             {
                 throw new ArgumentError("a picture of " + terrain.columns + " by " + terrain.rows + " pixels has too little data: " + picture.data.length);
             }
-            terrain.setHeights(0, 0, terrain.columns, terrain.rows, greysOf(picture, height / 765));
+            terrain.setHeights(0, 0, terrain.columns, terrain.rows, greysOf(picture, height));
             return terrain;
         }
 
@@ -247,10 +248,12 @@ package starlogo.terrain
 
         /**
          * Raises a round hill about (x, y). With a negative height it digs a hollow. The middle rises by the height, and the border does not
-         * rise. At the share d of the way from the middle to the border, the ground rises by (1 - dd)(1 - dd) times the height.
+         * rise. At the share d of the way from the middle to the border, the ground rises by (1 - dd)(1 - dd) times the height. A hill that is so
+         * narrow that no height is inside its border changes nothing.
          *
          * @param width from border to border, more than 0
-         * @throws RangeError if a number is not finite, the hill is wholly outside of the terrain, or a height would be too large
+         * @throws RangeError if a number is not finite, the hill is wholly outside of the columns that the heights have with isBlocky, or a height
+         *     would be too large
          */
         public function raiseMound(x:Number, y:Number, width:Number, height:Number):void
         {
@@ -287,10 +290,11 @@ package starlogo.terrain
         }
 
         /**
-         * Raises the height that is nearest to a place.
+         * Raises the height that is nearest to a place. The place may be up to half a cell beyond the outermost heights, because with isBlocky their
+         * columns reach as far.
          *
          * @param height by how much; may be negative
-         * @throws RangeError if the place is outside of the terrain, or the height would be too large
+         * @throws RangeError if the place is farther outside, or the height would be too large
          */
         public function raiseWall(x:Number, y:Number, height:Number):void
         {
@@ -389,8 +393,8 @@ package starlogo.terrain
             }
         }
 
-        // The grey values of a picture's pixels, the bottom row first. The scale is the factor of the sum of red, green and blue.
-        private static function greysOf(picture:Object, scale:Number):Vector.<Number>
+        // The heights of a picture's pixels, the bottom row first. White gets exactly the height of white.
+        private static function greysOf(picture:Object, white:Number):Vector.<Number>
         {
             var greys:Vector.<Number> = new Vector.<Number>();
             var data:Object = "data" in picture ? picture.data : null;
@@ -400,7 +404,13 @@ package starlogo.terrain
                 {
                     var at:int = 4 * (row * picture.width + column);
                     var color:uint = data == null ? picture.getPixel(column, row) : data[at] << 16 | data[at + 1] << 8 | data[at + 2];
-                    greys.push(scale * ((color >> 16 & 255) + (color >> 8 & 255) + (color & 255)));
+                    var sum:int = (color >> 16 & 255) + (color >> 8 & 255) + (color & 255);
+                    greys.push(white / 765 * sum);
+                    if (sum == 765)
+                    {
+                        // without the rounding of the division
+                        greys[int(greys.length - 1)] = white;
+                    }
                 }
             }
             return greys;

@@ -153,6 +153,7 @@ package starlogo.blocks
         {
             assertThrows(BlockError, /^The block "show bounding structures" needs an agent or a breed, but got nothing/, _blocks.show, null, true);
             assertThrows(ArgumentError, /collisions must not be null/, create, StructureBlocks, null);
+            assertThrows(ArgumentError, /agent must/, _blocks.isShown, null);
         }
 
         [Test]

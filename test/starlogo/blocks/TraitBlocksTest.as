@@ -88,6 +88,7 @@ package starlogo.blocks
             }
             assertEquals("false 0 tightest", traitsOf(_bear));
             assertThrows(ArgumentError, /list of agents/, create, TraitBlocks, null);
+            assertThrows(ArgumentError, /agent must/, _blocks.welcome, null);
         }
 
         private static function traitsOf(agent:Agent):String

@@ -1,10 +1,12 @@
 package starlogo.blocks
 {
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
+    import starlogo.collision.Collider;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import support.assertClose;
@@ -110,6 +112,47 @@ package starlogo.blocks
             assertEquals(0, _hero.z);
         }
 
+        // A slope that would lead an agent up or down is a wall for one that stays at its height: it never gets into it.
+        [Test]
+        public function goesForwardAlongSlopesAtItsHeight():void
+        {
+            _collisions.greatLand.addModel(BuiltInModel.sphere());
+            _hero.shape = "sphere";
+            _agents.push(new Agent("sphere", "rocks"));
+            var rock:Agent = _agents[2];
+            rock.size = 2;
+            _blocks.setSolid("rocks", true);
+            for each (var system:String in CollisionBlocks.systemNames)
+            {
+                _collisions.useCollisionSystem(system);
+                for each (var height:Number in [-0.9, 0.4])
+                {
+                    rock.moveTo(2, 0.1, height);
+                    for each (var startX:Number in [-1, 1.2])
+                    {
+                        // at its second place it is deep in the rock, and gets no deeper
+                        _hero.moveTo(startX, 0, 0);
+                        _hero.heading = 0;
+                        _detection.update();
+                        var depth:Number = depthOf(rock);
+                        for (var i:int = 0; i < 50; i++)
+                        {
+                            _blocks.forward(_hero, 0.1);
+                            var message:String = system + " " + height + " " + startX + " " + i + ": " + _hero.x + ", " + _hero.y;
+                            assertEquals(message, 0, _hero.z);
+                            assertTrue(message, _detection.queries.nearPoint(new Vector3D(_hero.x, _hero.y, 0), 0).indexOf(_hero) >= 0);
+                            assertTrue(message, i % 10 > 0 || depthOf(rock) <= depth + 1e-9);
+                        }
+                    }
+                }
+            }
+        }
+
+        private function depthOf(other:Agent):Number
+        {
+            return Collider(_collisions.collision.collisionSystem).contactOf(_hero, other).depth;
+        }
+
         [Test]
         public function walksUpLowStepsAndIsCarried():void
         {
@@ -150,6 +193,16 @@ package starlogo.blocks
             assertThrows(BlockError, /"walk" needs a number for steps, but got NaN/, _blocks.walk, _hero, NaN);
             assertThrows(BlockError, /"forward" needs a number for steps/, _blocks.forward, _hero, Infinity);
             assertThrows(BlockError, /"fall" needs a number for a speed/, _blocks.fall, _hero, NaN);
+            for each (var block:Function in [_blocks.walk, _blocks.forward, _blocks.fall])
+            {
+                assertThrows(BlockError, /needs a number up to 1000000000 for (steps|a speed), but got -1100000000/, block, _hero, -1.1e9);
+            }
+            _blocks.fall(_hero, -1e9);
+            assertThrows(BlockError, /"jump" needs a number up to 1000000000 for a height, but got 1e\+300/, _blocks.jump, _hero, 1e300, 0);
+            assertThrows(ArgumentError, /solidBreeds must not be null/, function():void
+                {
+                    _blocks.solidBreeds = null;
+                });
             assertThrows(BlockError, /"jump" needs a height of 0 or more, but got -1/, _blocks.jump, _hero, -1, 0);
             assertThrows(BlockError, /"standing\?" needs an agent/, _blocks.isStanding, null);
             assertThrows(BlockError, /"what I stand on" needs an agent/, _blocks.standsOn, null);

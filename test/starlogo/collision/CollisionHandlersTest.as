@@ -107,6 +107,12 @@ package starlogo.collision
             addAll("traps");
             _collision.update(_agents);
             assertEquals("bals", _collision.breedsWithoutAgents.join());
+            _collision.onCollision("bears", "foes", note("x"));
+            assertEquals("not before the next frame", "bals", _collision.breedsWithoutAgents.join());
+            _collision.reset();
+            assertEquals("no last frame", "", _collision.breedsWithoutAgents.join());
+            _collision.update(_agents);
+            assertEquals("no handlers", "", _collision.breedsWithoutAgents.join());
         }
 
         [Test]

@@ -56,6 +56,9 @@ package starlogo.queries
                     var out:Vector3D = new Vector3D(NaN, NaN, NaN);
                     var distance:Number = queries.distanceToPoint(agent, point, out);
                     var message:String = distance + " from " + point + " to " + out + ", " + agent;
+                    var same:Vector3D = point.clone();
+                    _wrong.addIf(queries.distanceToPoint(agent, same, same) != distance || !same.equals(out), name + ": another into the point itself", message);
+                    _wrong.addIf(distance == 0 && !same.equals(point), name + ": not the point itself", message);
                     _wrong.addIf(distance != queries.distanceToPoint(agent, point), name + ": another without a point", message);
                     _wrong.addIf(distance == 0 != queries.overlapping(new Sphere(point, 0)).length > 0 || Math.abs(Vector3D.distance(point, out) - distance) > NEAR,
                             name + ": 0, or the point", message);

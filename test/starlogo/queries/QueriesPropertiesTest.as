@@ -18,7 +18,9 @@ package starlogo.queries
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ModelLoader;
+    import starlogo.terrain.Terrain;
     import support.OwnVectorSystem;
+    import support.assertClose;
     import support.assertThrows;
     import support.landOf;
 
@@ -337,6 +339,51 @@ package starlogo.queries
             assertThrows(IllegalOperationError, /in accepts/, _queries.nearestOf, _agents[1], 9, Infinity, throwing, list);
             assertEquals("the list is unchanged", near, LoopedQuestions.numbers(list));
             assertEquals("questions go on", near, LoopedQuestions.numbers(_queries.nearestOf(_agents[0], 9)));
+        }
+
+        [Test]
+        public function nobodyInTheListMovesInAFilter():void
+        {
+            var stranger:Agent = new Agent("cube");
+            stranger.moveTo(0, 0, 90);
+            _queries.terrain = new Terrain(41, 41, 1, -20, -20);
+            _queries.update(_agents);
+            var mover:Agent = null;
+            for each (var move:Function in [moveIt, slideIt, walkIt])
+            {
+                var moving:AgentFilter = new AgentFilter();
+                moving.accepts = function(agent:Agent):Boolean
+                {
+                    move();
+                    return true;
+                };
+                for each (mover in [_agents[0], _agents[1], _agents[299]])
+                {
+                    var before:Number = mover.x;
+                    assertThrows(IllegalOperationError, /must not be called from a filter's accepts/, _queries.nearest, stranger, Infinity, moving);
+                    assertEquals(before, mover.x);
+                }
+                mover = _queries.terrain.agent;
+                assertThrows(ArgumentError, /has no place, and does not move/, _queries.nearest, stranger, Infinity, moving);
+                mover = stranger;
+                _queries.nearest(_agents[0], Infinity, moving);
+            }
+            assertClose(3, stranger.x, 1e-9);
+
+            function moveIt():void
+            {
+                _queries.moveUntilTouch(mover, 1, 0, 0);
+            }
+
+            function slideIt():void
+            {
+                _queries.slide(mover, 1, 0, 0);
+            }
+
+            function walkIt():void
+            {
+                _queries.walk(mover, 1, 0);
+            }
         }
 
         private function answers():String

@@ -287,7 +287,18 @@ package starlogo.terrain
             }
             assertThrows(ArgumentError, /./, Terrain.fromPicture, null, 1);
             assertThrows(ArgumentError, /too little data: 15/, Terrain.fromPicture, {width: 2, height: 2, data: picture.data.slice(1)}, 1);
-            assertThrows(RangeError, /./, Terrain.fromPicture, picture, NaN);
+            for each (var height:Number in [NaN, Infinity, -Infinity, 1.1e9])
+            {
+                // a black picture has no use for the height
+                for each (var data:Array in [picture.data, [0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255]])
+                {
+                    assertThrows(RangeError, new RegExp("the height of white must be .*: " + height), Terrain.fromPicture, {width:2, height:2, data:data}, height);
+                }
+            }
+            for each (height in [1e9, -1e9, 0.1, 0.7, 1.1, 12.3, 1 / 3, 99.9])
+            {
+                assertEquals("white is exactly as high", height, Terrain.fromPicture(picture, height).getHeight(0, 1));
+            }
         }
 
         [Test]

@@ -13,8 +13,17 @@ package starlogo.queries.motion
         /** A value of <code>fallSlope</code>: the motion is no fall. */
         public static const NO_FALL:Number = -1;
 
+        /** A value of <code>walkableZ</code>: the least z of the normal of a level floor. Contacts with all else are walls. */
+        public static const LEVEL_Z:Number = 1 - 1e-12;
+
         /** No limits. Nothing writes to it. */
         public static const NONE:SlideLimits = new SlideLimits();
+
+        /**
+         * For a level motion that stays level: all contacts but level ones are upright walls, also those with what the body overlaps deeply where it
+         * begins. Nothing writes to it.
+         */
+        public static const LEVEL:SlideLimits = newLevel();
 
         /** A contact counts as an upright wall if the z of its normal is less than this. */
         public var walkableZ:Number = NO_WALLS;
@@ -34,6 +43,13 @@ package starlogo.queries.motion
             this.walkableZ = walkableZ;
             this.maxHorizontal = maxHorizontal;
             this.fallSlope = fallSlope;
+        }
+
+        private static function newLevel():SlideLimits
+        {
+            var level:SlideLimits = new SlideLimits();
+            level.walkableZ = LEVEL_Z;
+            return level;
         }
     }
 }

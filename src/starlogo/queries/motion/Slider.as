@@ -52,6 +52,10 @@ package starlogo.queries.motion
             _rest.project();
             if (leaveOverlaps(body, from, out))
             {
+                if (limits === SlideLimits.LEVEL)
+                {
+                    standUpOverlaps();
+                }
                 _rest.project();
                 findNext(body, out.place);
             }
@@ -202,6 +206,18 @@ package starlogo.queries.motion
                 contact.setNormal(contact.normalX, contact.normalY, 0);
                 contact.normalise();
                 _rest.makeHorizontal();
+            }
+        }
+
+        // Turns the planes of what the body overlaps into upright walls, except of level floors and ceilings.
+        private function standUpOverlaps():void
+        {
+            for (var i:int = 0; i < _rest.count; i++)
+            {
+                if (Math.abs(_rest.contacts[i].normalZ) < SlideLimits.LEVEL_Z)
+                {
+                    standUp(_rest.contacts[i]);
+                }
             }
         }
 

@@ -26,9 +26,6 @@ package starlogo.queries.motion
         // A fall, with the slide after it, is undone if it leads less far down. A part of the extent.
         private static const REST:Number = 1e-8;
 
-        // The least z of the normal of a level floor. In the air all other surfaces are walls.
-        private static const LEVEL:Number = 1 - 1e-12;
-
         // A walk begins with this many pushes at most.
         private static const MOST_PUSHES:int = 8;
 
@@ -119,7 +116,8 @@ package starlogo.queries.motion
                 }
                 if (!stands)
                 {
-                    slide(walk, walk.start, 0, LEVEL, _along);
+                    // in the air all surfaces are walls, except of level floors
+                    slide(walk, walk.start, 0, SlideLimits.LEVEL_Z, _along);
                     walk.place.copyFrom(_along.place);
                 }
                 else if (walk.pieceLength == 0)

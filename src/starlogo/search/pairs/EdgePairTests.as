@@ -119,7 +119,23 @@ package starlogo.search.pairs
             out.bY = _contact.y - gap / 2 * _contact.normalY;
             out.bZ = _contact.z - gap / 2 * _contact.normalZ;
             out.distance = gap;
+            if (a.form == ModelShape.TREE)
+            {
+                findPointsOfTree(deepest, a, areTouching ? 0 : gap, out);
+            }
             out.correct(areTouching);
+        }
+
+        // Finds the closest points of a tree and an edge: a point of the tree, and the one straight before it at a distance.
+        private function findPointsOfTree(edge:int, tree:Body, gap:Number, out:ClosestPoints):void
+        {
+            _supportSearch.findPointOfTree(tree, OUTWARDS[edge], _farthest);
+            out.aX = _farthest.x;
+            out.aY = _farthest.y;
+            out.aZ = _farthest.z;
+            out.bX = out.aX + gap * OUTWARDS[edge].x;
+            out.bY = out.aY + gap * OUTWARDS[edge].y;
+            out.bZ = out.aZ + gap * OUTWARDS[edge].z;
         }
 
         // Finds how far the body is beyond each edge at the time of a motion. Returns the edge that it is furthest beyond.

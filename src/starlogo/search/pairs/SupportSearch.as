@@ -35,9 +35,10 @@ package starlogo.search.pairs
         // The direction in the model's space.
         private var _direction:Vector3D = new Vector3D();
 
-        // A box around the points that count as the farthest, and the point that is added to it.
+        // A box around the points that count as the farthest, the last of them, and a point that may be one.
         private var _low:Vector3D = new Vector3D();
         private var _high:Vector3D = new Vector3D();
+        private var _last:Vector3D = new Vector3D();
         private var _added:Vector3D = new Vector3D();
 
         /** @param limits how far trees are tested */
@@ -76,9 +77,31 @@ package starlogo.search.pairs
             addFarthest(body, _direction, out);
             out.support = farthest;
             bringSupportBack(direction, at, out);
-            var x:Number = at.size * (_low.x + _high.x) / 2;
-            var y:Number = at.size * (_low.y + _high.y) / 2;
-            var z:Number = at.size * (_low.z + _high.z) / 2;
+            bringPointBack((_low.x + _high.x) / 2, (_low.y + _high.y) / 2, (_low.z + _high.z) / 2, at, out);
+        }
+
+        /**
+         * Finds the farthest point of a tree too. If several points are as far, it is one of them, which is the tree's own. The middle may be none: it
+         * is between the legs of a table.
+         *
+         * @param direction as in findSupport
+         * @param out receives the support and the point
+         */
+        public function findPointOfTree(tree:Body, direction:Vector3D, out:SupportPoint):void
+        {
+            turnIntoModel(direction, tree.placement, _direction);
+            findInModel(tree, _direction, out);
+            addFarthest(tree, _direction, out);
+            bringSupportBack(direction, tree.placement, out);
+            bringPointBack(_last.x, _last.y, _last.z, tree.placement, out);
+        }
+
+        // Turns a point in the model's space into one in the world.
+        private static function bringPointBack(modelX:Number, modelY:Number, modelZ:Number, at:Placement, out:SupportPoint):void
+        {
+            var x:Number = at.size * modelX;
+            var y:Number = at.size * modelY;
+            var z:Number = at.size * modelZ;
             out.x = at.x + at.r00 * x + at.r01 * y + at.r02 * z;
             out.y = at.y + at.r10 * x + at.r11 * y + at.r12 * z;
             out.z = at.z + at.r20 * x + at.r21 * y + at.r22 * z;
@@ -265,6 +288,7 @@ package starlogo.search.pairs
 
         private function addPoint(point:Vector3D):void
         {
+            _last.copyFrom(point);
             _low.setTo(Math.min(_low.x, point.x), Math.min(_low.y, point.y), Math.min(_low.z, point.z));
             _high.setTo(Math.max(_high.x, point.x), Math.max(_high.y, point.y), Math.max(_high.z, point.z));
         }

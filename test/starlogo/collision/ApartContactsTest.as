@@ -1,0 +1,113 @@
+package starlogo.collision
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.Model;
+    import starlogo.queries.AgentQueries;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.RandomWorlds;
+    import support.SolidModels;
+
+    /** The contact of two that do not touch: where they are nearest, beside the distance of the questions. */
+    public class ApartContactsTest
+    {
+        private static const SHAPES:Array = ["sphere", "cube", "hollow", "crossed", "apart", "open cube", "doll"];
+        private static const NEAR:Number = 1e-9;
+
+        private var _greatLand:GreatLand = new GreatLand();
+        private var _random:SeededRandom = new SeededRandom(5512);
+        private var _wrong:Complaints = new Complaints();
+        private var _apart:int = 0;
+
+        [Before]
+        public function begin():void
+        {
+            for each (var model:Model in SolidModels.all())
+            {
+                _greatLand.addModel(model);
+            }
+        }
+
+        [Test]
+        public function itIsWhereTheyAreNearest():void
+        {
+            var terrain:Terrain = new Terrain(9, 9, 1, -4, -4);
+            terrain.raiseMound(0, 0, 6, 1);
+            terrain.raiseMound(3, 3, 100, -4);
+            var bounds:WorldBounds = new WorldBounds(-5, -5, -5, 5, 5, 5);
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, _greatLand);
+                var queries:AgentQueries = new AgentQueries(collider);
+                for (var i:int = Effort.choose(80, 5000); i > 0; i--)
+                {
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(2, SHAPES, 1.5, _random);
+                    check(name, collider, queries, agents[0], agents[1]);
+                    check(name + ", ground", collider, queries, agents[0], terrain.agent);
+                    check(name + ", edges", collider, queries, agents[1], bounds.agent);
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(_apart + " are apart", _apart > 400);
+        }
+
+        // Two of the three cubes stand at the same height, as legs do. The point between them belongs to nothing.
+        [Test]
+        public function theNearestPointToAnEdgeIsTheAgentsOwn():void
+        {
+            var bounds:WorldBounds = new WorldBounds(-5, -5, -5, 5, 5, 5);
+            var legs:Agent = new Agent("apart");
+            legs.hierarchical = true;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
+                for each (var z:Number in [-2, -5, -5.1])
+                {
+                    for (legs.heading = 0; legs.heading < 90; legs.heading += 15)
+                    {
+                        legs.moveTo(0.3, 0.2, z);
+                        var own:Vector3D = new Vector3D();
+                        var other:Vector3D = new Vector3D();
+                        var distance:Number = queries.distance(legs, bounds.agent, own, other);
+                        var message:String = own + " and " + other + " at " + z + ", heading " + legs.heading;
+                        _wrong.addIf(!(queries.distanceToPoint(legs, own) < NEAR), name + ": not of the agent", message);
+                        _wrong.addIf(!(Math.abs(Vector3D.distance(own, other) - distance) < NEAR) || z > -5 && Math.abs(other.z + 5) > NEAR, name + ": not of the edge", message);
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        private function check(name:String, collider:Collider, queries:AgentQueries, a:Agent, b:Agent):void
+        {
+            var first:Vector3D = new Vector3D();
+            var second:Vector3D = new Vector3D();
+            var distance:Number = queries.distance(a, b, first, second);
+            if (distance == 0)
+            {
+                return;
+            }
+            _apart++;
+            var contact:Contact = collider.contactOf(a, b);
+            var message:String = contact + ", " + distance + " from " + first + " to " + second + ": " + a + " and " + b;
+            _wrong.addIf(contact.depth != 0, name + ": a depth", message);
+            var toFirst:Number = queries.distanceToPoint(a, contact.point);
+            var toSecond:Number = queries.distanceToPoint(b, contact.point);
+            _wrong.addIf(!(Math.abs(toFirst - distance / 2) < NEAR && Math.abs(toSecond - distance / 2) < NEAR), name + ": not half way, " + toFirst + " and " + toSecond,
+                    message);
+            var gap:Vector3D = first.subtract(second);
+            _wrong.addIf(!(gap.dotProduct(contact.normal) > (1 - NEAR) * distance) && distance > NEAR, name + ": another normal", message);
+            var reversed:Contact = collider.contactOf(b, a);
+            var isSame:Boolean = reversed.point.equals(contact.point) && reversed.normal.x == -contact.normal.x && reversed.normal.y == -contact.normal.y
+                && reversed.normal.z == -contact.normal.z && reversed.depth == 0;
+            _wrong.addIf(!isSame, name + ": another in the other order", message);
+        }
+    }
+}

@@ -333,9 +333,10 @@ package starlogo.agents
             {
                 return;
             }
-            at.x = x;
-            at.y = y;
-            at.z = z;
+            // plus 0, because -0 becomes 0: places that are equal have the same bits, also in snapshots
+            at.x = x + 0;
+            at.y = y + 0;
+            at.z = z + 0;
             revision++;
         }
 

@@ -58,9 +58,10 @@ package starlogo.agents
             {
                 return false;
             }
-            this.heading = heading;
-            this.pitch = pitch;
-            this.roll = roll;
+            // -0 becomes 0, as in a place
+            this.heading = heading + 0;
+            this.pitch = pitch + 0;
+            this.roll = roll + 0;
             _turnedBy = BY_ANGLES;
             _isStale = true;
             return true;

@@ -171,10 +171,21 @@ package starlogo.libraries
         private function readAsUsed(geometry:Fingerprint, settings:FitSettings):ByteArray
         {
             var name:String = nameOf(geometry, settings);
-            var bytes:ByteArray = _storage.read(name);
+            var bytes:ByteArray = bytesOf(name);
             if (bytes != null)
             {
                 writeList(entriesBut(name).concat(entryOf(name, bytes)));
+            }
+            return bytes;
+        }
+
+        // What is stored under a name, from the beginning on: a copy that a game's own storage has just written stands at its end.
+        private function bytesOf(name:String):ByteArray
+        {
+            var bytes:ByteArray = _storage.read(name);
+            if (bytes != null)
+            {
+                bytes.position = 0;
             }
             return bytes;
         }
@@ -202,7 +213,7 @@ package starlogo.libraries
         // The list without one name. Damaged lines are left out.
         private function entriesBut(name:String):Array
         {
-            var bytes:ByteArray = _storage.read(LIST);
+            var bytes:ByteArray = bytesOf(LIST);
             var entries:Array = [];
             for each (var entry:String in bytes == null ? null : bytes.readUTFBytes(bytes.length).match(ENTRIES))
             {

@@ -202,7 +202,8 @@ package starlogo.terrain
             var changed:HeightGrid = worldAgent.beginChange();
             for (i = 0; i < heights.length; i++)
             {
-                changed.heights[int((row + int(i / columns)) * changed.columns + column + i % columns)] = heights[i];
+                // plus 0, because -0 becomes 0, which is the only height that snapshots leave out
+                changed.heights[int((row + int(i / columns)) * changed.columns + column + i % columns)] = heights[i] + 0;
             }
             changed.pyramid.update(column, row, column + columns - 1, row + rows - 1);
         }

@@ -1,8 +1,8 @@
-/** Snapshots: back to a frame, and the same again. */
+/** Snapshots: back to a frame, and the same again; on to another Collision, and the same there. */
 import assert from "node:assert/strict";
 import { engine } from "../tools.mjs";
 
-const { ByteArray, Terrain } = engine;
+const { Agent, ByteArray, Collision, Terrain } = engine;
 
 /** A snapshot goes into the ground that it is of: as many heights, as far apart. */
 function checkOtherGround(game, bytes, listed) {
@@ -23,6 +23,22 @@ function checkOtherGround(game, bytes, listed) {
 }
 
 export const snapshots = {
+	/** The frame goes on in another Collision, whose agents and ground are new: they write the same bytes. */
+	elsewhere: {
+		random: () => [],
+		play(game) {
+			if (!game.known()) return;
+			game.frame();
+			if (!game.known()) return;
+			const { terrain, bounds, lastAgents } = game.collision;
+			const bytes = game.collision.snapshot(true);
+			const other = new Collision(game.makeSystem());
+			other.terrain = terrain && new Terrain(terrain.columns, terrain.rows, terrain.cellWidth, terrain.x, terrain.y);
+			other.bounds = bounds;
+			other.restore(bytes, lastAgents.map(() => new Agent("sphere")));
+			assert.deepEqual(other.snapshot(true), bytes, "another Collision writes other bytes");
+		},
+	},
 	/** A snapshot, some frames of motion, back, and the same again. */
 	rewind: {
 		random: ({ integer, between }) => [1 + integer(5), between(0, 0.3)],

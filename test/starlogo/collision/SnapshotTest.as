@@ -4,6 +4,7 @@ package starlogo.collision
     import flash.errors.IllegalOperationError;
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
@@ -331,6 +332,31 @@ package starlogo.collision
                 assertEquals("true", answers[0]);
                 assertTrue(answers[1], /is not known: it was exchanged/.test(answers[1]));
             }
+        }
+
+        [Test]
+        public function thePartnerOfATouchHasABreedThatItCanHave():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt("sphere", 0, 0, -0.1, "balls"), agentAt("sphere", 0, 0, -0.2, "balls")];
+            var collision:Collision = worldWith(Collision.TERRAIN, []);
+            collision.onCollisionStart("balls", "balls", function(ball:Agent, other:Agent):void
+                {
+                });
+            collision.update(agents);
+            // the touches come last, before the number of standings: two balls, and each with the ground
+            var bytes:ByteArray = collision.snapshot(false, false);
+            var touches:uint = bytes.length - 4 - 3 * 17;
+            assertEquals(3, bytes[touches - 4]);
+            // the second of a pair, and the names of the breeds: balls and the ground
+            for each (var change:Array in [[21, 3], [21, 5], [21, 1], [25, 1], [29, 0], [8, 1], [12, 1]])
+            {
+                var forged:ByteArray = new ByteArray();
+                forged.writeBytes(bytes);
+                assertFalse(change.join(), forged[touches + change[0]] == change[1]);
+                forged[touches + change[0]] = change[1];
+                assertThrows(ArgumentError, /something in them was changed/, collision.restore, forged, agents);
+            }
+            assertEquals("as before", bytes.length, collision.snapshot(false, false).length);
         }
 
         // Handlers for ends ask about the ground or the edges that were touched.

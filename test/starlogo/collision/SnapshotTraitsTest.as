@@ -60,6 +60,37 @@ package starlogo.collision
             }
         }
 
+        // Two games in step, of which one was brought back: they write the same bytes, whatever sign their zeros once had.
+        [Test]
+        public function zerosHaveNoSign():void
+        {
+            var negativeZero:Number = -1 / Infinity;
+            var first:Collision = new Collision(new TightestFitCollider(_greatLand));
+            first.terrain = new Terrain(4, 4);
+            first.terrain.setHeights(0, 0, 4, 1, new <Number>[1, negativeZero, negativeZero, 2]);
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 1, 1, 1), agentAt("cube", 1, 1, 1)];
+            agents[0].moveTo(negativeZero, negativeZero, negativeZero);
+            agents[1].jumpTo(negativeZero, negativeZero, negativeZero);
+            for each (var angle:Number in [5, negativeZero])
+            {
+                agents[0].heading = agents[0].pitch = agents[0].roll = angle;
+            }
+            first.update(agents);
+            var bytes:ByteArray = first.snapshot(true);
+
+            var other:Collision = new Collision(new TightestFitCollider(_greatLand));
+            other.terrain = new Terrain(4, 4);
+            var others:Vector.<Agent> = new <Agent>[new Agent("cube"), new Agent("cube")];
+            other.restore(bytes, others);
+            assertEquals("the same agents", textOf(agents), textOf(others));
+            assertEquals("the same bytes", hexOf(bytes), hexOf(other.snapshot(true)));
+            first.terrain.setHeight(1, 0, 5);
+            other.terrain.setHeight(1, 0, 5);
+            assertEquals("the same ground", hexOf(first.snapshot()), hexOf(other.snapshot()));
+            assertEquals("a place", Infinity, 1 / agents[0].x);
+            assertEquals("an angle", Infinity, 1 / agents[0].heading);
+        }
+
         [Test]
         public function whatCarriesAWalkerComesBack():void
         {

@@ -39,6 +39,18 @@ package starlogo.libraries
         }
 
         [Test]
+        public function aStorageMayGiveItsCopiesAsItHasWrittenThem():void
+        {
+            _storage = new StorageOfFreshCopies();
+            for (var game:int = 0; game < 2; game++)
+            {
+                newGame(new FitStore(1e6, _storage)).addModel(BuiltInModel.cylinder());
+            }
+            assertEquals("the second game fits nothing", 1, _fitter.count);
+            assertTrue(new FitStore(1e6, _storage).length > 0);
+        }
+
+        [Test]
         public function itMayBeReadAndWrittenByHand():void
         {
             var settings:FitSettings = settingsOf(newGame(null));
@@ -332,5 +344,23 @@ package starlogo.libraries
         {
             _storage.entries["index"][5] ^= 4;
         }
+    }
+}
+
+import flash.utils.ByteArray;
+import support.MemoryStorage;
+
+/** Its copies stand at their end, as bytes do that were just written. */
+class StorageOfFreshCopies extends MemoryStorage
+{
+    /** @inheritDoc */
+    override public function read(name:String):ByteArray
+    {
+        var copy:ByteArray = super.read(name);
+        if (copy != null)
+        {
+            copy.position = copy.length;
+        }
+        return copy;
     }
 }

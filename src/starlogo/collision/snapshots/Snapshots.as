@@ -261,7 +261,10 @@ package starlogo.collision.snapshots
                     var missing:String = second == agents.length ? "ground" : "bounds";
                     throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
                 }
-                touches.findOrStart(agents[first], partners[second], firstBreed, secondBreed, flag == 1);
+                // the ground and the edges keep their breeds, which no other agent ever has
+                var partner:Agent = partners[second];
+                check(!Breeds.isOfWorld(firstBreed) && (partner.isOfWorld ? secondBreed == partner.breedNumber : !Breeds.isOfWorld(secondBreed)));
+                touches.findOrStart(agents[first], partner, firstBreed, secondBreed, flag == 1);
             }
             // each pair is there once
             check(touches.count == pairs);

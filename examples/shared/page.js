@@ -36,7 +36,10 @@ function coloured(code) {
 
 /** Coloured code in lines, of which each goes on further to the right where it is wrapped. */
 function lined(code) {
-	const lines = coloured(code).split("\n").map((line) => `<span class="line" style="--indent: ${/^\t*/.exec(line)[0].length}">${line}`);
+	const lines = coloured(code).split("\n").map((line) => {
+		const [, tabs, spaces] = /^(\t*)( *)/.exec(line);
+		return `<span class="line" style="--tabs: ${tabs.length}; --spaces: ${spaces.length}">${line}`;
+	});
 	return `${lines.join("\n</span>")}</span>`;
 }
 

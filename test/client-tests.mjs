@@ -13,7 +13,7 @@ const [out, folders, name = ''] = process.argv.slice(2);
 
 const missing = folders.split(',').filter((folder) => !existsSync(folder));
 if (missing.length > 0) {
-	console.error(`-Dsources: there is no folder ${missing.join(', ')}`);
+	console.error(`-Dsources: there is no folder ${missing.map((folder) => path.resolve(folder)).join(', ')}`);
 	process.exit(64);
 }
 const files = new Map(folders.split(',').flatMap((folder) => readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('Test.as'))
@@ -21,7 +21,7 @@ const files = new Map(folders.split(',').flatMap((folder) => readdirSync(folder,
 const all = [...files.keys()].sort();
 const classes = all.filter((each) => each.split('.').pop().toLowerCase().includes(name.toLowerCase()));
 if (classes.length === 0) {
-	console.error(all.length === 0 ? `no file below ${folders} ends with Test.as` : `no class matches -Dtest=${name}; there are ${all.join(', ')}`);
+	console.error(all.length === 0 ? `no file below ${folders} ends with Test.as` : `no class matches -Dtest=${name}, which chooses whole classes; there are ${all.join(', ')}`);
 	process.exit(64);
 }
 

@@ -10,6 +10,8 @@ package starlogo
     import starlogo.models.BuiltInModel;
     import starlogo.models.ModelEvent;
     import starlogo.queries.Footing;
+    import starlogo.queries.RayHit;
+    import starlogo.queries.ShapeHit;
     import starlogo.terrain.Terrain;
     import support.landOf;
 
@@ -36,6 +38,21 @@ package starlogo
             footing.on = new Agent("cube", "floors");
             footing.part = 0.25;
             assertEquals("footing on " + footing.on + ", normal " + new Vector3D(0, 0, 1) + ", part 0.25, pushed 0", String(footing));
+        }
+
+        [Test]
+        public function hits():void
+        {
+            var wall:Agent = new Agent("cube", "walls");
+            var zeros:String = " at " + new Vector3D() + ", normal " + new Vector3D();
+            var ofRay:RayHit = new RayHit();
+            ofRay.agent = wall;
+            ofRay.distance = 2.5;
+            assertEquals("ray hit of " + wall + zeros + ", distance 2.5", String(ofRay));
+            var ofShape:ShapeHit = new ShapeHit();
+            ofShape.agent = wall;
+            ofShape.time = 0.25;
+            assertEquals("hit of " + wall + zeros + ", time 0.25", String(ofShape));
         }
 
         [Test]

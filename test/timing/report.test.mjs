@@ -83,7 +83,7 @@ test('a line with no exponent has a name without one', () => {
 
 test('the exponent of a power is found', () => {
 	assert.ok(Math.abs(exponent([[1, 3], [10, 3 * 10 ** 1.2], [100, 3 * 100 ** 1.2]]) - 1.2) < 1e-9);
-	assert.equal(exponent([[5, 3]]), undefined);
+	assert.equal(exponent([[5, 3], [50, 30], [5, 4]]), undefined);
 	assert.ok(Math.abs(growth(entries.filter((entry) => entry.figure === 'scattered'))[0].exponents.BinCollider - 1) < 1e-9);
 });
 
@@ -275,7 +275,7 @@ test("a researcher's own fitters and colliders stand beside the engine's", async
 		{ figure: 'volumes', subject: 'bear', variant: 'game.UprightFitter', value: 9.5, vertices: 547 },
 		timed('fits', 'bear', 'game.UprightFitter', 0.3),
 		timed('crowds', '100 bears', 'game.Discs', 3.25, { agents: 100, collisions: 4950, agrees: true }),
-		...[100, 1000].map((agents) => timed('scattered', `${agents} mix`, 'game.Discs', agents * 0.01, { agents, collisions: 0, agrees: true }))];
+		...[100, 1000, 10000].map((agents) => timed('scattered', `${agents} mix`, 'game.Discs', agents * 0.01, { agents, collisions: 0, agrees: true }))];
 	const text = tables(own);
 	assert.match(text, /^model .* UprightFitter$/m);
 	assert.match(text, /^bear \(547\) .* 9\.50$/m);

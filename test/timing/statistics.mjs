@@ -2,14 +2,15 @@
  * The exponent of y = c x^e, by least squares of the logarithms.
  *
  * @param {[number, number][]} points
- * @returns {number | undefined} undefined for fewer than two different x
+ * @returns {number | undefined} undefined for fewer than three different x: a line through two says nothing of how well it fits
  */
 export function exponent(points) {
+	if (new Set(points.map(([x]) => x)).size < 3) return undefined;
 	const logs = points.map(([x, y]) => [Math.log(x), Math.log(y)]);
 	const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 	const [meanX, meanY] = [mean(logs.map(([x]) => x)), mean(logs.map(([, y]) => y))];
 	const squares = logs.reduce((sum, [x]) => sum + (x - meanX) ** 2, 0);
-	return squares > 0 ? logs.reduce((sum, [x, y]) => sum + (x - meanX) * (y - meanY), 0) / squares : undefined;
+	return logs.reduce((sum, [x, y]) => sum + (x - meanX) * (y - meanY), 0) / squares;
 }
 
 /** What identifies an entry from run to run. */

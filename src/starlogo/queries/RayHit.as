@@ -10,5 +10,11 @@ package starlogo.queries
         public function RayHit()
         {
         }
+
+        /** Its values, for a trace. */
+        public function toString():String
+        {
+            return "ray hit of " + agent + " at " + point + ", normal " + normal + ", distance " + distance;
+        }
     }
 }

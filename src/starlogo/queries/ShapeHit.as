@@ -13,5 +13,11 @@ package starlogo.queries
         public function ShapeHit()
         {
         }
+
+        /** Its values, for a trace. */
+        public function toString():String
+        {
+            return "hit of " + agent + " at " + point + ", normal " + normal + ", time " + time;
+        }
     }
 }

@@ -8,10 +8,9 @@ package starlogo.collision.snapshots
 
     /**
      * Remembers which agents the last snapshots of a Collision belong to, so that restoring to another list is refused, and the agents of the
-     * ground and the edges that were exchanged before it. It finds a snapshot by
-     * a hash of its bytes, because the bytes themselves hold no ids: machines in step write the same bytes. It accepts the same agents, or
-     * agents that were all created since, as when a game is read from a file. It accepts any agents for bytes that it does not remember,
-     * because ids mean nothing elsewhere.
+     * ground and the edges that were exchanged before each. It finds a snapshot by a hash of its bytes, because the bytes themselves hold no
+     * ids: machines in step write the same bytes. It accepts the same agents, or agents that were all created since, as when a game is read
+     * from a file. It accepts any agents for bytes that it does not remember, because ids mean nothing elsewhere.
      *
      * @private
      */
@@ -58,7 +57,7 @@ package starlogo.collision.snapshots
         }
 
         /**
-         * Compares a list with the agents of a snapshot. Returns what <code>note()</code> got for it as its former world; null if the snapshot is not
+         * Compares a list with the agents of a snapshot. Returns what <code>note()</code> got as the former world; null if the snapshot is not
          * remembered.
          *
          * @param count the number of agents of the snapshot
@@ -96,7 +95,12 @@ package starlogo.collision.snapshots
         // For how many ids an entry counts. Its head counts too, because the list may be empty.
         private static function sizeOf(entry:SnapshotEntry):int
         {
-            return HEAD_SIZE + entry.ids.length + (entry.formerWorld == null ? 0 : FORMER_SIZE);
+            var size:int = HEAD_SIZE + entry.ids.length;
+            if (entry.formerWorld != null)
+            {
+                size += FORMER_SIZE;
+            }
+            return size;
         }
 
         // The index of the first agent that is another than the entry's; -1 if none is, or if all were created since.

@@ -153,6 +153,7 @@ export class Checks {
 				if (takesInfinity({ name, value }, member, type) || type.qname.startsWith("flash.")) return ["$aNumber", `typeof ${name} !== "number"`, "a number"];
 				return ["$aFiniteNumber", `typeof ${name} !== "number" || ${name} - ${name} !== 0`, "a number"];
 			case "int":
+				if (name === "offset") return ["$anOffset", `typeof ${name} !== "number" || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
 				return ["$anInt", `typeof ${name} !== "number" || ${name} !== (${name} | 0)`, "a whole number"];
 			case "uint":
 				return ["$aUint", `typeof ${name} !== "number" || ${name} !== ${name} >>> 0`, "a whole number"];

@@ -11,6 +11,7 @@ package starlogo
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.models.cooked.CookedFile;
+    import starlogo.models.requireUpAxis;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
@@ -171,11 +172,13 @@ package starlogo
          * @param usesTransforms the loader's <code>usesTransforms</code>
          * @throws ArgumentError as addModel
          * @throws RangeError as addModel
-         * @throws ModelError if the model's place in its source is not finite numbers, because a factor was extremely small or large
+         * @throws ModelError if the up axis is another one, or if the model's place in its source is not finite numbers, because a factor was extremely small or large
          */
         public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
             requireGiven("model", model);
+            // a transform is known by its text, so a program that never uses a ModelTransform need not contain that class
+            requireUpAxis(model.name, upAxis, !(upAxis is String) && String(upAxis).indexOf("rotate ") == 0);
             var preparation:ModelPreparation = preparing(model, null);
             finish(preparation);
             return preparation.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));

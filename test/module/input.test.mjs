@@ -677,6 +677,8 @@ test("errors name structures, elements of lists, functions and settings as their
 	refused(() => (filter.breeds = [3]), "AgentFilter.breeds[0] must be a string, not 3");
 	refused(() => (filter.breeds = "bears"), 'AgentFilter.breeds must be an array of strings, not "bears"');
 	refused(() => (land.boundingStructures.fitters = [3]), "fitters[0] must be a Fitter, not 3");
+	refused(() => sphere.extentsInto([], -1), "offset must be a whole number, 0 or more, not -1");
+	refused(() => new Agent(), "a new agent: shape must be a name, not undefined");
 	refused(() => new engine.AgentQueries({}), "one of the engine's collision systems, such as new TightestFitCollider(greatLand), not a plain object");
 	const collision = new Collision(new BinCollider());
 	refused(() => collision.onCollision("", "b", () => 0), 'breed must be the name of a breed or ANY_BREED, not ""');

@@ -11,6 +11,8 @@ package starlogo
     import starlogo.libraries.ModelTable;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.models.ModelError;
+    import starlogo.models.ModelTransform;
     import support.assertThrows;
     import support.assign;
 
@@ -89,6 +91,19 @@ package starlogo
             _greatLand.addModel(new Model("right", turned));
             assertTrue(_greatLand.boundingStructures.tightestFit("right").volume < 0.9 * _greatLand.boundingStructures.tightestFit("coarse").volume);
             assertThrows(ArgumentError, /0/, assign, _greatLand, "orientedBoxDegIncrement", 0);
+        }
+
+        [Test]
+        public function cooksOnlyForAxesThatALoadTakes():void
+        {
+            for each (var wrong:* in ["Z", "", "rotate 0 0 0", "as given", 3, {}, null])
+            {
+                assertThrows(ModelError, /^model "cube": the up axis must be "x", "y" or "z", or a ModelTransform, not/, _greatLand.cook, BuiltInModel.cube(), wrong);
+            }
+            for each (var right:* in ["x", "y", "z", new ModelTransform()])
+            {
+                assertTrue(_greatLand.cook(BuiltInModel.cube(), right).length > 0);
+            }
         }
 
         [Test]

@@ -4,6 +4,7 @@
 package starlogo.agents
 {
     import flash.geom.Matrix3D;
+    import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.geometry.Placement;
 
@@ -126,7 +127,7 @@ package starlogo.agents
          *
          * @param shape the name of its model; the colliders' GreatLand must have it
          * @param breed the name of its breed, the group that handlers name; without it, the breed is "turtles"
-         * @throws ArgumentError if either is null or empty
+         * @throws ArgumentError if either is null or empty, or if the breed is one of the reserved names "*", "*terrain" and "*edge"
          */
         public function Agent(shape:String, breed:String = "turtles")
         {
@@ -184,7 +185,7 @@ package starlogo.agents
             }
         }
 
-        /** The name of the agent's breed. */
+        /** The name of the agent's breed. @throws ArgumentError as the constructor */
         public function get breed():String
         {
             return Breeds.NAMES.nameOf(breedNumber);
@@ -610,9 +611,10 @@ package starlogo.agents
         private function requireBreed(value:String):void
         {
             requireName("breed", value);
-            if (value == Breeds.TERRAIN || value == Breeds.EDGE || (idNumber != 0 && isOfWorld))
+            if (Breeds.isReserved(value) || (idNumber != 0 && isOfWorld))
             {
-                throw new ArgumentError(this + ": breed must not be \"" + value + "\": only the ground and the edges of the world have such a breed, and they keep it");
+                var reason:String = value == Breeds.ANY_BREED ? "it stands for any breed" : "only the ground and the edges of the world have such a breed, and they keep it";
+                throw new ArgumentError(this + ": breed must not be \"" + value + "\": " + reason);
             }
         }
 
@@ -620,7 +622,7 @@ package starlogo.agents
         {
             if (value == null || value == "")
             {
-                throw new ArgumentError(this + ": " + trait + " must be a name, not " + (value == null ? "null" : "\"\""));
+                throw new ArgumentError(this + ": " + trait + " must be a name, not " + (value == "" ? "\"\"" : textOf(value)));
             }
         }
     }

@@ -13,11 +13,14 @@ package starlogo.agents
         /** The breed of agents that stand for the edges of the world. */
         public static const EDGE:String = "*edge";
 
-        /** The number that stands for any breed of agents. Its name is empty, and no breed has such a name. Lower numbers are of the world. */
+        /** The name that stands for any breed of agents. */
+        public static const ANY_BREED:String = "*";
+
+        /** The number of the name that stands for any breed of agents. Lower numbers are of the world, higher ones of agents. */
         public static const ANY:int = 2;
 
-        /** The numbers of the names of breeds. The first names are those of the ground and of the edges. */
-        public static const NAMES:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ""]);
+        /** The numbers of the names of breeds. The first names are reserved. */
+        public static const NAMES:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ANY_BREED]);
 
         private static var sChanges:int = 0;
 
@@ -37,6 +40,12 @@ package starlogo.agents
         public static function isOfWorld(number:int):Boolean
         {
             return number < ANY;
+        }
+
+        /** Whether a name is reserved: no agent of a game may have such a breed. */
+        public static function isReserved(name:String):Boolean
+        {
+            return name == TERRAIN || name == EDGE || name == ANY_BREED;
         }
     }
 }

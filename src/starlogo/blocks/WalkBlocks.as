@@ -159,11 +159,13 @@ package starlogo.blocks
          * @param height how high, in patches, 0 or more
          * @param speed its upward speed, in patches a frame
          * @return its new speed
-         * @throws BlockError if there is no agent, or the height is negative, more than 1e9 or not a number
+         * @throws BlockError if there is no agent, the height is negative, more than 1e9 or not a number, or the speed is not a number or more than
+         *     1e9 either way
          */
         public function jump(agent:Agent, height:Number, speed:Number):Number
         {
             check("jump", agent, height, "a height");
+            check("jump", agent, speed, "a speed");
             if (height < 0)
             {
                 throw new BlockError("jump", "needs a height of 0 or more, but got " + height + ".");

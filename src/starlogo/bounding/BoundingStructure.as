@@ -232,7 +232,7 @@ package starlogo.bounding
          * nothing.
          *
          * @param out receives six numbers
-         * @param offset the index of the first
+         * @param offset the index of the first, 0 or more
          */
         public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {

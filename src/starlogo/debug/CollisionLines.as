@@ -51,10 +51,11 @@ package starlogo.debug
          * @param system one of the engine's systems, or a Collider with a ShapeChoice of the game's own, with the same GreatLand
          * @param out the lines are appended to it, six numbers each as in Wireframes; created if null
          * @return out
-         * @throws ArgumentError if the collision system needs data of the agent's model that was not loaded
+         * @throws ArgumentError if the agent is null, or if the collision system needs data of the agent's model that was not loaded
          */
         public function linesOf(agent:Agent, system:CollisionSystem, out:Vector.<Number> = null):Vector.<Number>
         {
+            requireGiven("agent", agent);
             var collider:Collider = BaseCollider.wrap(system).equivalentCollider;
             var all:Vector.<Number> = out || new Vector.<Number>();
             // a BinCollider may be without models, and its agents have any shapes

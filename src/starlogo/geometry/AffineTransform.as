@@ -51,8 +51,31 @@ package starlogo.geometry
         /** Whether it mirrors: a left hand becomes a right hand. */
         public function get isMirror():Boolean
         {
-            var m:Vector.<Number> = rows;
+            var m:Vector.<Number> = rows.concat();
+            // products of very small or very large numbers would be 0 or infinite
+            for (var i:int = 0; i < 3; i++)
+            {
+                scaleToOne(m, i, 4);
+            }
+            for (i = 0; i < 3; i++)
+            {
+                scaleToOne(m, 4 * i, 1);
+            }
             return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]) < 0;
+        }
+
+        // Divides three numbers by the largest of their sizes, unless all are 0.
+        private static function scaleToOne(numbers:Vector.<Number>, first:int, step:int):void
+        {
+            var second:int = first + step;
+            var third:int = second + step;
+            var largest:Number = Math.max(Math.abs(numbers[first]), Math.max(Math.abs(numbers[second]), Math.abs(numbers[third])));
+            if (largest > 0)
+            {
+                numbers[first] /= largest;
+                numbers[second] /= largest;
+                numbers[third] /= largest;
+            }
         }
 
         /** The steps that transform all of the points in place. */

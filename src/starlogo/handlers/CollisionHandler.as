@@ -1,7 +1,7 @@
 package starlogo.handlers
 {
+    import starlogo.agents.Breeds;
     import starlogo.engine;
-    import starlogo.search.BreedInterests;
 
     use namespace engine;
 
@@ -47,8 +47,8 @@ package starlogo.handlers
             this.kind = kind;
             this.callback = callback;
             this.serial = serial;
-            colliderBreed = BreedInterests.numberOfName(breed);
-            collideeBreed = BreedInterests.numberOfName(otherBreed);
+            colliderBreed = Breeds.NAMES.numberOf(breed);
+            collideeBreed = Breeds.NAMES.numberOf(otherBreed);
             takesContact = mayTakeContact(callback);
         }
 

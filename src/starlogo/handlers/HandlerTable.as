@@ -72,7 +72,7 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            var list:HandlerList = listFor(knownNumberOf(breed), knownNumberOf(otherBreed));
+            var list:HandlerList = listFor(Breeds.NAMES.knownNumberOf(breed), Breeds.NAMES.knownNumberOf(otherBreed));
             var isRemoved:Boolean = list != null && list.remove(callback, kind == null ? ALL_KINDS : 1 << index);
             _hasChanged ||= isRemoved;
             return isRemoved;
@@ -209,12 +209,6 @@ package starlogo.handlers
         {
             var index:int = _listIndices.find(colliderBreed, collideeBreed);
             return index < 0 ? null : _lists[index];
-        }
-
-        // The number of a breed's name, or of ANY_BREED; -1 if it has none yet.
-        private static function knownNumberOf(breed:String):int
-        {
-            return breed == BreedInterests.ANY_BREED ? Breeds.ANY : Breeds.NAMES.knownNumberOf(breed);
         }
 
         private static function requireArguments(breed:String, otherBreed:String, callback:Function):void

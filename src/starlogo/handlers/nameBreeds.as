@@ -1,7 +1,6 @@
 package starlogo.handlers
 {
     import starlogo.agents.Breeds;
-    import starlogo.search.BreedInterests;
 
     /**
      * Adds the breeds of a handler to the text of an error that it has thrown. An error that is thrown again keeps one such addition.
@@ -12,8 +11,8 @@ package starlogo.handlers
      */
     public function nameBreeds(error:Error, handler:CollisionHandler):Error
     {
-        var addition:String = " (in the handler for \"" + (Breeds.NAMES.nameOf(handler.colliderBreed) || BreedInterests.ANY_BREED) + "\" and \""
-            + (Breeds.NAMES.nameOf(handler.collideeBreed) || BreedInterests.ANY_BREED) + "\")";
+        var addition:String = " (in the handler for \"" + Breeds.NAMES.nameOf(handler.colliderBreed) + "\" and \""
+            + Breeds.NAMES.nameOf(handler.collideeBreed) + "\")";
         try
         {
             if (error.message.slice(-addition.length) != addition)

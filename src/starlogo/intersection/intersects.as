@@ -9,8 +9,8 @@ package starlogo.intersection
      *
      * @param a a Sphere, Capsule, Box or Hull
      * @param b a Sphere, Capsule, Box or Hull, in the same space
-     * @throws ArgumentError if there is no test for the pair, because cylinders are fitted but never collided (thesis §3.6.1)
-     * @throws TypeError if a or b is null
+     * @throws ArgumentError if there is no test for the pair, because cylinders are fitted but never collided (thesis §3.6.1). If a or b is null,
+     *     it throws an error too
      */
     public function intersects(a:BoundingStructure, b:BoundingStructure):Boolean
     {

@@ -1,6 +1,5 @@
 package starlogo.models
 {
-    import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -44,10 +43,8 @@ package starlogo.models
             var data:ModelData = new ModelData(name);
             data.scaling = scaling;
             data.transform = upAxis as ModelTransform;
+            requireUpAxis(name, upAxis, data.transform != null);
             data.upAxis = data.transform == null ? String(upAxis) : "z";
-            refuseIf(data.upAxis != "x" && data.upAxis != "y" && data.upAxis != "z", name,
-                    "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " + textOf(upAxis)
-                    + (Model.SCALINGS.indexOf(data.upAxis) < 0 ? "" : ": a scaling is the argument after it"));
             return data;
         }
 

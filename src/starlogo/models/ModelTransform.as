@@ -115,8 +115,7 @@ package starlogo.models
          */
         engine function get isMirror():Boolean
         {
-            // the product of very small factors would be 0
-            return _scale.x < 0 != (_scale.y < 0 != _scale.z < 0);
+            return AffineTransform.of(new Placement(), _scale.x, _scale.y, _scale.z).isMirror;
         }
 
         /** The text of a transform file with the same meaning. */

@@ -8,7 +8,6 @@ package starlogo.queries
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.requireInWorld;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.MovingBody;
     import starlogo.queries.motion.SlideLimits;
@@ -190,7 +189,7 @@ package starlogo.queries
         private function setMotion(asker:Agent, dx:Number, dy:Number, dz:Number):void
         {
             var at:Placement = _body.source.placement;
-            requireInWorld("a motion", dx, dy, dz, asker);
+            requireMotion(dx, dy, dz, asker);
             _motion.setTo(dx, dy, dz);
             _from.setTo(at.x, at.y, at.z);
         }

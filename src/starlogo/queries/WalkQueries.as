@@ -5,7 +5,6 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;
-    import starlogo.geometry.requireInWorld;
     import starlogo.queries.motion.Walk;
     import starlogo.queries.motion.WalkMover;
     import starlogo.search.table.ListedAgents;
@@ -86,7 +85,7 @@ package starlogo.queries
         private function readOptions(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
         {
             var size:Number = _seen.placeOf(agent).size;
-            requireInWorld("a motion", dx, dy, 0, agent);
+            requireMotion(dx, dy, 0, agent);
             var whole:Number = Math.sqrt(dx * dx + dy * dy);
             out.agent = agent;
             out.options = options;

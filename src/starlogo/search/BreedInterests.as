@@ -16,9 +16,9 @@ package starlogo.search
     public final class BreedInterests
     {
         /**
-         * Matches every breed. Pass it in place of a breed's name. If an agent's own breed is called "*", that breed is still an ordinary one.
+         * Matches every breed. Pass it in place of a breed's name. No agent's own breed is called so.
          */
-        public static const ANY_BREED:String = "*";
+        public static const ANY_BREED:String = Breeds.ANY_BREED;
 
         /** @private Whether all pairs of two breeds of agents that have numbers here are of interest. The ground and the edges do not count. */
         engine var includesAllOfAgents:Boolean = true;
@@ -40,7 +40,7 @@ package starlogo.search
          */
         public function add(breed:String, otherBreed:String):void
         {
-            addNumbers(numberOfName(breed), numberOfName(otherBreed));
+            addNumbers(Breeds.NAMES.numberOf(breed), Breeds.NAMES.numberOf(otherBreed));
         }
 
         /** @private Adds a pair of breeds by their numbers. */
@@ -76,12 +76,6 @@ package starlogo.search
             var isOtherOfAgents:Boolean = !Breeds.isOfWorld(otherNumber);
             return has(number, otherNumber) || isOfAgents && isOtherOfAgents && includesAllOfAgents || isOtherOfAgents && has(number, Breeds.ANY)
                 || isOfAgents && has(otherNumber, Breeds.ANY);
-        }
-
-        /** @private The number of a breed in the class Breeds, or Breeds.ANY for ANY_BREED. */
-        engine static function numberOfName(name:String):int
-        {
-            return name == ANY_BREED ? Breeds.ANY : Breeds.NAMES.numberOf(name);
         }
 
         /**

@@ -17,6 +17,7 @@ package starlogo.agents
     import starlogo.search.BreedInterests;
     import starlogo.terrain.Terrain;
     import support.assertThrows;
+    import support.create;
     import support.landOf;
 
     use namespace engine;
@@ -188,6 +189,24 @@ package starlogo.agents
             collision.update(three);
             assertEquals("both calls of the first pair", 2, cats);
             assertEquals(6, all);
+        }
+
+        /** The names that stand for any breed and for the world are no agent's breed, and questions and handlers take them as before. */
+        [Test]
+        public function noAgentHasAReservedBreed():void
+        {
+            for each (var name:String in [Collision.ANY_BREED, Collision.TERRAIN, Collision.EDGE])
+            {
+                var wanted:RegExp = new RegExp("^a new agent: breed must not be \"\\" + name + "\": ");
+                assertThrows(ArgumentError, wanted, create, Agent, "sphere", name);
+                assertThrows(ArgumentError, /^agent \d+ .*: breed must not be/, setBreed, _agents[0], name);
+                assertEquals(NAMES[0], _agents[0].breed);
+            }
+            assertThrows(ArgumentError, /"\*": it stands for any breed$/, setBreed, _agents[0], "*");
+            var queries:AgentQueries = new AgentQueries(new BinCollider());
+            queries.update(_agents);
+            assertEquals("no agent is of it", 0, queries.countNear(_agents[0], Infinity, AgentFilter.ofBreeds("*")));
+            assertEquals(2, new Agent("sphere", "**").breed.length);
         }
 
         private static function setBreed(agent:Agent, breed:String):void

@@ -203,6 +203,8 @@ package starlogo.blocks
                 {
                     _blocks.solidBreeds = null;
                 });
+            assertThrows(BlockError, /"jump" needs a number for a speed, but got NaN/, _blocks.jump, _hero, 1, NaN);
+            assertThrows(BlockError, /"jump" needs a number up to 1000000000 for a speed/, _blocks.jump, _hero, 1, -2e9);
             assertThrows(BlockError, /"jump" needs a height of 0 or more, but got -1/, _blocks.jump, _hero, -1, 0);
             assertThrows(BlockError, /"standing\?" needs an agent/, _blocks.isStanding, null);
             assertThrows(BlockError, /"what I stand on" needs an agent/, _blocks.standsOn, null);

@@ -335,6 +335,39 @@ package starlogo.collision
         }
 
         [Test]
+        public function eachSnapshotKeepsTheGroundThatWasExchangedBefore():void
+        {
+            for each (var breed:String in [Collision.TERRAIN, Collision.EDGE])
+            {
+                var agents:Vector.<Agent> = new <Agent>[agentAt("sphere", 0, 0, -0.1, "balls")];
+                var collision:Collision = worldWith(breed, []);
+                var ended:Array = [];
+                collision.onCollisionEnd("balls", breed, function(ball:Agent, former:Agent):void
+                    {
+                        ended.push(former);
+                    });
+                var worlds:Array = [];
+                var snapshots:Array = [];
+                for (var i:int = 0; i < 3; i++)
+                {
+                    agents[0].x = i;
+                    collision.update(agents);
+                    worlds.push(breed == Collision.TERRAIN ? collision.terrain.agent : collision.bounds.agent);
+                    exchangeWorld(collision);
+                    snapshots.push(collision.snapshot());
+                }
+                for each (i in [1, 0, 2])
+                {
+                    ended.length = 0;
+                    collision.restore(snapshots[i], agents);
+                    collision.update(agents);
+                    assertEquals(1, ended.length);
+                    assertStrictlyEquals(breed + " " + i, worlds[i], ended[0]);
+                }
+            }
+        }
+
+        [Test]
         public function thePartnerOfATouchHasABreedThatItCanHave():void
         {
             var agents:Vector.<Agent> = new <Agent>[agentAt("sphere", 0, 0, -0.1, "balls"), agentAt("sphere", 0, 0, -0.2, "balls")];

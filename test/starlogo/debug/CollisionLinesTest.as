@@ -8,6 +8,7 @@ package starlogo.debug
     import starlogo.models.Model;
     import support.EachCollider;
     import support.agentAt;
+    import support.assertThrows;
 
     public class CollisionLinesTest
     {
@@ -27,6 +28,12 @@ package starlogo.debug
                 land.removeModel("late");
                 assertEquals(name + ", removed", 0, lines.linesOf(agentAt("late", 1, 2, 3), EachCollider.make(name, land)).length);
             }
+        }
+
+        [Test]
+        public function anAgentIsNeeded():void
+        {
+            assertThrows(ArgumentError, /agent must (not be|be an Agent, not) null$/, new CollisionLines(new GreatLand()).linesOf, null, new BinCollider());
         }
 
         [Test]

@@ -33,6 +33,17 @@ package starlogo.models
             assertClose(3 * half, vertices[4], 1e-6);
         }
 
+        /** Keys of integers are not quite as long as 1. The longer of two must not draw the turn to itself. */
+        [Test]
+        public function theLengthsOfTurnsDoNotCount():void
+        {
+            var longer:Number = 1.01 * Math.SQRT1_2;
+            var file:Gltf = animated("rotation", [0, 0, 0, 0.99, 0, 0, longer, longer, 0, 0, 0, 1], "VEC4", "LINEAR");
+            var vertices:Vector.<Number> = new GltfAnimations("a", file.toBinary(), "z").verticesAt(0, 0.5);
+            assertClose(3 * Math.SQRT1_2, vertices[3], 1e-6);
+            assertClose(3 * Math.SQRT1_2, vertices[4], 1e-6);
+        }
+
         [Test]
         public function splinesHaveTangents():void
         {

@@ -176,6 +176,22 @@ package starlogo.models
             }
         }
 
+        /** Any character of an address may stand as its number. */
+        [Test]
+        public function takesEscapedDigitsOfBase64():void
+        {
+            var file:Gltf = Gltf.tetrahedron();
+            var uri:String = JSON.parse(file.toText()).buffers[0].uri;
+            // more bytes than the buffer needs
+            uri = uri.split("=")[0];
+            uri += ["", "", "AA", "A"][(uri.length - uri.indexOf(",") - 1) % 4] + "//++AA==";
+            var escaped:String = uri.substring(0, uri.indexOf(",") + 1)
+                + uri.substr(uri.indexOf(",") + 1).split("+").join("%2B").split("/").join("%2f").split("=").join("%3D");
+            assertTrue(escaped, /%2f%2f%2B%2BAA%3D%3D$/.test(escaped));
+            assertEquals(GltfModel.fromBytes("a", file.toTextBytes(uri)).vertices.join(), GltfModel.fromBytes("a", file.toTextBytes(escaped)).vertices.join());
+            Failures.assertFails("buffers[0].uri", "expected base64", GltfModel.fromBytes, "a", file.toTextBytes("data:;base64,AB%zzCD%"));
+        }
+
         [Test]
         public function refusesWhatIsCompressedInWordsThatSayWhatToDo():void
         {

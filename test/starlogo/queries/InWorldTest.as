@@ -114,14 +114,16 @@ package starlogo.queries
         public function whatAnAgentIsAskedAboutNamesIt():void
         {
             var all:Object = calls;
-            var named:RegExp = /^agent \d+ \(breed "turtles", shape "cube"\): a (motion|place) must be between -1000000000 and 1000000000, .*NaN$/;
+            var named:RegExp = /^agent \d+ \(breed "turtles", shape "cube"\): dy of a motion must be between -1000000000 and 1000000000, .*NaN$/;
             for each (var name:String in ["castAgent", "castAgentAll", "moveUntilTouch", "slide"])
             {
                 assertThrows(RangeError, named, all[name], 0, NaN, 0);
             }
-            assertThrows(RangeError, named, _queries.walk, _bear, NaN, 0);
-            assertThrows(RangeError, named, _queries.wouldTouchAt, _bear, 0, 0, NaN);
-            assertThrows(RangeError, /^a motion must be between/, all.castShape, 0, NaN, 0);
+            assertThrows(RangeError, named, _queries.walk, _bear, 0, NaN);
+            assertThrows(RangeError, /^agent \d+ .*: dx of a motion must be between .*: 2000000000$/, _queries.walk, _bear, 2e9, NaN);
+            assertThrows(RangeError, /^agent \d+ .*: a place must be between .*NaN$/, _queries.wouldTouchAt, _bear, 0, 0, NaN);
+            assertThrows(RangeError, /^dy of a motion must be between/, all.castShape, 0, NaN, 0);
+            assertThrows(RangeError, /: dz of a motion must be between .*: -Infinity$/, all.slide, 0, 0, -Infinity);
         }
 
         [Test]

@@ -7,10 +7,10 @@ package starlogo.collision.snapshots
     use namespace engine;
 
     /**
-     * Remembers which agents the last snapshots of a Collision belong to, so that restoring to another list is refused. It finds a snapshot by
-     * a hash of its bytes, because the bytes themselves hold no ids: machines in step write the same bytes. It accepts the same agents, or
-     * agents that were all created since, as when a game is read from a file. It accepts any agents for bytes that it does not remember,
-     * because ids mean nothing elsewhere.
+     * Remembers which agents the last snapshots of a Collision belong to, so that restoring to another list is refused, and the agents of the
+     * ground and the edges that were exchanged before each. It finds a snapshot by a hash of its bytes, because the bytes themselves hold no
+     * ids: machines in step write the same bytes. It accepts the same agents, or agents that were all created since, as when a game is read
+     * from a file. It accepts any agents for bytes that it does not remember, because ids mean nothing elsewhere.
      *
      * @private
      */
@@ -22,51 +22,60 @@ package starlogo.collision.snapshots
         // How many ids an error names.
         private static const NAMED:int = 10;
 
-        // What an entry begins with. The ids of the agents follow.
-        private static const HASH:int = 0;
-        private static const LENGTH:int = 1;
-        private static const CREATED_COUNT:int = 2;
-        private static const HEAD:int = 3;
+        // For how many ids an entry counts without them.
+        private static const HEAD_SIZE:int = 3;
 
-        // The entries, the oldest first, and how many numbers they have together.
-        private var _entries:Vector.<Vector.<int>> = new Vector.<Vector.<int>>();
+        // For how many ids a former ground or former edges count, because they may be large.
+        private static const FORMER_SIZE:int = 512;
+
+        // The entries, the oldest first, and their sizes together.
+        private var _entries:Vector.<SnapshotEntry> = new Vector.<SnapshotEntry>();
         private var _size:int = 0;
 
-        /** Remembers a snapshot of these agents. */
-        public function note(bytes:ByteArray, agents:Vector.<Agent>):void
+        /**
+         * Remembers a snapshot of these agents.
+         *
+         * @param formerWorld the agents of the ground and of the edges that were exchanged before; null if none were
+         */
+        public function note(bytes:ByteArray, agents:Vector.<Agent>, formerWorld:Vector.<Agent>):void
         {
-            var entry:Vector.<int> = new <int>[hashOf(bytes), bytes.length, Agent.createdCount];
+            var entry:SnapshotEntry = new SnapshotEntry();
+            entry.hash = hashOf(bytes);
+            entry.length = bytes.length;
+            entry.createdCount = Agent.createdCount;
+            entry.formerWorld = formerWorld;
             for (var i:int = 0; i < agents.length; i++)
             {
-                entry.push(agents[i].idNumber);
+                entry.ids.push(agents[i].idNumber);
             }
             _entries.push(entry);
-            _size += entry.length;
+            _size += sizeOf(entry);
             while (_size > MOST_IDS && _entries.length > 1)
             {
-                _size -= _entries.shift().length;
+                _size -= sizeOf(_entries.shift());
             }
         }
 
         /**
-         * Compares a list with the agents of a snapshot.
+         * Compares a list with the agents of a snapshot. Returns what <code>note()</code> got as the former world; null if the snapshot is not
+         * remembered.
          *
          * @param count the number of agents of the snapshot
          * @throws ArgumentError if the list has another length, or the snapshot is remembered and has other agents
          */
-        public function check(bytes:ByteArray, count:int, agents:Vector.<Agent>):void
+        public function formerWorldOf(bytes:ByteArray, count:int, agents:Vector.<Agent>):Vector.<Agent>
         {
             var hash:int = hashOf(bytes);
-            var known:Vector.<int> = null;
+            var known:SnapshotEntry = null;
             for (var i:int = _entries.length - 1; i >= 0; i--)
             {
-                var entry:Vector.<int> = _entries[i];
-                if (entry[HASH] == hash && entry[LENGTH] == bytes.length && entry.length == HEAD + count)
+                var entry:SnapshotEntry = _entries[i];
+                if (entry.hash == hash && entry.length == bytes.length && entry.ids.length == count)
                 {
                     known = entry;
                     if (count == agents.length && firstOther(entry, agents) < 0)
                     {
-                        return;
+                        return entry.formerWorld;
                     }
                 }
             }
@@ -80,18 +89,30 @@ package starlogo.collision.snapshots
                 throw new ArgumentError("bytes are no snapshot of these " + count + " agents, but of " + wanted(count, known) + "; at place " + other
                         + " the list has " + agents[other]);
             }
+            return null;
+        }
+
+        // For how many ids an entry counts. Its head counts too, because the list may be empty.
+        private static function sizeOf(entry:SnapshotEntry):int
+        {
+            var size:int = HEAD_SIZE + entry.ids.length;
+            if (entry.formerWorld != null)
+            {
+                size += FORMER_SIZE;
+            }
+            return size;
         }
 
         // The index of the first agent that is another than the entry's; -1 if none is, or if all were created since.
-        private static function firstOther(entry:Vector.<int>, agents:Vector.<Agent>):int
+        private static function firstOther(entry:SnapshotEntry, agents:Vector.<Agent>):int
         {
             var areNew:Boolean = true;
             var other:int = -1;
             for (var i:int = agents.length - 1; i >= 0; i--)
             {
                 var id:int = agents[i].idNumber;
-                areNew = areNew && id > entry[CREATED_COUNT];
-                other = id == entry[HEAD + i] ? other : i;
+                areNew = areNew && id > entry.createdCount;
+                other = id == entry.ids[i] ? other : i;
             }
             return areNew ? -1 : other;
         }
@@ -114,7 +135,7 @@ package starlogo.collision.snapshots
             return hash;
         }
 
-        private static function wanted(count:int, known:Vector.<int>):String
+        private static function wanted(count:int, known:SnapshotEntry):String
         {
             var all:String = "the " + count + " that its frame's collision.lastAgents had";
             if (count == 0)
@@ -126,7 +147,7 @@ package starlogo.collision.snapshots
                 return all;
             }
             var more:String = count > NAMED ? " and " + (count - NAMED) + " more" : "";
-            return all + ": those with the ids " + known.slice(HEAD, HEAD + NAMED).join(", ") + more;
+            return all + ": those with the ids " + known.ids.slice(0, NAMED).join(", ") + more;
         }
     }
 }

@@ -45,9 +45,8 @@ package starlogo.collision.snapshots
 
         private var _register:SnapshotRegister = new SnapshotRegister();
 
-        // The agents of the ground and the edges that were exchanged before the last snapshot. In a Collision that has taken none, new agents
-        // stand for them.
-        private var _former:Vector.<Agent> = new <Agent>[new WorldAgent(Breeds.TERRAIN), new WorldAgent(Breeds.EDGE)];
+        // They stand for the ground and the edges that were exchanged before a snapshot, if the register does not know them.
+        private var _unknownWorld:Vector.<Agent> = new <Agent>[new WorldAgent(Breeds.TERRAIN), new WorldAgent(Breeds.EDGE)];
 
         /**
          * Returns the bytes of a snapshot.
@@ -76,7 +75,7 @@ package starlogo.collision.snapshots
             var names:SnapshotNames = new SnapshotNames();
             var rest:ByteArray = newBytes();
             SnapshotPlaces.write(rest, agents, table, frame.search === search);
-            writeTouches(rest, names, frame.touches, table, ground, edges);
+            var formerWorld:Vector.<Agent> = writeTouches(rest, names, frame.touches, table, ground, edges);
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
@@ -92,7 +91,7 @@ package starlogo.collision.snapshots
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
-            _register.note(bytes, agents);
+            _register.note(bytes, agents, formerWorld);
             bytes.position = 0;
             return bytes;
         }
@@ -179,33 +178,39 @@ package starlogo.collision.snapshots
             check(bytes.position == bytes.length);
         }
 
+        // Returns the ground and the edges of touches that were exchanged, for restore(); null if none were.
         private function writeTouches(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, ground:WorldAgent,
-                edges:WorldAgent):void
+                edges:WorldAgent):Vector.<Agent>
         {
+            var formerWorld:Vector.<Agent> = null;
             var touches:Vector.<Touch> = tracker.inOrder();
             bytes.writeInt(touches.length);
             for (var i:int = 0; i < touches.length; i++)
             {
                 var touch:Touch = touches[i];
+                var second:int;
+                if (!Breeds.isOfWorld(touch.secondBreed))
+                {
+                    second = table.list.ranks[table.list.rowOf(touch.second)];
+                }
+                else if (touch.second === ground || touch.second === edges)
+                {
+                    // the breeds of the world have the first numbers, and the ground's breed is the first of them
+                    second = table.list.rows.count + touch.secondBreed;
+                }
+                else
+                {
+                    formerWorld ||= _unknownWorld.concat();
+                    formerWorld[touch.secondBreed] = touch.second;
+                    second = table.list.rows.count + formerWorld.length + touch.secondBreed;
+                }
                 bytes.writeInt(table.list.ranks[table.list.rowOf(touch.first)]);
-                bytes.writeInt(Breeds.isOfWorld(touch.secondBreed) ? table.list.rows.count + enterWorldAgent(touch, ground, edges) : table.list.ranks[table.list.rowOf(touch.second)]);
+                bytes.writeInt(second);
                 bytes.writeInt(names.ofBreed(touch.firstBreed));
                 bytes.writeInt(names.ofBreed(touch.secondBreed));
                 bytes.writeBoolean(touch.isCalledForBoth);
             }
-        }
-
-        // Finds the index of the ground or the edges of a touch after those of the agents. If they were exchanged, it keeps their agent for restore().
-        // The reserved breeds have the first numbers, and the ground's breed is the first of them.
-        private function enterWorldAgent(touch:Touch, ground:WorldAgent, edges:WorldAgent):int
-        {
-            var index:int = touch.secondBreed;
-            if (touch.second !== ground && touch.second !== edges)
-            {
-                _former[index] = touch.second;
-                index += _former.length;
-            }
-            return index;
+            return formerWorld;
         }
 
         // Reads and checks all parts but the traits. If there are traits, they are next.
@@ -220,11 +225,11 @@ package starlogo.collision.snapshots
             }
             var count:uint = bytes.readUnsignedInt();
             check(count <= bytes.bytesAvailable / SnapshotPlaces.SIZE);
-            _register.check(bytes, count, agents);
+            var formerWorld:Vector.<Agent> = _register.formerWorldOf(bytes, count, agents) || _unknownWorld;
             parts.names.read(bytes);
             parts.places = SnapshotPlaces.read(bytes, count);
             check(parts.places != null);
-            parts.touches = readTouches(bytes, agents, ground, edges, parts.names);
+            parts.touches = readTouches(bytes, agents, new <Agent>[ground, edges].concat(formerWorld), parts.names);
             parts.platforms = SnapshotPlatforms.read(bytes, agents);
             check(parts.platforms != null);
             var hasGround:Boolean = (contents & HAS_GROUND) != 0;
@@ -242,10 +247,10 @@ package starlogo.collision.snapshots
             check(parts.hasTraits || bytes.position == bytes.length);
         }
 
-        private function readTouches(bytes:ByteArray, agents:Vector.<Agent>, ground:WorldAgent, edges:WorldAgent, names:SnapshotNames):TouchTracker
+        // What stands for the world: the ground and the edges, or null, and those that were exchanged.
+        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<Agent>, names:SnapshotNames):TouchTracker
         {
-            var partners:Vector.<Agent> = agents.concat();
-            partners.push(ground, edges, _former[0], _former[1]);
+            var partners:Vector.<Agent> = agents.concat(world);
             var touches:TouchTracker = new TouchTracker();
             var pairs:uint = bytes.readUnsignedInt();
             for (var left:uint = pairs; left > 0; left--)
@@ -263,7 +268,7 @@ package starlogo.collision.snapshots
                 }
                 // the ground and the edges keep their breeds, which no other agent ever has
                 var partner:Agent = partners[second];
-                check(!Breeds.isOfWorld(firstBreed) && (partner.isOfWorld ? secondBreed == partner.breedNumber : !Breeds.isOfWorld(secondBreed)));
+                check(firstBreed > Breeds.ANY && (partner.isOfWorld ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY));
                 touches.findOrStart(agents[first], partner, firstBreed, secondBreed, flag == 1);
             }
             // each pair is there once

@@ -281,6 +281,10 @@ package starlogo.models.gltf
             {
                 var comma:int = uri.indexOf(",");
                 buffer.refuseIf(uri.substring(0, comma).substr(-7) != ";base64", "expected data in base64", "uri");
+                if (uri.indexOf("%", comma) >= 0)
+                {
+                    uri = uri.substring(0, comma + 1) + unescape(uri.substring(comma + 1));
+                }
                 var bytes:ByteArray = new ByteArray();
                 add(Base64.decoding(limits.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
                     {

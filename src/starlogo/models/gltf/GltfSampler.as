@@ -76,7 +76,11 @@ package starlogo.models.gltf
                 differences += number - number;
             }
             _values.json.refuseIf(differences != 0, "its numbers at " + time + " seconds are not finite");
-            return _isRotation ? normalised(value) : value;
+            if (_isRotation)
+            {
+                normalise(value);
+            }
+            return value;
         }
 
         // A part of a key: 0 the value; of a cubic spline 0 the tangent before it, 1 the value, 2 the tangent after it.
@@ -92,6 +96,12 @@ package starlogo.models.gltf
         {
             var a:Vector.<Number> = keyOf(low, 0);
             var b:Vector.<Number> = keyOf(high, 0);
+            if (_isRotation)
+            {
+                // those of integers are rounded
+                normalise(a);
+                normalise(b);
+            }
             var ofA:Number = 1 - share;
             var ofB:Number = share;
             if (_isRotation)
@@ -131,14 +141,13 @@ package starlogo.models.gltf
             return a;
         }
 
-        private static function normalised(turn:Vector.<Number>):Vector.<Number>
+        private static function normalise(turn:Vector.<Number>):void
         {
             var length:Number = Math.sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
             for (var i:int = 0; i < 4 && length > 0; i++)
             {
                 turn[i] /= length;
             }
-            return turn;
         }
     }
 }

@@ -11,8 +11,8 @@ package soak
         private static const CHECK_EVERY:int = 20;
 
         // Whatever changes an answer, an order or a bit of a contact changes both hashes. Then write them anew: they are the same for each machine.
-        private static const HASH:String = "2d6a5660";
-        private static const HASH_OF_THE_FIRST:String = "237e75d2";
+        private static const HASH:String = "96af62d8";
+        private static const HASH_OF_THE_FIRST:String = "d306fa7d";
         private static const FRAMES_HASHED:int = 200;
         private static const FIRST_FRAMES:int = 48;
 

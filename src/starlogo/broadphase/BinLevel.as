@@ -8,8 +8,8 @@ package starlogo.broadphase
      */
     public final class BinLevel
     {
-        // A level is used up to this many widths from the origin. At that distance a position is rounded to 2^-29 of a width, and shapes within
-        // 2^-20 of a width touch.
+        // A level is used up to this many widths from the origin, and for places up to this many widths from the middle. So a place is at most twice
+        // as far from the origin. At that distance a position is rounded to 2^-28 of a width, and shapes within 2^-20 of a width touch.
         internal static const MAX_DISTANCE:Number = 1 << 24;
 
         // Added to the number of a column or a line, so that it is positive and the conversion to int rounds down. BIAS is even, and larger than

@@ -21,7 +21,7 @@ package starlogo.broadphase
         internal var bucketCount:int = 0;
 
         /**
-         * Finds the level for a row's extents and its distance from the world's origin.
+         * Finds the level for a row's extents, and for the distances of their middle from the world's origin and from the row's place.
          *
          * @return whether the level is coarser because of the distance
          */
@@ -37,7 +37,8 @@ package starlogo.broadphase
             var middleX:Number = extents.x[row];
             var middleY:Number = extents.y[row];
             var middleZ:Number = extents.z[row];
-            var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
+            var offset:Number = extents.offset[row];
+            var distanceSquared:Number = Math.max(middleX * middleX + middleY * middleY + middleZ * middleZ, offset * offset);
             if (level != null && 2 * half <= level.width && (4 * half > level.width || level.width == LEAST_WIDTH) && distanceSquared < level.maxDistanceSquared)
             {
                 return false;

@@ -23,11 +23,14 @@ package starlogo.broadphase
         /** The index of the level of bins that fits; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
+        /** How far the middle is from the place that it was computed from. That place is rounded too, and may be farther from the origin. */
+        public var offset:Vector.<Number> = new Vector.<Number>();
+
         /** Makes room for so many rows, which are more than before. New rows are points at the origin without a level. */
         override public function grow(length:int):void
         {
             super.grow(length);
-            radius.length = halfX.length = halfY.length = halfZ.length = level.length = length;
+            radius.length = halfX.length = halfY.length = halfZ.length = offset.length = level.length = length;
         }
 
         /**

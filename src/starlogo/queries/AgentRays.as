@@ -219,7 +219,7 @@ package starlogo.queries
             _ray.to = maxDistance;
             _found.begin(wanted, maxDistance, null, filter);
             _hits.begin();
-            _search.begin(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z, 0, 0, 0);
+            _search.begin(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
         }
 

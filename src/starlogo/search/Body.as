@@ -276,6 +276,12 @@ package starlogo.search
             return Math.sqrt(halfX * halfX + halfY * halfY);
         }
 
+        /** How far the middle of the extents is from the place. */
+        public function get offset():Number
+        {
+            return Math.sqrt(offsetX * offsetX + offsetY * offsetY + offsetZ * offsetZ);
+        }
+
         /** Half of the largest extent. */
         public function get largestHalf():Number
         {

@@ -120,6 +120,7 @@ package starlogo.search
             extents.halfY[row] = halfY;
             extents.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
             extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+            extents.offset[row] = standing.offset[row];
             _levels.assign(extents, row);
         }
 

@@ -67,7 +67,8 @@ package starlogo.collision
             legs.hierarchical = true;
             for each (var name:String in EachCollider.ALL_NAMES)
             {
-                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
+                var collider:Collider = EachCollider.make(name, _greatLand);
+                var queries:AgentQueries = new AgentQueries(collider);
                 for each (var z:Number in [-2, -5, -5.1])
                 {
                     for (legs.heading = 0; legs.heading < 90; legs.heading += 15)
@@ -78,6 +79,9 @@ package starlogo.collision
                         var distance:Number = queries.distance(legs, bounds.agent, own, other);
                         var message:String = own + " and " + other + " at " + z + ", heading " + legs.heading;
                         _wrong.addIf(!(queries.distanceToPoint(legs, own) < NEAR), name + ": not of the agent", message);
+                        var point:Vector3D = collider.contactOf(legs, bounds.agent).point;
+                        var half:Vector3D = new Vector3D((own.x + other.x) / 2, (own.y + other.y) / 2, z > -5 ? (own.z + other.z) / 2 : point.z);
+                        _wrong.addIf(!(Vector3D.distance(half, point) < NEAR), name + ": another contact", message + ", " + point);
                         _wrong.addIf(!(Math.abs(Vector3D.distance(own, other) - distance) < NEAR) || z > -5 && Math.abs(other.z + 5) > NEAR, name + ": not of the edge", message);
                     }
                 }

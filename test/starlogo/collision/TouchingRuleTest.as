@@ -6,6 +6,8 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.queries.AgentQueries;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -102,6 +104,38 @@ package starlogo.collision
             for each (var offset:Number in [0, 1e4, 1e6, 1e8])
             {
                 askAbout(offset, false);
+            }
+            _wrong.assertNone();
+        }
+
+        /** A model's vertex is so far from its middle that it cancels the agent's place: the place's rounding counts, though the vertex is near the origin. */
+        [Test]
+        public function pairsAreFoundWhoseOffsetsCancelTheirPlaces():void
+        {
+            _greatLand.addModel(new Model("vertex", new <Number>[1, 2, -3], null, Model.AS_GIVEN));
+            _a = new Agent("vertex");
+            _b = new Agent("vertex");
+            for each (var size:Number in [1, 1e3, 1e6])
+            {
+                for (var n:int = 0; n < 40; n++)
+                {
+                    _a.size = _b.size = size;
+                    _a.moveTo(-size, -2 * size, 3 * size);
+                    // shorter than the margins of the two places, which are 3.6e-15 of the size each
+                    _b.moveTo((_random.between(1, 6) * 1e-15 - 1) * size, -2 * size, 3 * size);
+                    _agents = new <Agent>[_a, _b];
+                    for (var i:int = 0; i < SYSTEMS.length; i++)
+                    {
+                        setSystem(i);
+                        for each (var manner:String in STANDING)
+                        {
+                            _wrong.addIf(!isCollidingNow(manner, _colliders[i]), nameOf(i) + ", size " + size, manner + ", " + (_b.x - _a.x));
+                        }
+                        var queries:AgentQueries = new AgentQueries(_colliders[i]);
+                        queries.update(_agents);
+                        _wrong.addIf(queries.touching(_a).length != 1, nameOf(i) + ", size " + size, "touching, " + (_b.x - _a.x));
+                    }
+                }
             }
             _wrong.assertNone();
         }

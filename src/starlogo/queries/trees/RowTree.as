@@ -317,7 +317,7 @@ package starlogo.queries.trees
                 halfX = _sizes.halfX[row];
                 halfY = _sizes.halfY[row];
                 halfZ = _sizes.halfZ[row];
-                var slack:Number = slackOf(x, y, z, halfX, halfY, halfZ);
+                var slack:Number = slackOf(x, y, z, halfX + halfY + halfZ, _sizes.offset[row]);
                 halfX += slack;
                 halfY += slack;
                 halfZ += slack;
@@ -330,11 +330,20 @@ package starlogo.queries.trees
             rowBoxes[int(box + 5)] = z + halfZ;
         }
 
-        /** The slack by which a box is widened. It is larger than the rounding errors of the box's middle and lengths. */
-        public static function slackOf(x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):Number
+        /**
+         * The slack by which a box is widened. It is larger than the gap across which what is in the box touches, and than the rounding errors of the
+         * box's middle and lengths.
+         *
+         * @param x the box's middle
+         * @param y the box's middle
+         * @param z the box's middle
+         * @param halves the sum of half its lengths
+         * @param offset how far the middle is from the place that it was computed from
+         */
+        public static function slackOf(x:Number, y:Number, z:Number, halves:Number, offset:Number):Number
         {
-            return Tolerances.EXTENTS * (halfX + halfY + halfZ)
-                + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+            return Tolerances.EXTENTS * halves
+                + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z) + offset);
         }
 
         // Makes a node's box contain another box. Returns whether it has grown.

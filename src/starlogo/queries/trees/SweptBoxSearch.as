@@ -54,10 +54,11 @@ package starlogo.queries.trees
          * @param halfX half of its length along x
          * @param halfY half of its length along y
          * @param halfZ half of its length along z
+         * @param offset how far the middle is from the place that it was computed from
          */
-        public function begin(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):void
+        public function begin(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number = 0, halfY:Number = 0, halfZ:Number = 0, offset:Number = 0):void
         {
-            var slack:Number = RowTree.slackOf(x, y, z, halfX, halfY, halfZ);
+            var slack:Number = RowTree.slackOf(x, y, z, halfX + halfY + halfZ, offset);
             this.tree = tree;
             _moves = false;
             _around[0] = x - halfX - slack;
@@ -80,7 +81,7 @@ package starlogo.queries.trees
          */
         public function beginAround(extents:RowTree, body:Body):void
         {
-            begin(extents, body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ);
+            begin(extents, body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ, body.offset);
             if (body.isOfWorld)
             {
                 widen(4 * Agent.LARGEST_COORDINATE);

@@ -38,7 +38,6 @@ package starlogo.search.pairs
 
         private var _supportSearch:SupportSearch;
         private var _farthest:SupportPoint = new SupportPoint();
-        private var _contact:ContactPoint = new ContactPoint();
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
         private var _shortest:ShortestExit = new ShortestExit();
 
@@ -110,32 +109,25 @@ package starlogo.search.pairs
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             var deepest:int = findDeepest(a, b, RelativeMotion.NONE);
-            writeContact(deepest, a, b, RelativeMotion.NONE, _contact);
-            var gap:Number = -_penetrations[deepest];
-            out.aX = _contact.x + gap / 2 * _contact.normalX;
-            out.aY = _contact.y + gap / 2 * _contact.normalY;
-            out.aZ = _contact.z + gap / 2 * _contact.normalZ;
-            out.bX = _contact.x - gap / 2 * _contact.normalX;
-            out.bY = _contact.y - gap / 2 * _contact.normalY;
-            out.bZ = _contact.z - gap / 2 * _contact.normalZ;
-            out.distance = gap;
-            if (a.form == ModelShape.TREE)
+            var outwards:Vector3D = OUTWARDS[deepest];
+            _supportSearch.findPoint(a, outwards, _farthest);
+            var own:Number = along(deepest, _farthest.x, _farthest.y, _farthest.z);
+            var toEdge:Number = placeOf(b, deepest) - own;
+            // corners that count as equally far are not quite, and the point is their mean
+            var toEnd:Number = toEdge + _penetrations[deepest];
+            out.distance = -_penetrations[deepest];
+            if (areTouching)
             {
-                findPointsOfTree(deepest, a, areTouching ? 0 : gap, out);
+                // what is beyond the edge is of both
+                toEdge = toEnd;
             }
+            out.aX = _farthest.x + toEnd * outwards.x;
+            out.aY = _farthest.y + toEnd * outwards.y;
+            out.aZ = _farthest.z + toEnd * outwards.z;
+            out.bX = _farthest.x + toEdge * outwards.x;
+            out.bY = _farthest.y + toEdge * outwards.y;
+            out.bZ = _farthest.z + toEdge * outwards.z;
             out.correct(areTouching);
-        }
-
-        // Finds the closest points of a tree and an edge: a point of the tree, and the one straight before it at a distance.
-        private function findPointsOfTree(edge:int, tree:Body, gap:Number, out:ClosestPoints):void
-        {
-            _supportSearch.findPointOfTree(tree, OUTWARDS[edge], _farthest);
-            out.aX = _farthest.x;
-            out.aY = _farthest.y;
-            out.aZ = _farthest.z;
-            out.bX = out.aX + gap * OUTWARDS[edge].x;
-            out.bY = out.aY + gap * OUTWARDS[edge].y;
-            out.bZ = out.aZ + gap * OUTWARDS[edge].z;
         }
 
         // Finds how far the body is beyond each edge at the time of a motion. Returns the edge that it is furthest beyond.

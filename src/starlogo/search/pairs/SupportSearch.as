@@ -35,11 +35,13 @@ package starlogo.search.pairs
         // The direction in the model's space.
         private var _direction:Vector3D = new Vector3D();
 
-        // A box around the points that count as the farthest, the last of them, and a point that may be one.
-        private var _low:Vector3D = new Vector3D();
-        private var _high:Vector3D = new Vector3D();
-        private var _last:Vector3D = new Vector3D();
-        private var _added:Vector3D = new Vector3D();
+        // The sum of the points of the present part that count as the farthest, and their number.
+        private var _sum:Vector3D = new Vector3D();
+        private var _count:int = 0;
+
+        // The point of the parts that were added, and the square of its distance from the middle of the tree.
+        private var _point:Vector3D = new Vector3D();
+        private var _squared:Number = 0;
 
         /** @param limits how far trees are tested */
         public function SupportSearch(limits:TreeLimits)
@@ -61,7 +63,9 @@ package starlogo.search.pairs
         }
 
         /**
-         * Finds the farthest point too. Points are equally far if their distances differ by less than a small part of the body's largest extent.
+         * Finds the farthest point too. If several are as far, it is the mean of a structure's corners. A tree's point is one of its own: the mean of
+         * the corners of one triangle, or the middle of one node's side, nearest to the middle of the tree. The mean of all may belong to nothing: it is
+         * between the legs of a table.
          *
          * @param direction as in findSupport
          * @param out receives the support and the point
@@ -71,29 +75,16 @@ package starlogo.search.pairs
             var at:Placement = body.placement;
             turnIntoModel(direction, at, _direction);
             findInModel(body, _direction, out);
-            // addFarthest reads from out how far points have to be
-            var farthest:Number = out.support;
-            out.support -= Tolerances.SEPARATION * body.largestHalf / at.size;
-            addFarthest(body, _direction, out);
-            out.support = farthest;
+            if (body.shape.hierarchy == null)
+            {
+                takeFarthestOfStructure(_direction, out.support - Tolerances.SEPARATION * body.largestHalf / at.size);
+            }
+            else
+            {
+                takeFarthestOfTree(body, _direction, out.support);
+            }
             bringSupportBack(direction, at, out);
-            bringPointBack((_low.x + _high.x) / 2, (_low.y + _high.y) / 2, (_low.z + _high.z) / 2, at, out);
-        }
-
-        /**
-         * Finds the farthest point of a tree too. If several points are as far, it is one of them, which is the tree's own. The middle may be none: it
-         * is between the legs of a table.
-         *
-         * @param direction as in findSupport
-         * @param out receives the support and the point
-         */
-        public function findPointOfTree(tree:Body, direction:Vector3D, out:SupportPoint):void
-        {
-            turnIntoModel(direction, tree.placement, _direction);
-            findInModel(tree, _direction, out);
-            addFarthest(tree, _direction, out);
-            bringSupportBack(direction, tree.placement, out);
-            bringPointBack(_last.x, _last.y, _last.z, tree.placement, out);
+            bringPointBack(_point.x, _point.y, _point.z, at, out);
         }
 
         // Turns a point in the model's space into one in the world.
@@ -203,24 +194,33 @@ package starlogo.search.pairs
             out.support = farthest;
         }
 
-        // Finds the box around the points of a body's shape that count as the farthest: those that reach as far as a support in the model's space.
-        private function addFarthest(body:Body, direction:Vector3D, least:SupportPoint):void
+        // Finds the mean of the corners of _shape that reach as far as a support. findOfStructure() has set _shape.
+        private function takeFarthestOfStructure(direction:Vector3D, least:Number):void
         {
-            _low.setTo(Infinity, Infinity, Infinity);
-            _high.setTo(-Infinity, -Infinity, -Infinity);
-            if (body.shape.hierarchy == null)
+            var p:Vector.<Number> = _shape.points;
+            var x:Number = _shape.x + _shape.radius * direction.x;
+            var y:Number = _shape.y + _shape.radius * direction.y;
+            var z:Number = _shape.z + _shape.radius * direction.z;
+            beginPart();
+            for (var i:int = 0; i < _shape.end; i += 3)
             {
-                addFarthestOfStructure(direction, least);
-                return;
+                addIfAsFar(x + p[i], y + p[int(i + 1)], z + p[int(i + 2)], direction, least);
             }
+            _point.setTo(_sum.x / _count, _sum.y / _count, _sum.z / _count);
+        }
+
+        // Finds the point of the parts of a tree that reach as far as a support in the model's space.
+        private function takeFarthestOfTree(body:Body, direction:Vector3D, least:Number):void
+        {
             var tree:BoxTree = body.shape.hierarchy.boxTree;
             var corners:Vector.<Number> = cornersOf(body);
             var depth:int = depthOf(body, corners);
+            _squared = Infinity;
             _nodes[0] = 0;
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
-                if (supportOfNode(tree.boxes, 6 * node, direction) < least.support)
+                if (supportOfNode(tree.boxes, 6 * node, direction) < least)
                 {
                     continue;
                 }
@@ -232,65 +232,77 @@ package starlogo.search.pairs
                 }
                 else if (corners == null)
                 {
-                    addFarthestOfNode(tree.boxes, 6 * node, direction);
+                    addNode(tree.boxes, 6 * node, direction);
                 }
                 else
                 {
-                    addCorners(corners, tree.first[node], tree.end[node], direction, least);
+                    for (var triangle:int = tree.first[node]; triangle < tree.end[node]; triangle++)
+                    {
+                        addTriangle(tree.boxes, corners, 9 * triangle, direction, least);
+                    }
                 }
             }
         }
 
-        private function addCorners(corners:Vector.<Number>, first:int, end:int, direction:Vector3D, least:SupportPoint):void
+        // Adds the mean of the corners of a triangle that reach as far as a support.
+        private function addTriangle(boxes:Vector.<Number>, corners:Vector.<Number>, at:int, direction:Vector3D, least:Number):void
         {
-            for (var i:int = 9 * first; i < 9 * end; i += 3)
+            beginPart();
+            for (var i:int = at; i < at + 9; i += 3)
             {
-                _added.setTo(corners[i], corners[int(i + 1)], corners[int(i + 2)]);
-                if (_added.x * direction.x + _added.y * direction.y + _added.z * direction.z >= least.support)
-                {
-                    addPoint(_added);
-                }
+                addIfAsFar(corners[i], corners[int(i + 1)], corners[int(i + 2)], direction, least);
             }
-        }
-
-        // Adds the points of _shape, which findOfStructure() has set.
-        private function addFarthestOfStructure(direction:Vector3D, least:SupportPoint):void
-        {
-            var p:Vector.<Number> = _shape.points;
-            var x:Number = _shape.x + _shape.radius * direction.x;
-            var y:Number = _shape.y + _shape.radius * direction.y;
-            var z:Number = _shape.z + _shape.radius * direction.z;
-            var leastOfCore:Number = least.support - (x * direction.x + y * direction.y + z * direction.z);
-            for (var i:int = 0; i < _shape.end; i += 3)
+            if (_count > 0)
             {
-                if (p[i] * direction.x + p[int(i + 1)] * direction.y + p[int(i + 2)] * direction.z >= leastOfCore)
-                {
-                    _added.setTo(x + p[i], y + p[int(i + 1)], z + p[int(i + 2)]);
-                    addPoint(_added);
-                }
+                takeIfNearer(boxes);
             }
         }
 
         // Adds the farthest point of a node's box. If an edge or a face is across the direction, it is the middle of that.
-        private function addFarthestOfNode(boxes:Vector.<Number>, at:int, direction:Vector3D):void
+        private function addNode(boxes:Vector.<Number>, at:int, direction:Vector3D):void
         {
-            _added.x = boxes[at] + sideOf(direction.x) * boxes[int(at + 3)];
-            _added.y = boxes[int(at + 1)] + sideOf(direction.y) * boxes[int(at + 4)];
-            _added.z = boxes[int(at + 2)] + sideOf(direction.z) * boxes[int(at + 5)];
-            addPoint(_added);
+            _count = 1;
+            _sum.setTo(boxes[at] + sideOf(direction.x) * boxes[int(at + 3)], boxes[int(at + 1)] + sideOf(direction.y) * boxes[int(at + 4)],
+                    boxes[int(at + 2)] + sideOf(direction.z) * boxes[int(at + 5)]);
+            takeIfNearer(boxes);
+        }
+
+        private function beginPart():void
+        {
+            _sum.setTo(0, 0, 0);
+            _count = 0;
+        }
+
+        private function addIfAsFar(x:Number, y:Number, z:Number, direction:Vector3D, least:Number):void
+        {
+            if (x * direction.x + y * direction.y + z * direction.z >= least)
+            {
+                _sum.setTo(_sum.x + x, _sum.y + y, _sum.z + z);
+                _count++;
+            }
+        }
+
+        // Takes the mean of a part if it is nearer to the middle of the tree, whose box is the first.
+        private function takeIfNearer(boxes:Vector.<Number>):void
+        {
+            var x:Number = _sum.x / _count;
+            var y:Number = _sum.y / _count;
+            var z:Number = _sum.z / _count;
+            var toX:Number = x - boxes[0];
+            var toY:Number = y - boxes[1];
+            var toZ:Number = z - boxes[2];
+            var squared:Number = toX * toX + toY * toY + toZ * toZ;
+            if (squared < _squared)
+            {
+                _squared = squared;
+                _point.setTo(x, y, z);
+            }
         }
 
         // Whether an axis points along the direction (1), against it (-1) or across it (0). The cosine of their angle is given.
         private static function sideOf(cosine:Number):int
         {
             return Math.abs(cosine) <= Tolerances.SEPARATION ? 0 : cosine > 0 ? 1 : -1;
-        }
-
-        private function addPoint(point:Vector3D):void
-        {
-            _last.copyFrom(point);
-            _low.setTo(Math.min(_low.x, point.x), Math.min(_low.y, point.y), Math.min(_low.z, point.z));
-            _high.setTo(Math.max(_high.x, point.x), Math.max(_high.y, point.y), Math.max(_high.z, point.z));
         }
     }
 }

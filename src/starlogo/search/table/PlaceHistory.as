@@ -97,6 +97,7 @@ package starlogo.search.table
             extents.halfY[row] = body.halfY;
             extents.halfZ[row] = body.halfZ;
             extents.radius[row] = body.radius;
+            extents.offset[row] = body.offset;
             moveExtentsOf(row);
             assignLevel(row);
         }

@@ -54,8 +54,6 @@ package starlogo.search
         /** Says which shape each agent has. */
         public var choice:BaseShapeChoice;
 
-        private var _closest:ClosestPoints = new ClosestPoints();
-
         /** @param choice gives the agents their shapes */
         public function NarrowPhase(choice:BaseShapeChoice)
         {
@@ -92,8 +90,7 @@ package starlogo.search
             var most:Number = Tolerances.SEPARATION * tests.extentOf(a, b) + GAPS_OF_ROUNDING * tests.roundingGapOf(a, b);
             if (!(areStructures && out.depth > most) && !tests.areTouching(a, b))
             {
-                findClosest(a, b, true, _closest);
-                _closest.writeContact(out);
+                tests.separateApart(a, b, out);
                 return;
             }
             tests.separate(a, b, motion, out);

@@ -122,5 +122,14 @@ package starlogo.search.pairs
         {
             OverlapMiddle.movePoint(a, b, out);
         }
+
+        /**
+         * Changes a contact of parts of two bodies that do not touch where they are: its point becomes half way between the points where they are
+         * nearest, its normal points from one of these points to the other, and its depth becomes 0.
+         */
+        public function separateApart(a:Body, b:Body, out:ContactPoint):void
+        {
+            out.depth = 0;
+        }
     }
 }

@@ -125,6 +125,18 @@ package starlogo.search.pairs
             out.correct(areTouching);
         }
 
+        /** @inheritDoc */
+        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
+        {
+            readSphere(a, _sphereA);
+            readSphere(b, _sphereB);
+            var further:Number = _sphereB.radius - _sphereA.radius;
+            out.x = (_sphereA.center.x + _sphereB.center.x + further * out.normalX) / 2;
+            out.y = (_sphereA.center.y + _sphereB.center.y + further * out.normalY) / 2;
+            out.z = (_sphereA.center.z + _sphereB.center.z + further * out.normalZ) / 2;
+            out.depth = 0;
+        }
+
         /** Writes the number of tests, and sets it to 0. */
         public function takeCounts(out:SearchCounts):void
         {

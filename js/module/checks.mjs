@@ -3,8 +3,8 @@
  * JavaScript has no types, so without checks a string could be stored in place of a number. The functions that they call are in
  * language.mjs.
  *
- * Numbers, strings, Booleans and functions are checked in place. Such a check costs almost nothing in an optimised function, and no Number
- * is passed to another function. null is accepted if the documentation mentions it, and for names and files. Numbers that
+ * Numbers, strings, Booleans and functions are checked by small functions, which take little of a bundle and which V8 inlines. Where an error
+ * names the object too, as for agents, they are checked in place. null is accepted if the documentation mentions it, and for names and files. Numbers that
  * are not finite are accepted if the documentation mentions errors. In these cases the engine itself throws the error.
  */
 import { docOf, docOfParameter, endingBooleans, isWritten, mayHaveNull } from "./signatures.mjs";

@@ -108,7 +108,7 @@ package starlogo.libraries
         public function aModelWithoutAPlaceInItsSourceIsNotCooked():void
         {
             // the unit of the model is too small for the inverse to be a number
-            var model:Model = new Model("small", new <Number>[0, 0, 0, Number.MIN_VALUE * 2, 0, 0]);
+            var model:Model = new Model("small", new <Number>[0, 0, 0, 1e-310, 0, 0]);
             assertThrows(ModelError, /"small".*its place in its source/, _greatLand.cook, model);
         }
 

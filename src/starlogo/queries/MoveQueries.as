@@ -157,7 +157,7 @@ package starlogo.queries
             _body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, _found);
             var fraction:Number = _slider.slide(_body, _body.rows, _from, _motion, limits, _slid);
             _slider.restoreClearance(_body, _slid.place);
-            if (limits === SlideLimits.LEVEL)
+            if (limits.staysLevel)
             {
                 // the clearance leads off slopes by their normals
                 _slid.place.z = _from.z;

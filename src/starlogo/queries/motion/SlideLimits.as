@@ -19,11 +19,11 @@ package starlogo.queries.motion
         /** No limits. Nothing writes to it. */
         public static const NONE:SlideLimits = new SlideLimits();
 
-        /**
-         * For a level motion that stays level: all contacts but level ones are upright walls, also those with what the body overlaps deeply where it
-         * begins. Nothing writes to it.
-         */
+        /** For a level motion that stays level: all contacts but level ones are upright walls. Nothing writes to it. */
         public static const LEVEL:SlideLimits = newLevel();
+
+        /** Whether the end is as high as the beginning, also if the body overlaps something deeply there: its contacts are upright walls too. */
+        public var staysLevel:Boolean = false;
 
         /** A contact counts as an upright wall if the z of its normal is less than this. */
         public var walkableZ:Number = NO_WALLS;
@@ -49,6 +49,7 @@ package starlogo.queries.motion
         {
             var level:SlideLimits = new SlideLimits();
             level.walkableZ = LEVEL_Z;
+            level.staysLevel = true;
             return level;
         }
     }

@@ -52,7 +52,7 @@ package starlogo.queries.motion
             _rest.project();
             if (leaveOverlaps(body, from, out))
             {
-                if (limits === SlideLimits.LEVEL)
+                if (limits.staysLevel)
                 {
                     standUpOverlaps();
                 }

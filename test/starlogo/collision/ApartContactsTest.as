@@ -46,7 +46,7 @@ package starlogo.collision
             {
                 var collider:Collider = EachCollider.make(name, _greatLand);
                 var queries:AgentQueries = new AgentQueries(collider);
-                for (var i:int = Effort.choose(80, 5000); i > 0; i--)
+                for (var i:int = Effort.choose(80, 1000); i > 0; i--)
                 {
                     var agents:Vector.<Agent> = RandomWorlds.mixed(2, SHAPES, 1.5, _random);
                     check(name, collider, queries, agents[0], agents[1]);

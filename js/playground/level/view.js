@@ -38,7 +38,6 @@ export async function createView(main) {
 	greatLand.addModel(BuiltInModel.capsule(0.3, 1.8, "person"));
 	greatLand.loadTightestFit = false;
 	greatLand.addModel(level);
-	greatLand.loadTightestFit = true;
 	return new LevelView(main, greatLand, land, new Map([["person", drawnPerson()], ["sphere", ball]]), level.triangles.length / 3);
 }
 

@@ -5,6 +5,7 @@ const GRAVITY = 0.008; // patches a frame, in each frame
 const JUMP = 0.18;
 const BULLET_FRAMES = 90;
 const ENEMY_SPEED = 0.035;
+const ENEMY_COLOURS = [0xc8322b, 0xe06a1f, 0xb0265a, 0x8f3fb0];
 const STRIDE = { stepHeight: 0.3, snap: 0.3, slopeDegrees: 50 };
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
@@ -15,7 +16,7 @@ class Walker extends Agent {
 
 	constructor(breed, x, y, z, color) {
 		super("person", breed);
-		Object.assign(this, { size: 0.6, color });
+		this.color = color;
 		this.moveTo(x, y, z);
 	}
 }
@@ -40,7 +41,7 @@ export class Game {
 	#solid = AgentFilter.ofBreeds("levels");
 	#random = 7;
 
-	/** @param {object} greatLand has the models "level", "person" and "sphere" */
+	/** @param {object} greatLand has the models "level", "person", a capsule, and "sphere" */
 	constructor(greatLand) {
 		this.#collision = new Collision(Object.assign(new CombinationCollider(greatLand), { exact: true }));
 		this.#queries = new AgentQueries(this.#collision);
@@ -48,16 +49,21 @@ export class Game {
 		this.player = new Walker("players", 0, 0, 0.5, 0x2f77c4);
 		this.enemies = Array.from({ length: 40 }, (_, i) => {
 			const [angle, radius] = [2.4 * i, 8 + 1.4 * Math.sqrt(4 * i)];
-			return new Walker("enemies", radius * Math.cos(angle), radius * Math.sin(angle), 6, 0xc8322b);
+			return new Walker("enemies", radius * Math.cos(angle), radius * Math.sin(angle), 6, ENEMY_COLOURS[i % ENEMY_COLOURS.length]);
 		});
 		this.#collision.onCollisionStart("bullets", Collision.ANY_BREED, (bullet, other) => this.#hit(bullet, other));
 		this.#queries.update(this.agents);
-		for (const walker of [this.player, ...this.enemies]) this.#queries.walk(walker, 0, 0, { ...STRIDE, fall: Infinity }, walker.footing); // down to the ground
+		for (const walker of this.walkers) this.#queries.walk(walker, 0, 0, { ...STRIDE, fall: Infinity }, walker.footing); // down to the ground
 		this.#collision.update(this.agents); // so that there is a frame to go back to
 	}
 
 	get agents() {
-		return [this.level, this.player, ...this.enemies, ...this.bullets];
+		return [this.level, ...this.walkers, ...this.bullets];
+	}
+
+	/** The player and the enemies. */
+	get walkers() {
+		return [this.player, ...this.enemies];
 	}
 
 	/** The bullets that fly. */
@@ -92,9 +98,16 @@ export class Game {
 		const { player } = this;
 		const eye = new Vector3D(player.x, player.y, player.z + 1.6);
 		const angle = radians(player.heading);
-		const [dx, dy, dz] = [-5 * Math.cos(angle), -5 * Math.sin(angle), 1.8];
+		const [dx, dy, dz] = [-5 * Math.cos(angle), -5 * Math.sin(angle), 0.9];
 		const free = this.#queries.castShape(new Sphere(eye, 0.25), dx, dy, dz, this.#solid)?.time ?? 1;
 		return { eye, camera: new Vector3D(eye.x + free * dx, eye.y + free * dy, eye.z + free * dz), free };
+	}
+
+	/** The height and the normal of the ground below a walker, where its shadow is; null if there is none. */
+	groundBelow({ x, y, z, footing }) {
+		if (footing.stands) return { z, normal: footing.normal };
+		const hit = this.#queries.cast(new Vector3D(x, y, z + 0.5), new Vector3D(0, 0, -1), 30, this.#solid);
+		return hit && { z: hit.point.z, normal: hit.normal };
 	}
 
 	/** All that a later frame depends on. The snapshot has the agents' traits, what touches and what carries; the rest is the game's own. */
@@ -117,7 +130,7 @@ export class Game {
 	}
 
 	get #movers() {
-		return [this.player, ...this.enemies, ...this.#bullets];
+		return [...this.walkers, ...this.#bullets];
 	}
 
 	#walk(walker, distance, jumps) {

@@ -2,18 +2,24 @@
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { BuiltInModel, GreatLand } from "starlogo-collision";
-import { bindInstance, levelFromObject, modelFromObject, toScene } from "starlogo-collision/three";
+import { bindInstance, levelFromObject, toScene } from "starlogo-collision/three";
 import { Game, wander } from "./game.js";
+import { Shadows, chequer, personShape } from "./looks.js";
 
-const renderer = new THREE.WebGLRenderer({ antialias: true });
+const renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true }); // the sky is the page's
+renderer.shadowMap.enabled = true;
+renderer.shadowMap.autoUpdate = false; // the level and the sun stand still
 document.body.prepend(renderer.domElement);
 const scene = new THREE.Scene();
-scene.background = new THREE.Color(0xbcd7ee);
-scene.fog = new THREE.Fog(0xbcd7ee, 30, 75);
-const sun = new THREE.DirectionalLight(0xffffff, 2);
-sun.position.set(3, 6, 2);
-scene.add(sun, new THREE.HemisphereLight(0xffffff, 0x889977, 2));
-const camera = new THREE.PerspectiveCamera(60, 1, 0.05, 120);
+scene.fog = new THREE.Fog(0xd3e7f5, 25, 75);
+const sun = new THREE.DirectionalLight(0xfff3dd, 2.6);
+sun.position.set(-10, 34, 34);
+sun.castShadow = true;
+sun.shadow.mapSize.set(2048, 2048);
+Object.assign(sun.shadow.camera, { left: -36, right: 36, top: 36, bottom: -36, far: 110 });
+sun.shadow.normalBias = 0.06;
+scene.add(sun, new THREE.HemisphereLight(0xdcebff, 0x7d8a62, 1.7));
+const camera = new THREE.PerspectiveCamera(50, 1, 0.05, 120);
 const fit = () => {
 	renderer.setSize(innerWidth, innerHeight);
 	camera.aspect = innerWidth / innerHeight;
@@ -23,33 +29,42 @@ addEventListener("resize", fit);
 fit();
 
 const { scene: land } = await new GLTFLoader().loadAsync("level.glb");
+land.traverse((part) => {
+	part.castShadow = part.receiveShadow = true;
+});
+chequer(land);
 scene.add(land);
-const personShape = new THREE.CapsuleGeometry(0.3, 1.2, 8, 16);
 const greatLand = new GreatLand();
-const person = modelFromObject("person", personShape);
-greatLand.addModel(person);
 greatLand.addModel(BuiltInModel.sphere());
+greatLand.addModel(BuiltInModel.capsule(0.3, 1.8, "person")); // its place is where its feet are
+greatLand.loadTightestFit = false; // the level's tree is enough
 greatLand.addModel(levelFromObject("level", land));
 const game = new Game(greatLand);
 
-const walkers = [game.player, ...game.enemies];
-const people = new THREE.InstancedMesh(personShape, new THREE.MeshStandardMaterial(), walkers.length);
-const bindings = walkers.map((walker, i) => bindInstance(walker, people, i, person));
+const { walkers } = game;
+const people = new THREE.InstancedMesh(personShape(), new THREE.MeshStandardMaterial({ vertexColors: true }), walkers.length);
+const bindings = walkers.map((walker, i) => bindInstance(walker, people, i));
 walkers.forEach(({ color }, i) => people.setColorAt(i, new THREE.Color(color)));
-const nose = new THREE.Mesh(new THREE.ConeGeometry(0.1, 0.4).rotateX(Math.PI / 2), new THREE.MeshStandardMaterial({ color: 0x143a66 }));
 const balls = new THREE.InstancedMesh(new THREE.SphereGeometry(0.1, 12, 8), new THREE.MeshStandardMaterial({ color: 0xffc21a }), 20);
 people.frustumCulled = balls.frustumCulled = false;
-scene.add(people, balls, nose);
+const shadows = new Shadows(walkers.length).rotateX(-Math.PI / 2); // they have z up
+scene.add(people, balls, shadows);
 
 const keys = new Set();
 const taps = new Set(); // keys that count once
-addEventListener("keydown", ({ code, repeat }) => {
+const press = (code) => {
 	keys.add(code);
-	if (!repeat) taps.add(code);
-});
+	taps.add(code);
+};
+addEventListener("keydown", ({ code, repeat }) => repeat || press(code));
 addEventListener("keyup", ({ code }) => keys.delete(code));
 addEventListener("blur", () => keys.clear());
 renderer.domElement.addEventListener("pointerdown", () => taps.add("KeyF"));
+for (const button of document.querySelectorAll("button")) { // a phone's keys
+	button.addEventListener("pointerdown", () => press(button.value));
+	for (const type of ["pointerup", "pointercancel", "pointerleave"]) button.addEventListener(type, () => keys.delete(button.value));
+	button.addEventListener("contextmenu", (event) => event.preventDefault());
+}
 const tapped = (code) => taps.delete(code);
 const between = (less, more) => (keys.has(more) ? 1 : 0) - (keys.has(less) ? 1 : 0);
 
@@ -61,7 +76,9 @@ let isLed = false;
 const wish = () => (isLed
 	? { turn: between("ArrowLeft", "ArrowRight"), walk: between("ArrowDown", "ArrowUp"), jumps: keys.has("Space"), shoots: tapped("KeyF") }
 	: wander(frame));
+const count = (number, one) => `${number} ${one}${number === 1 ? "" : "s"}`;
 
+renderer.shadowMap.needsUpdate = true;
 renderer.setAnimationLoop(() => {
 	frame++;
 	isLed ||= keys.size > 0;
@@ -75,14 +92,13 @@ renderer.setAnimationLoop(() => {
 	engineMs += 0.05 * (performance.now() - start - engineMs);
 
 	for (const binding of bindings) binding.updateObject();
+	shadows.follow(game);
 	game.bullets.forEach(({ x, y, z }, i) => balls.setMatrixAt(i, new THREE.Matrix4().setPosition(toScene({ x, y, z: z + 0.1 }))));
 	balls.count = game.bullets.length;
 	balls.instanceMatrix.needsUpdate = true;
 	toScene(view.camera, camera.position);
 	camera.lookAt(toScene(view.eye));
-	const { x, y, z } = game.player;
-	toScene({ x, y, z: z + 1.5 }, nose.position);
 	renderer.render(scene, camera);
-	document.querySelector("output").textContent = `frame ${frame}: ${engineMs.toFixed(2)} ms for ${walkers.length} who walk, ${game.bullets.length} bullets and the camera; `
-		+ `${game.shots} shots, ${game.hits} hits`;
+	document.querySelector("output").textContent = `${engineMs.toFixed(2)} ms a frame for ${walkers.length} who walk, ${count(game.bullets.length, "bullet")} and the camera; `
+		+ `${count(game.shots, "shot")}, ${count(game.hits, "hit")}`;
 });

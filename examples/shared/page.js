@@ -27,16 +27,26 @@ function coloured(code) {
 	let end = 0;
 	for (const match of code.matchAll(TOKENS)) {
 		const kind = ["comment", "string", "keyword", "number"].find((_, i) => match[i + 1] !== undefined);
-		html += `${escaped(code.slice(end, match.index))}<span class="${kind}">${escaped(match[0])}</span>`;
+		const [open, close] = [`<span class="${kind}">`, "</span>"];
+		html += `${escaped(code.slice(end, match.index))}${open}${escaped(match[0]).replaceAll("\n", `${close}\n${open}`)}${close}`;
 		end = match.index + match[0].length;
 	}
 	return html + escaped(code.slice(end));
 }
 
+/** Coloured code in lines, of which each goes on further to the right where it is wrapped. */
+function lined(code) {
+	const lines = coloured(code).split("\n").map((line) => {
+		const [, tabs, spaces] = /^(\t*)( *)/.exec(line);
+		return `<span class="line" style="--tabs: ${tabs.length}; --spaces: ${spaces.length}">${line}`;
+	});
+	return `${lines.join("\n</span>")}</span>`;
+}
+
 /** Shows code beside the picture. */
 function showCode(code, file) {
 	const name = file.split("/").pop();
-	const listing = element("pre", { innerHTML: coloured(code.trim()) });
+	const listing = element("pre", { innerHTML: lined(code.trim()) });
 	listing.setAttribute("aria-label", `The code of ${name}`);
 	const link = element("a", { href: file, download: name, textContent: name });
 	document.querySelector(".code").replaceChildren(element("p", { className: "file" }, link, ` · ${code.trim().split("\n").length} lines of code`), listing);
@@ -64,8 +74,15 @@ function buildPage(top) {
 	const nav = element("nav", {}, element("a", { href: `${top}index.html`, textContent: "All examples" }), element("a", { href: top + addressOf(next), textContent: "Next" }));
 	const picture = element("section", { className: "picture" });
 	const code = element("section", { className: "code" });
+	const others = Object.values(EXAMPLES).find((group) => group.includes(nameHere())).map((name) => {
+		const words = name.replaceAll(/-|\B(?=[A-Z])/g, " ").toLowerCase();
+		const link = element("a", { href: top + addressOf(name), title: words }, element("img", { src: `${top}pictures/${name}.webp`, alt: words, width: 96, height: 64 }));
+		if (name === nameHere()) link.setAttribute("aria-current", "page");
+		return link;
+	});
 	const sentence = document.querySelector("body > p");
-	document.body.prepend(element("header", {}, element("h1", { textContent: document.title }), nav), sentence, element("main", {}, picture, code));
+	const shown = element("div", { className: "shown" }, sentence, picture, element("nav", { className: "others", ariaLabel: "Examples like this one" }, ...others));
+	document.body.prepend(element("header", {}, element("h1", { textContent: document.title }), nav), element("main", {}, shown, code));
 	if (location.protocol === "file:") {
 		picture.append(element("p", { className: "notice", textContent: "A browser runs modules from a web server only. Run \"./antw examples\" in a clone, "
 			+ "or \"python3 -m http.server\" in the folder of the release, and open the address that it prints, with /examples/ behind it." }));

@@ -6,6 +6,14 @@ export const red = 0xe4572e, orange = 0xf3a712, yellow = 0xf7d154, green = 0x4ca
 const FRAMES_A_SECOND = 60;
 const radians = (degrees) => (degrees * Math.PI) / 180;
 const degrees = (y, x) => (Math.atan2(y, x) * 180) / Math.PI;
+/** The colours of hills, from hollows to tops, a patch and a half apart, and the heights between lines. */
+const HEIGHT_COLOURS = [[58, 128, 132], [84, 158, 112], [140, 190, 104], [214, 200, 128], [250, 244, 228]];
+const CONTOUR = 0.5;
+/** The place between two corners that has a height. */
+const between = (low, high, height) => {
+	const part = (height - low.height) / (high.height - low.height || 1);
+	return { x: low.x + part * (high.x - low.x), y: low.y + part * (high.y - low.y) };
+};
 const css = (colour) => (typeof colour === "number" ? `#${colour.toString(16).padStart(6, "0")}` : colour);
 
 export class Stage {
@@ -142,9 +150,19 @@ export class Stage {
 
 	// drawing: places are in patches
 
-	/** Draws agents: balls, cubes, and the models that were added. With `faces` balls have eyes. With `isEndless` opposite edges are joined. */
-	draw(agents, { faces = false, alpha = 1, isEndless = false } = {}) {
+	/**
+	 * Draws agents: balls, cubes, and the models that were added. With `faces` balls have eyes. With `isEndless` opposite edges are joined. Above a
+	 * `ground` they have shadows, which are the farther away the higher they are.
+	 */
+	draw(agents, { faces = false, alpha = 1, isEndless = false, ground = null } = {}) {
 		const context = this.#context;
+		for (const { x, y, z, size } of ground ? agents : []) {
+			const height = Math.max(0, z - ground.heightAt(x, y));
+			context.beginPath();
+			context.arc(x + 0.08 + 0.5 * height, y - 0.08 - 0.5 * height, size / 2, 0, 7);
+			context.fillStyle = "rgb(10 30 30 / 30%)";
+			context.fill();
+		}
 		context.globalAlpha = alpha;
 		const rounds = isEndless ? [-1, 0, 1] : [0];
 		for (const right of rounds) for (const up of rounds) {
@@ -200,7 +218,7 @@ export class Stage {
 		this.#stroke(colour, width, (path) => path.arc(place.x, this.#up(place), radius, 0, 7));
 	}
 
-	/** Draws the ground from above. The light comes from the upper left, and higher ground is paler. */
+	/** Draws the ground from above. The light comes from the upper left, hollows are blue-green, tops are pale, and a line joins places of equal height. */
 	hills(terrain) {
 		const { columns, rows, cellWidth } = terrain;
 		const [picture, pixels] = [new OffscreenCanvas(columns, rows), new ImageData(columns, rows)];
@@ -208,13 +226,36 @@ export class Stage {
 		for (let row = 0; row < rows; row++) for (let column = 0; column < columns; column++) {
 			const right = (heightOf(column + 1, row) - heightOf(column - 1, row)) / (2 * cellWidth);
 			const up = (heightOf(column, row + 1) - heightOf(column, row - 1)) / (2 * cellWidth);
-			const light = 0.45 + 0.7 * Math.max(0, (0.5 * right - 0.5 * up + 0.7) / Math.hypot(right, up, 1));
-			const part = Math.max(0, Math.min(1, (heightOf(column, row) + 2) / 6));
-			const colour = [60 + 60 * part + 260 * part * part, 150 + 110 * part, 110 + 60 * part].map((value) => value * light);
+			const light = 0.62 + 0.5 * Math.max(0, (0.5 * right - 0.5 * up + 0.7) / Math.hypot(right, up, 1));
+			const place = Math.max(0, Math.min(HEIGHT_COLOURS.length - 1.001, (heightOf(column, row) + 2.5) / 1.5));
+			const [below, above] = [HEIGHT_COLOURS[Math.floor(place)], HEIGHT_COLOURS[Math.floor(place) + 1]];
+			const colour = below.map((value, i) => (value + (above[i] - value) * (place % 1)) * light);
 			pixels.data.set([...colour, 255], 4 * (row * columns + column));
 		}
 		picture.getContext("2d").putImageData(pixels, 0, 0);
 		this.#context.drawImage(picture, terrain.x - cellWidth / 2, terrain.y - cellWidth / 2, columns * cellWidth, rows * cellWidth);
+		this.#contours(terrain);
+	}
+
+	/** Draws the lines of equal height, half a patch apart: in each triangle of the ground the line from edge to edge. */
+	#contours(terrain) {
+		const { columns, rows, cellWidth } = terrain;
+		this.#stroke("rgb(30 50 40 / 22%)", 0.04, (path) => {
+			const cornerAt = (column, row) => ({ x: terrain.x + column * cellWidth, y: terrain.y + row * cellWidth, height: terrain.getHeight(column, row) });
+			for (let row = 0; row < rows - 1; row++) for (let column = 0; column < columns - 1; column++) {
+				const [a, b, c, d] = [cornerAt(column, row), cornerAt(column + 1, row), cornerAt(column, row + 1), cornerAt(column + 1, row + 1)];
+				for (const corners of [[a, b, c], [b, d, c]]) {
+					corners.sort((one, other) => one.height - other.height);
+					const [low, middle, high] = corners;
+					for (let height = Math.ceil(low.height / CONTOUR) * CONTOUR; height < high.height; height += CONTOUR) {
+						if (height === low.height) continue; // a flat edge
+						const [from, to] = [between(low, high, height), height < middle.height ? between(low, middle, height) : between(middle, high, height)];
+						path.moveTo(from.x, from.y);
+						path.lineTo(to.x, to.y);
+					}
+				}
+			}
+		});
 	}
 
 	/** Fills a polygon. */

@@ -4,17 +4,37 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { Agent, Collision, GreatLand, HierarchicalCollider } from "starlogo-collision";
 import { modelFromObject, ThreeAgentBinding, ThreeWireframe } from "starlogo-collision/three";
 
-const renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
-renderer.setSize(innerWidth, innerHeight);
+const renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true }); // the sky is the page's
+renderer.shadowMap.enabled = true;
 document.body.append(renderer.domElement);
-const scene = new THREE.Scene().add(new THREE.HemisphereLight(0xffffff, 0x667755, 3), new THREE.GridHelper(24, 24, 0xaab5a0, 0xc5cebb));
-const camera = new THREE.PerspectiveCamera(45, innerWidth / innerHeight).translateY(12).translateZ(18).rotateX(-0.59);
+const sun = new THREE.DirectionalLight(0xfff1d8, 2.4).translateX(-8).translateY(20).translateZ(6);
+sun.castShadow = true;
+sun.shadow.mapSize.set(1024, 1024);
+sun.shadow.normalBias = 0.05;
+Object.assign(sun.shadow.camera, { left: -16, right: 16, top: 16, bottom: -16, far: 50 });
+const ground = new THREE.Mesh(new THREE.CircleGeometry(15, 64).rotateX(-Math.PI / 2), new THREE.MeshLambertMaterial({ color: 0x8cc46a }));
+ground.receiveShadow = true;
+const scene = new THREE.Scene().add(sun, new THREE.HemisphereLight(0xe6f2ff, 0x6f8555, 2), ground);
+const camera = new THREE.PerspectiveCamera(45, 1).rotateX(-0.59);
+const fit = () => {
+	renderer.setSize(innerWidth, innerHeight);
+	camera.aspect = innerWidth / innerHeight;
+	const isNarrow = camera.aspect < 1.2; // a phone shows all of it, too
+	camera.position.set(0, 12, 18).multiplyScalar(isNarrow ? 1.5 : 1);
+	camera.fov = isNarrow ? 70 : 45;
+	camera.updateProjectionMatrix();
+};
+addEventListener("resize", fit);
+fit();
 
 const greatLand = new GreatLand();
 const collision = new Collision(Object.assign(new HierarchicalCollider(greatLand), { exact: true }));
 const [bindings, touches] = [[], new ThreeWireframe({ color: 0xd01818 })];
 for (const [shape, breed, size, height] of [["tree", "trees", 2, 0], ["bear", "walkers", 1, 0], ["seagull", "walkers", 2, 1]]) {
 	const { scene: drawn } = await new GLTFLoader().loadAsync(`${shape}.glb`);
+	drawn.traverse((part) => {
+		part.castShadow = true;
+	});
 	const model = modelFromObject(shape, drawn);
 	greatLand.addModel(model);
 	for (let i = 8; i > 0; i--) {
@@ -31,7 +51,7 @@ collision.onCollision("walkers", Collision.ANY_BREED, (walker, other, contact) =
 	walker.moveTo(walker.x + contact.normal.x * contact.depth, walker.y + contact.normal.y * contact.depth, walker.z);
 	walker.heading = headingTo(contact.normal.x, contact.normal.y) + 30;
 	touches.showContact(contact);
-	document.querySelector("output").textContent = `frame ${renderer.info.render.frame}: a ${walker.shape} turns away from a ${other.shape}`;
+	document.querySelector("output").textContent = `A ${walker.shape} turns away from a ${other.shape}`;
 });
 renderer.setAnimationLoop(() => {
 	touches.clearLines();

@@ -12,10 +12,12 @@ import { Application } from "typedoc";
 const [from, to] = process.argv.slice(2).map((folder) => resolve(folder));
 const { name, version } = JSON.parse(readFileSync(join(from, "package.json"), "utf8"));
 
+const here = import.meta.dirname ?? new URL(".", import.meta.url).pathname;
 const app = await Application.bootstrapWithPlugins({
 	name: `${name} ${version}`,
 	entryPoints: ["index.d.ts", "three/index.d.ts"].map((file) => join(from, file)),
-	tsconfig: join(import.meta.dirname ?? new URL(".", import.meta.url).pathname, "pages.json"),
+	tsconfig: join(here, "pages.json"),
+	favicon: join(here, "../playground/icon.svg"),
 	readme: join(from, "README.md"),
 	projectDocuments: [join(from, "docs/*.md")],
 	// three.js's own types are not here, and the package's have been checked by its tests

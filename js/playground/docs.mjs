@@ -7,7 +7,7 @@ import { groups, isSwf } from "../../build/examples/list.mjs";
 /** Pages outside of docs/, with their names among the pages. */
 const OTHERS = { "README.md": "project", "CONTRIBUTING.md": "contributing", "js/module/README.md": "package" };
 /** The examples that are whole clients, with the files that the page lists of each. */
-const CLIENTS = { page: ["page.js"], three: ["page.js"], level: ["game.js", "page.js"], client: ["Client.as", "Pictures.as"] };
+const CLIENTS = { page: ["page.js"], three: ["page.js"], level: ["game.js", "page.js", "looks.js"], client: ["Client.as", "Pictures.as"] };
 
 /**
  * Writes the pages.

@@ -9,8 +9,8 @@ import { root } from "./peers.mjs";
 
 const CDN = /^https:\/\/cdn\.jsdelivr\.net\/npm\/three@0\.(\d+)\.\d+\/(.*)$/;
 
-/** An example's page, until its line says something; whether it draws in many colours, and says no more on the console. */
-async function play(name, until) {
+/** An example's page, until its line says what a pattern matches after so many frames; whether it draws in many colours, and says nothing on the console. */
+async function play(name, frames, pattern, ask = () => null) {
 	const server = await serve(null, { "/module": path.join(root, "bin/module"), "/examples": path.join(root, "examples") });
 	const browser = await launch();
 	try {
@@ -24,8 +24,20 @@ async function play(name, until) {
 			assert.ok(existsSync(where), `${where}: the example and the tests have the same release`);
 			return route.fulfill({ path: where, headers: { "access-control-allow-origin": "*" } });
 		});
+		await page.addInitScript(() => {
+			globalThis.seen = 0; // frames of the page
+			const next = globalThis.requestAnimationFrame.bind(globalThis);
+			globalThis.requestAnimationFrame = (show) => next((now) => {
+				globalThis.seen++;
+				show(now);
+			});
+		});
 		await page.goto(`${server.url}examples/${name}/`);
-		await until(page);
+		const rarely = { polling: 50 }; // and not by frames, which are counted
+		await page.waitForFunction((wanted) => globalThis.seen >= wanted, frames, rarely);
+		await page.evaluate(() => document.querySelector("output").replaceChildren());
+		await page.waitForFunction((source) => new RegExp(source).test(document.querySelector("output").textContent), pattern.source, rarely);
+		await ask(page);
 		const colours = await page.evaluate(async () => {
 			const canvas = document.querySelector("canvas");
 			const bitmap = await new Promise((resolve) => {
@@ -44,18 +56,16 @@ async function play(name, until) {
 	}
 }
 
-test("the example's models collide, turn away and are drawn", () => play("three", (page) => {
-	const turns = /^frame (\d+): a (?:bear|seagull) turns away from a \w+$/;
-	return page.waitForFunction((text) => new RegExp(text).exec(document.querySelector("output").textContent)?.[1] >= 25, turns.source);
-}));
+test("the example's models collide, turn away and are drawn", () => play("three", 25, /^A (?:bear|seagull) turns away from a (?:bear|seagull|tree)$/));
 
-test("the level's game goes on by itself, and going back to what was saved gives the same game again", () => play("level", async (page) => {
-	await page.waitForFunction(() => Number(/^frame (\d+): [\d.]+ ms /.exec(document.querySelector("output").textContent)?.[1]) >= 20);
+const figures = /^[\d.]+ ms a frame for 41 who walk, \d+ bullets? and the camera; \d+ shots?, \d+ hits?$/;
+
+test("the level's game goes on by itself, and going back to what was saved gives the same game again", () => play("level", 20, figures, async (page) => {
 	const { first, again, moved } = await page.evaluate(async () => {
 		const { Game } = await import("./game.js");
 		const { BuiltInModel, GltfModel, GreatLand, Model } = await import("starlogo-collision");
-		const [greatLand, { vertices, triangles }] = [new GreatLand(), BuiltInModel.cylinder()];
-		greatLand.addModel(new Model("person", vertices, triangles));
+		const greatLand = new GreatLand();
+		greatLand.addModel(BuiltInModel.capsule(0.3, 1.8, "person"));
 		greatLand.addModel(BuiltInModel.sphere());
 		greatLand.addModel(GltfModel.fromBytes("level", await (await fetch("level.glb")).arrayBuffer(), null, Model.AS_GIVEN));
 		const game = new Game(greatLand);

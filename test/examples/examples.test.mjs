@@ -159,6 +159,24 @@ test('a colour that is ticked again is filtered no more', async () => {
 	assert.deepEqual(said.splice(0), []);
 });
 
+test('in the level and with three.js, nothing is wider than a phone, and buttons lead the player', async () => {
+	const phone = await browser.newPage({ viewport: { width: 390, height: 844 }, ...(isChromium && { hasTouch: true, isMobile: true }) });
+	phone.on('pageerror', (error) => said.push(String(error)));
+	for (const [folderOf, done] of [['three', /^A (bear|seagull) turns/], ['level', /^[\d.]+ ms a frame.* 0 bullets.*; 0 shots, 0 hits$/]]) {
+		await phone.goto(`${site.url}${folderOf}/index.html`);
+		await phone.waitForFunction(([source]) => new RegExp(source).test(document.querySelector('output').textContent), [done.source]);
+		assert.ok(await phone.evaluate(() => [...document.querySelectorAll('output, p, button')].every((each) => each.getBoundingClientRect().right <= innerWidth)), folderOf);
+	}
+	if (isChromium) { // no other browser pretends to be a phone
+		const shoot = phone.getByRole('button', { name: 'shoot' });
+		assert.ok(await phone.locator('p').isHidden() && await shoot.isVisible());
+		await shoot.tap();
+		await phone.waitForFunction(() => / 1 bullet .*; 1 shot, /.test(document.querySelector('output').textContent));
+	}
+	await phone.close();
+	assert.deepEqual(said.splice(0), []);
+});
+
 test('opened as a file, a page says what it needs', async () => {
 	await page.goto(`file://${path.join(folder, 'first-collision.html')}`);
 	assert.match(await page.textContent('.notice'), /antw examples/);

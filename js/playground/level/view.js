@@ -1,8 +1,8 @@
 /** A level: the game of examples/level, with its figures and its source. */
-import { CapsuleGeometry, ConeGeometry, Mesh, MeshLambertMaterial } from "three";
 import { BuiltInModel, GreatLand } from "starlogo-collision";
-import { levelFromObject, modelFromObject } from "starlogo-collision/three";
+import { levelFromObject } from "starlogo-collision/three";
 import { Game, wander } from "../../../examples/level/game.js";
+import { Shadows, chequer, personShape } from "../../../examples/level/looks.js";
 import source from "../../../examples/level/game.js" with { type: "text" };
 import { listing } from "../shared/copying.js";
 import { button, h, short } from "../shared/dom.js";
@@ -30,12 +30,24 @@ const keyOf = (code) => SAME[code] ?? code;
 
 export async function createView(main) {
 	const land = sceneIn(await readLevel());
-	const person = modelFromObject("person", new CapsuleGeometry(0.3, 1.2, 8, 16));
+	chequer(land);
 	const ball = BuiltInModel.sphere();
 	const level = levelFromObject("level", land);
 	const greatLand = new GreatLand();
-	for (const model of [person, ball, level]) greatLand.addModel(model);
-	return new LevelView(main, greatLand, land, new Map([["person", person], ["sphere", ball]]), level.triangles.length / 3);
+	greatLand.addModel(ball);
+	greatLand.addModel(BuiltInModel.capsule(0.3, 1.8, "person"));
+	greatLand.loadTightestFit = false;
+	greatLand.addModel(level);
+	return new LevelView(main, greatLand, land, new Map([["person", drawnPerson()], ["sphere", ball]]), level.triangles.length / 3);
+}
+
+/** What is drawn of a walker, as the stage draws models: z up, with its colours. */
+function drawnPerson() {
+	const { attributes: { position, color }, index } = personShape();
+	const vertices = Array.from({ length: position.count }, (_, i) => [position.getX(i), -position.getZ(i), position.getY(i)]).flat();
+	const triangles = [...index.array];
+	const colours = triangles.filter((_, i) => i % 3 === 0).map((vertex) => [1, color.getX(vertex) === 1 ? "#ffffff" : "#1c2430"]);
+	return { vertices, triangles, colours };
 }
 
 class LevelView {
@@ -48,7 +60,7 @@ class LevelView {
 
 	constructor(main, greatLand, land, models, triangles) {
 		Object.assign(this, { greatLand, land, models });
-		this.host = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
+		this.host = h("div.world.unplayed", { tabindex: "0", role: "application", "aria-label": words.world });
 		this.runButton = button(words.run, () => (this.#loop.isRunning ? this.stop() : this.#play()), { class: "primary" });
 		this.figures = new Figures(words.figures);
 		const code = listing(words.code, h("code", {}, source), DOCS ? h("a", { href: `${DOCS}examples.html#a-game-in-a-level`, target: "_blank", hreflang: "en" }, words.whole) : null);
@@ -61,19 +73,20 @@ class LevelView {
 			h("div.side", {}, h("h2", {}, words.title), h("p.note", {}, words.how(triangles)),
 				this.figures.element, h("p.note", {}, words.timed),
 				code));
-		this.stage = new Stage(this.host, { label: words.picture, eye: [-5, 0, 3], fov: 60 });
+		this.game = new Game(this.greatLand);
+		this.stage = new Stage(this.host, { label: words.picture, eye: [-5, 0, 3], fov: 50 });
 		if (this.stage.renderer) this.#furnish();
 		this.#listen();
 		this.begin();
 	}
 
-	/** Puts the level into the picture, and a nose on the player. */
+	/** Puts the level and the walkers' shadows into the picture. */
 	#furnish() {
 		const { stage, land } = this;
 		// its file has y up
 		land.rotation.x = Math.PI / 2;
-		this.nose = new Mesh(new ConeGeometry(0.1, 0.4).rotateZ(-Math.PI / 2), new MeshLambertMaterial({ color: 0x143a66 }));
-		stage.scene.add(land, this.nose);
+		this.shadows = new Shadows(this.game.walkers.length);
+		stage.scene.add(land, this.shadows);
 	}
 
 	/** Begins the game anew. */
@@ -98,6 +111,7 @@ class LevelView {
 	}
 
 	run() {
+		this.host.classList.remove("unplayed");
 		this.runButton.textContent = words.stop;
 		this.#loop.run();
 	}
@@ -149,20 +163,17 @@ class LevelView {
 	}
 
 	draw() {
-		const { game, stage, nose } = this;
+		const { game, stage } = this;
 		if (!stage.renderer) return;
 		const { camera, eye } = game.cameraPlace();
-		const { player: { x, y, z, heading } } = game;
-		const angle = (heading * Math.PI) / 180;
-		nose.position.set(x + 0.3 * Math.cos(angle), y + 0.3 * Math.sin(angle), z + 1.5);
-		nose.rotation.z = angle;
+		this.shadows.follow(game);
 		stage.showAgents(game.agents.filter((agent) => agent !== game.level), this.models);
 		stage.lookFrom(camera, eye);
 	}
 
 	#show() {
-		const { bullets, enemies, hits, shots } = this.game;
-		this.figures.show({ ms: short(median(this.#times)), walkers: 1 + enemies.length, bullets: bullets.length, shots, hits });
+		const { bullets, hits, shots, walkers } = this.game;
+		this.figures.show({ ms: short(median(this.#times)), walkers: walkers.length, bullets: bullets.length, shots, hits });
 	}
 
 	#press(code) {
@@ -183,7 +194,10 @@ class LevelView {
 		});
 		host.addEventListener("keyup", ({ code }) => this.#held.delete(keyOf(code)));
 		host.addEventListener("blur", () => this.#held.clear());
-		host.addEventListener("pointerdown", () => this.#loop.isRunning && this.#press("KeyF"));
+		host.addEventListener("pointerdown", () => {
+			if (this.#loop.isRunning) this.#press("KeyF");
+			else if (host.classList.contains("unplayed")) this.run();
+		});
 		host.addEventListener("pointerup", () => this.#held.delete("KeyF"));
 	}
 

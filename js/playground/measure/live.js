@@ -51,10 +51,10 @@ export class Live {
 	constructor(greatLand) {
 		this.greatLand = greatLand;
 		this.runButton = button(words.run, () => (this.#loop.isRunning ? this.stop() : this.run()), { class: "primary" });
-		this.host = h("div.world");
+		this.host = h("div.world.unplayed", { onclick: () => this.host.classList.contains("unplayed") && this.run() });
 		this.said = h("small.hint", { role: "status" });
 		this.canvas = h("canvas.parts", { role: "img", "aria-label": words.graph });
-		this.parts = new Parts(this.canvas, PARTS, OTHERS);
+		this.parts = new Parts(this.canvas, PARTS, OTHERS, words.empty);
 		this.figures = new Figures(words.figures, (name) => ({ class: `part-${name}` }));
 		const count = slider(words.count, { min: 0, max: COUNTS.length - 1, step: 1, value: COUNTS.indexOf(FIRST), format: (i) => COUNTS[i].toLocaleString(texts.code) }, (i) => {
 			this.#count = COUNTS[i];
@@ -160,6 +160,7 @@ export class Live {
 	}
 
 	run() {
+		this.host.classList.remove("unplayed");
 		this.parts.clear();
 		this.runButton.textContent = words.stop;
 		this.#loop.run();

@@ -6,9 +6,12 @@ import { isUneven } from "../shared/figures.js";
 const FRAMES = 180;
 /** The number of averages of which the least is shown. */
 const AVERAGES = 15;
-/** The least height of the graph, in milliseconds: two frames of 60 a second. */
-const LEAST = 1000 / 30;
+/** A frame of 60 a second, in milliseconds, and the least height of the graph, which is a little more. */
+const FRAME = 1000 / 60;
+const LEAST = 1.15 * FRAME;
 const LEFT = 40;
+/** The radius of the dots of the lines. */
+const DOT = 2.5;
 
 export class Parts {
 	#frames = [];
@@ -17,9 +20,10 @@ export class Parts {
 	 * @param {HTMLCanvasElement} canvas
 	 * @param {string[]} names the names of the parts, which begin at the bottom
 	 * @param {string[]} lines the names of the lines
+	 * @param {string} hint stands in the graph as long as it is empty
 	 */
-	constructor(canvas, names, lines) {
-		Object.assign(this, { canvas, names, lines });
+	constructor(canvas, names, lines, hint) {
+		Object.assign(this, { canvas, names, lines, hint });
 	}
 
 	clear() {
@@ -68,7 +72,7 @@ export class Parts {
 		const colourOf = (name) => style.getPropertyValue(`--part-${name}`);
 		// a few long frames do not make all others small
 		const heights = this.#frames.map((frame) => Math.max(...lines.map((name) => frame[name] || 0), names.reduce((sum, name) => sum + frame[name], 0))).sort((a, b) => a - b);
-		const most = Math.max(LEAST, 1.1 * (heights[Math.floor(0.95 * heights.length)] ?? 0));
+		const most = Math.max(LEAST, 1.1 * (heights[Math.floor(0.9 * (heights.length - 1))] ?? 0));
 		const step = (width - LEFT) / FRAMES;
 		const y = (ms) => height - (ms / most) * (height - 10);
 		context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -81,21 +85,13 @@ export class Parts {
 				from += frame[name];
 			}
 		});
-		context.lineWidth = 2;
-		for (const line of lines) {
-			context.strokeStyle = colourOf(line);
-			context.beginPath();
-			this.#frames.forEach((frame, i) => {
-				if (Number.isFinite(frame[line])) context.lineTo(LEFT + (i + 0.5) * step, y(frame[line]));
-			});
-			context.stroke();
-		}
+		for (const line of lines) this.#drawLine(context, line, colourOf(line), (i) => LEFT + (i + 0.5) * step, y);
 		context.fillStyle = context.strokeStyle = style.color;
 		context.lineWidth = 1;
 		context.font = "12px system-ui, sans-serif";
 		context.textAlign = "right";
 		context.setLineDash([1, 4]);
-		for (const ms of [1000 / 60, most]) {
+		for (const ms of most > 1.5 * FRAME ? [FRAME, most] : [FRAME]) {
 			context.beginPath();
 			context.moveTo(LEFT, y(ms));
 			context.lineTo(width, y(ms));
@@ -103,5 +99,26 @@ export class Parts {
 			context.fillText(format(ms), LEFT - 4, Math.max(10, y(ms) + 4));
 		}
 		context.setLineDash([]);
+		if (this.#frames.length > 0) return;
+		context.font = "15px system-ui, sans-serif";
+		context.textAlign = "center";
+		context.fillText(this.hint, (LEFT + width) / 2, y(most / 2));
+	}
+
+	/** Draws a dot for each frame in which another library was asked. A faint line joins them, so that the parts below it stay in sight. */
+	#drawLine(context, name, colour, x, y) {
+		const asked = this.#frames.map((frame, i) => [i, frame[name]]).filter(([, ms]) => Number.isFinite(ms));
+		context.strokeStyle = context.fillStyle = colour;
+		context.globalAlpha = 0.35;
+		context.beginPath();
+		for (const [i, ms] of asked) context.lineTo(x(i), y(ms));
+		context.stroke();
+		context.globalAlpha = 1;
+		context.beginPath();
+		for (const [i, ms] of asked) {
+			context.moveTo(x(i), y(ms));
+			context.arc(x(i), y(ms), DOT, 0, 2 * Math.PI);
+		}
+		context.fill();
 	}
 }

@@ -5,7 +5,7 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { said } from "./actions.js";
 import {
-	change, collision, colour, compare, create, each, folded, get, go, heading, many, move, numbers, paint, program, remove, repeat, scatter, set, size, start, step, touch, trait, turn, up, walk, when,
+	change, collision, colour, compare, create, each, folded, get, go, ground, heading, many, move, numbers, paint, program, remove, repeat, scatter, set, size, start, step, touch, trait, turn, up, walk, when,
 } from "./notation.js";
 
 const touching = (world) => world.collisions.collision.statistics.collisions;
@@ -185,7 +185,8 @@ export const LESSONS = {
 			each("bears", move(0.1)),
 			touch("bears", "turtles", remove("collidee"), change(1)),
 			each("turtles", move(0.03), turn("left", numbers(-4, 4))),
-			start(create(1, "bears", "bear", size(1.4)), create(8, "turtles", "turtle", scatter, size(1.3)))),
+			// another ground than that of "near", so that their pictures differ
+			start(ground("sea"), create(1, "bears", "bear", size(1.4)), create(8, "turtles", "turtle", scatter, size(1.3)))),
 		isDone: (world, memory) => {
 			memory.most = Math.max(memory.most ?? 0, all(world, "turtles").length);
 			return memory.most >= 8 && all(world, "turtles").length === 0 && total(world, "bears", "turtles") >= 8 && world.seconds <= 30;

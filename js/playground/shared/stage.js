@@ -17,8 +17,8 @@ import { Agents } from "./paint.js";
 import { texts } from "./language.js";
 
 const THEMES = {
-	light: { sky: 0xeef1f6, grid: 0xc9d1de, middle: 0xaab5c6, ambient: 1.5, sun: 2.2 },
-	dark: { sky: 0x171b22, grid: 0x2c3440, middle: 0x46515f, ambient: 1.1, sun: 2.2 },
+	light: { sky: 0xeef1f6, outside: 0xa9d2f2, grid: 0xc9d1de, middle: 0xaab5c6, ambient: 1.5, sun: 2.2 },
+	dark: { sky: 0x171b22, outside: 0x46618a, grid: 0x2c3440, middle: 0x46515f, ambient: 1.1, sun: 2.2 },
 };
 
 const STEEPEST = (40 * Math.PI) / 180;
@@ -131,7 +131,7 @@ export class Stage {
 			this.redraw();
 			return;
 		}
-		this.scene.background = new Color(theme.sky);
+		this.scene.background = new Color(this.fov ? theme.outside : theme.sky);
 		if (this.#grid) {
 			this.scene.remove(this.#grid);
 			this.#grid.dispose();

@@ -104,7 +104,7 @@ export const texts = {
 		mode: "Was gemessen wird", modes: { live: "Ein laufendes Spiel", series: "Alle Systeme nacheinander" },
 		live: {
 			run: "Start", stop: "Stopp", count: "Agenten", system: "Kollisionssystem", drawn: "Welt zeichnen", beside: "Daneben kdbush", besideRapier: "Daneben Rapier (2 MB)",
-			world: "Alle Agenten von oben; wer berührt, ist rot", graph: "Die Teile der letzten Bilder in Millisekunden, übereinander; kdbush und Rapier als Linien",
+			world: "Alle Agenten von oben; wer berührt, ist rot", graph: "Die Teile der letzten Bilder in Millisekunden, übereinander; kdbush und Rapier als Linien", empty: "Drücke Start, dann stehen hier die Zeiten jedes Bildes.",
 			figures: { move: "ms zum Bewegen", engine: "ms der Engine", draw: "ms zum Zeichnen", kdbush: "ms von kdbush", pairs: "Paare berühren sich", near: "Paare sind für kdbush nah", rapier: "ms von Rapier", inRapier: "Paare für Rapier" },
 			six: "die sechs des Spiels", models: "Modelle",
 			note: "Jede Zeit ist die kürzeste von fünfzehn Mittelwerten über die letzten 180 Bilder. Die gepunktete Linie ist ein Bild von 60 in der Sekunde. kdbush ist ein schneller Index von Punkten, für jedes Bild neu gebaut: Es findet die Paare, die auf dem Boden nah genug sind. Die Engine entscheidet auch, welche sich berühren, und ruft für jedes eine Funktion auf. Rapier ist eine Physik-Engine in WebAssembly. Sie hat die engsten Hüllen derselben Agenten und schiebt nichts. Ihre Zeit ist die eines Bildes: Die Agenten bekommen ihre Orte, sie macht einen Schritt, und ihre Paare werden gelesen.",
@@ -122,9 +122,9 @@ export const texts = {
 	level: {
 		title: "Ein Spiel in einem Level", run: "Start", stop: "Stopp", again: "Von vorn", save: "Speichern", load: "Laden",
 		world: "Das Spiel. Solange es den Fokus hat, gehen und drehen die Pfeiltasten oder W, A, S und D, die Leertaste springt, F schießt, und R geht zurück", picture: "Das Level, von hinter der Figur gesehen",
-		how: (triangles) => `Das Level ist ein Netz aus ${triangles.toLocaleString("de")} Dreiecken. Die Dreiecke entscheiden, was es berührt. Du bist die blaue Kapsel. Rote Kapseln folgen dir, wenn sie dich sehen. Die Kamera bleibt außerhalb der Wände. Kugeln sind schnell, darum testet die Engine ihren ganzen Weg. Bis du eine Taste drückst, läuft die Figur von selbst.`,
+		how: (triangles) => `Das Level ist ein Netz aus ${triangles.toLocaleString("de")} Dreiecken. Die Dreiecke entscheiden, was es berührt. Du bist die blaue Kapsel. Die anderen folgen dir, wenn sie dich sehen. Die Kamera bleibt außerhalb der Wände. Kugeln sind schnell, darum testet die Engine ihren ganzen Weg. Drücke Start: Die Figur läuft von selbst, bis du eine Taste drückst.`,
 		figures: { ms: "ms je Bild", walkers: "Kapseln", bullets: "Kugeln", shots: "Schüsse", hits: "Treffer" },
-		timed: "Die Zeit ist der mittlere Wert der letzten 120 Bilder, ohne das Zeichnen. In einem Bild gehen alle Kapseln, jede rote sucht dich, die Kugeln werden getestet, und die Kamera findet ihren Ort.",
+		timed: "Die Zeit ist der mittlere Wert der letzten 120 Bilder, ohne das Zeichnen. In einem Bild gehen alle Kapseln, jede der anderen sucht dich, die Kugeln werden getestet, und die Kamera findet ihren Ort.",
 		keys: { up: "vorwärts", down: "rückwärts", left: "links", right: "rechts", space: "springen", shoot: "schießen", back: "zurück" },
 		code: "Der Quelltext dieses Spiels", whole: "Wie es gezeichnet wird, und das ganze Beispiel (englisch)",
 	},

@@ -105,7 +105,7 @@ export const texts = {
 		mode: "What is measured", modes: { live: "A game that runs", series: "All systems in turn" },
 		live: {
 			run: "Run", stop: "Stop", count: "Agents", system: "Collision system", drawn: "Draw the world", beside: "kdbush beside it", besideRapier: "Rapier beside it (2 MB)",
-			world: "All agents from above; those that touch are red", graph: "The parts of the last frames, in milliseconds, one above the other; kdbush and Rapier as lines",
+			world: "All agents from above; those that touch are red", graph: "The parts of the last frames, in milliseconds, one above the other; kdbush and Rapier as lines", empty: "Press Run to see the times of each frame here.",
 			figures: { move: "ms to move them", engine: "ms of the engine", draw: "ms to draw", kdbush: "ms of kdbush", pairs: "pairs touch", near: "pairs are near for kdbush", rapier: "ms of Rapier", inRapier: "pairs touch for Rapier" },
 			six: "the game’s six", models: "Models",
 			note: "Each time is the least of fifteen averages over the last 180 frames. The dotted line is a frame of 60 a second. kdbush is a fast index of points, built anew for each frame: it finds the pairs that are near enough on the ground. The engine also decides which of them touch, and calls a handler for each. Rapier is a physics engine in WebAssembly. It has the tightest fits of the same agents, and pushes nothing. Its time is that of a frame: the agents get their places, it makes a step, and its pairs are read.",
@@ -123,9 +123,9 @@ export const texts = {
 	level: {
 		title: "A game in a level", run: "Run", stop: "Stop", again: "From the start", save: "Save", load: "Load",
 		world: "The game. While it has the focus, the arrow keys or W, A, S and D walk and turn, the space bar jumps, F shoots, and R goes back", picture: "The level from behind the player",
-		how: (triangles) => `The level is one mesh of ${triangles.toLocaleString("en")} triangles. The triangles decide what touches it. You are the blue capsule. Red capsules follow you when they see you. The camera stays out of walls. Bullets are fast, so the engine tests their whole way. Until you press a key, the player goes round by itself.`,
+		how: (triangles) => `The level is one mesh of ${triangles.toLocaleString("en")} triangles. The triangles decide what touches it. You are the blue capsule. The others follow you when they see you. The camera stays out of walls. Bullets are fast, so the engine tests their whole way. Press Run: the player goes round by itself until you press a key.`,
 		figures: { ms: "ms of a frame", walkers: "capsules", bullets: "bullets", shots: "shots", hits: "hits" },
-		timed: "The time is the middle value of the last 120 frames, without drawing. In a frame all capsules walk, each red one looks for you, the bullets are tested, and the camera finds its place.",
+		timed: "The time is the middle value of the last 120 frames, without drawing. In a frame all capsules walk, each of the others looks for you, the bullets are tested, and the camera finds its place.",
 		keys: { up: "forward", down: "backward", left: "left", right: "right", space: "jump", shoot: "shoot", back: "go back" },
 		code: "The source of this game", whole: "How it is drawn, and all of the example",
 	},

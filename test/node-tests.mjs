@@ -15,7 +15,7 @@ import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { failuresIn } from './failures.mjs';
+import { failuresIn, saidOf } from './failures.mjs';
 import { missing } from './headless/browsers.mjs';
 import { filesBelow, root } from './structure/sources.mjs';
 
@@ -53,11 +53,11 @@ if (which === 'pages' && missing) {
 	writeFileSync(summary, `0 passed, 0 failed, ${pages.length} skipped\n`);
 	process.exit();
 }
-const run = spawnSync(process.execPath, ['--test', `--test-concurrency=${AT_ONCE + 1}`, ...files], { encoding: 'utf8', maxBuffer: 1e9 });
+const run = spawnSync(process.execPath, ['--test', '--test-reporter=tap', `--test-concurrency=${AT_ONCE + 1}`, ...files], { encoding: 'utf8', maxBuffer: 1e9 });
 const passed = count(run.stdout, 'pass');
 const failed = Math.max(count(run.stdout, 'fail'), run.status === 0 && passed > 0 ? 0 : 1);
 if (failed > 0) {
-	console.log(run.stdout + run.stderr);
+	console.log(saidOf(run.stdout) + run.stderr);
 	// as of all other tests: antw says them last
 	for (const name of failuresIn(run.stdout)) console.log(`FAILED ${name}`);
 }

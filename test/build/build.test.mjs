@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { setTimeout } from 'node:timers/promises';
-import { failuresIn } from '../failures.mjs';
+import { failuresIn, saidOf } from '../failures.mjs';
 import { read, root } from '../structure/sources.mjs';
 
 /** The build files, by their paths in the project. */
@@ -142,6 +142,9 @@ test('every part of the build asks that way', () => {
 test('tests that fail without a player are named, whatever Node prints', () => {
 	const tap = 'TAP version 13\n# Subtest: a.test.mjs\n    not ok 2 - adds two\n      ---\n    ok 3 - adds three\nnot ok 1 - a.test.mjs\nnot ok 2 - later # TODO\n';
 	assert.deepEqual(failuresIn(tap), ['adds two', 'a.test.mjs']);
+	const failure = 'not ok 2 - adds two\n  ---\n  error: |-\n    1, not 2\n  ...';
+	assert.equal(saidOf(`TAP version 13\nok 1 - adds one\n  ---\n  duration_ms: 1\n  ...\n${failure}\nok 3 - adds three\n  ---\n  ...\n1..3\n`), failure);
+	assert.equal(saidOf('TAP version 13\n'), 'TAP version 13\n');
 	assert.deepEqual(failuresIn('▶ a.test.mjs\n  ✖ adds two (1.5ms)\n✔ adds three (0.2ms)\n✖ failing tests:\n\n✖ adds two (1.5ms)\n'), ['adds two']);
 });
 

@@ -1,5 +1,8 @@
-/** Which tests -Dtest names: by a class of tests, by a test, or by the source file that they test. */
-import { definitionIn, filesBelow, packageOf, read, sourcesBelow, usesIn } from './structure/sources.mjs';
+/** Which tests -Dtest names: by a class of tests, by a test, by the source file that they test, or by the page whose samples they are. */
+import { existsSync } from 'node:fs';
+import path from 'node:path';
+import { SAMPLES_IN_JAVASCRIPT, classOfSamples, fencesIn } from './docs/samples.mjs';
+import { definitionIn, filesBelow, packageOf, read, root, sourcesBelow, usesIn } from './structure/sources.mjs';
 
 /** Fewer tests than these say little of a source. */
 const ENOUGH = 5;
@@ -81,6 +84,11 @@ export function testsBeside(named, files = filesBelow('test', '.test.mjs').map((
 	return files.filter(([, text]) => packagesIn(text).some((checked) => named.some((name) => name.startsWith(`${checked}.`)))).map(([file]) => file);
 }
 
+/** The files of tests without a player that run the samples of some pages. */
+export function testsOfPages(pages) {
+	return pages.some((page) => fencesIn(read(page)).some(({ language }) => language === 'js')) ? [SAMPLES_IN_JAVASCRIPT] : [];
+}
+
 /** The packages that the first comment of a test without a player says it checks. */
 function packagesIn(text) {
 	return (/\bChecks ((?:starlogo[\w.]+(?:,\s[\s*]*)?)+)\.\s/.exec(text.split('*/')[0])?.[1] ?? '').split(/[,\s*]+/).filter((each) => each !== '');
@@ -97,6 +105,7 @@ export function testsIn(text) {
  * - "Box" takes the classes whose names contain it. If no class is "Box" or "BoxTest", it also takes the tests of the source files of that name,
  *   and the tests whose names contain it.
  * - "Box.as", with or without folders before it, takes "BoxTest" and the tests of the source file. "starlogo.bounding.Box" is "Box".
+ * - "docs/terrain.md", with or without the folder, takes the page's samples.
  * - "BoxTest.volume" takes the tests whose names contain "volume", of the classes whose names contain "BoxTest"; ".volume" takes them of all classes.
  * - Commas stand between several of these.
  *
@@ -108,17 +117,17 @@ export function testsIn(text) {
  * @param {string} pattern what -Dtest has
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
  * @param {Map<string, string>} sources the texts of the other files that tests use, by qualified name
- * @returns {{ tests: Map<string, string[] | null>, used: Set<string>, farther: Set<string>, named: string[], said: string[] }} the tests of each class,
- *     null for all of them; the classes that are in it for what they use alone; those of them that are in it because the nearest have too few tests, or many;
- *     the sources that the pattern names; and why each class is in it
+ * @returns {{ tests: Map<string, string[] | null>, used: Set<string>, farther: Set<string>, named: string[], pages: string[], said: string[] }} the tests of
+ *     each class, null for all of them; the classes that are in it for what they use alone; those of them that are in it because the nearest have too few tests, or many;
+ *     the sources that the pattern names; the pages that it names; and why each class is in it
  */
 export function choose(pattern, classes, sources) {
-	const choice = { tests: new Map(), used: new Set(), farther: new Set(), named: [], said: [] };
+	const choice = { tests: new Map(), used: new Set(), farther: new Set(), named: [], pages: [], said: [] };
 	for (const part of pattern.split(',').filter((each) => each.trim() !== '')) chooseOne(part.trim(), classes, sources, choice);
 	return choice;
 }
 
-function chooseOne(pattern, classes, sources, { tests, used, farther, named, said }) {
+function chooseOne(pattern, classes, sources, { tests, used, farther, named, pages, said }) {
 	const { wanted, test, isFile } = parse(pattern, [...classes.keys(), ...sources.keys()]);
 	const take = (reason, found) => {
 		const added = found.filter((name) => tests.get(name) !== null);
@@ -126,6 +135,12 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, named, sai
 		if (added.length > 0) said.push(`${reason}: ${added.map(simpleName).join(', ')}`);
 		return added;
 	};
+	const page = pageNamed(pattern);
+	if (page !== null) {
+		pages.push(page);
+		take(`samples of ${page}`, [classOfSamples(page)].filter((name) => classes.has(name)));
+		return;
+	}
 	const takeTests = (names, part) => {
 		const known = (name) => tests.get(name) ?? [];
 		const named = names.filter((name) => tests.get(name) !== null).map((name) => [name, testsIn(classes.get(name)).filter((each) => each.toLowerCase().includes(part) && !known(name).includes(each))]);
@@ -162,6 +177,12 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, named, sai
 		}
 	}
 	if (!isFile && !ofClass.some(isOwn)) takeTests([...classes.keys()], wanted);
+}
+
+/** The page that a pattern names, by its path in the project or its name in docs/; or null. */
+function pageNamed(pattern) {
+	const file = pattern.replaceAll('\\', '/');
+	return /\.md$/.test(file) ? [file, `docs/${file}`].find((each) => existsSync(path.join(root, each))) ?? null : null;
 }
 
 /** What a pattern asks for, in small letters: a part of a class's name or a source's name, and a part of a test's name. */

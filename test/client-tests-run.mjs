@@ -35,7 +35,9 @@ function readTrace(line) {
 /** Of a message of the runner: why it has ended the run. */
 function reasonIn(line) {
 	const [, message] = /^headless: (.+)$/.exec(line) ?? [];
-	return message?.replace(/^the SWF stalled: (\S+ s) without a sign of life/, 'did not end within $1').replace('--stall', '-Dstall=SECONDS');
+	return message?.replace(/^the SWF stalled: (\S+ s) without a sign of life/, 'did not end within $1').replace('--stall', '-Dstall=SECONDS')
+		// the reporter calls it
+		.replace(', or has ended without Host.exit', '');
 }
 
 const run = spawn(process.execPath, [headless, swf, '--stall', seconds], { stdio: ['ignore', 'pipe', 'pipe'] });

@@ -13,6 +13,9 @@ import { codeOf, definitionIn, read, root, sourcesBelow } from '../structure/sou
 /** What a sample's fence must not be called: it would not be run. Others (a command, a tree, a table of fields) are no programs. */
 const OTHER_NAMES = /^(?:as3?|javascript|mjs|ts|typescript)$/i;
 
+/** The file of tests that runs samples in JavaScript: those of the pages that the environment's OF names, or all. */
+export const SAMPLES_IN_JAVASCRIPT = 'test/docs/samples.test.mjs';
+
 /** Where a sample takes names from that it does not import itself: as an editor would, from the engine and from these. */
 const FLASH = ['flash.display.Sprite', 'flash.display.Stage', 'flash.events.ErrorEvent', 'flash.events.Event', 'flash.geom.Matrix3D',
 	'flash.geom.Vector3D', 'flash.utils.ByteArray'];
@@ -71,6 +74,9 @@ export function pages() {
 const slugOf = (file) => file.replace(/^(?:docs\/(?!README)|js\/)|\.md$/g, '').replace('/', '-').toLowerCase();
 const classOf = (slug) => slug.replace(/(?:^|-)(\w)/g, (_, letter) => letter.toUpperCase());
 
+/** The class of tests that the samples in ActionScript of a page become. */
+export const classOfSamples = (file) => `docs.${classOf(slugOf(file))}SamplesTest`;
+
 /** Where a page's prelude is, if it has one: its name and an ending. */
 export function preludeOf(name, ending) {
 	const file = `test/docs/${name}${ending}`;
@@ -80,7 +86,13 @@ export function preludeOf(name, ending) {
 /** The names that a program declares at its outermost level. */
 const namesIn = (text, keyword) => [...text.matchAll(new RegExp(`^${keyword} (\\w+)`, 'gm'))].map(([, name]) => name);
 
-const IMPORT = /^import \{(.*)\} from "(.*)";\n?/gm;
+const IMPORT = /^import \{(.*)\} from "(.*)";$/gm;
+/** The line before each sample in what is made of it: the page, and the sample's line there. */
+const PLACE = /^(?:\/\/ | +_place = ")([\w./-]+):(\d+)(?:";)?$/;
+
+const escaped = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
+/** A place in a file that is made of samples, as compilers and Node name it. */
+const MADE = new RegExp(`(?:${[pathToFileURL(root).href, root].map(escaped).join('|')})?(bin/generated/docs(?:-js)?/[\\w./-]+\\.(?:as|mjs))(?:\\((\\d+)\\)|:(\\d+))`, 'g');
 const isWhole = (text) => /^(?:import .*\n|\s)*(?:package|public (?:final )?class)\b/.test(text);
 
 /**
@@ -103,7 +115,8 @@ export function testClasses(pages) {
 		files.set(at, text);
 	};
 	for (const { file, line, text } of whole) {
-		add(definedIn(text), `${file}:${line}`, `// ${file}:${line}\n${/^package\b/m.test(text) ? text : packaged(text)}\n`);
+		const placed = `// ${file}:${line}\n${text}\n`;
+		add(definedIn(text), `${file}:${line}`, /^package\b/m.test(text) ? placed : packaged(placed));
 	}
 	for (const page of samples) {
 		add(`docs.${classOf(page.slug)}SamplesTest`, page.file, testClass(page, classes));
@@ -137,7 +150,7 @@ function importLines(text, classes) {
 function testClass({ file, slug, fences }, classes) {
 	const name = classOf(slug);
 	const statements = fences.filter(({ text }) => !isWhole(text))
-		.map(({ line, text }) => `            // ${file}:${line}\n${text.replace(/^import .*\n/gm, '')}`).join('\n\n');
+		.map(({ line, text }) => `                _place = "${file}:${line}";\n${text.replace(/^import .*$/gm, '')}`).join('\n\n');
 	const shown = namesIn(statements, 'var').map((each) => `${each}: ${each}`).join(', ');
 	const prelude = preludeOf(name, 'Page.as') ? `${name}Page` : 'Page';
 	return `package docs
@@ -149,10 +162,20 @@ ${importLines(fences.map(({ text }) => text).join('\n'), classes)}
     {
         public static const FIXTURES:Array = ${prelude}.FIXTURES;
 
+        private var _place:String;
+
         [Test(async)]
         public function samples():void
         {
+            try
+            {
 ${statements}
+            }
+            catch (thrown:Error)
+            {
+                thrown.message = "in the sample at " + _place + ": " + thrown.message;
+                throw thrown;
+            }
             check({ ${shown} });
         }
     }
@@ -169,13 +192,31 @@ ${statements}
 export function moduleOf({ file, slug, fences }) {
 	const text = fences.filter(({ language }) => language === 'js').map((fence) => `// ${file}:${fence.line}\n${fence.text}`).join('\n\n');
 	const imported = new Map();
-	for (const [, names, from] of text.matchAll(IMPORT)) {
-		imported.set(from, [...imported.get(from) ?? [], ...names.split(',').map((name) => name.trim())]);
-	}
+	// a later sample may import a name again
+	const once = text.replace(IMPORT, (_, names, from) => {
+		const known = imported.get(from) ?? new Set();
+		const added = names.split(',').map((name) => name.trim()).filter((name) => !known.has(name));
+		imported.set(from, new Set([...known, ...added]));
+		return added.length > 0 ? `import { ${added.join(', ')} } from "${from}";` : '';
+	});
 	const prelude = preludeOf(slug, '.mjs');
-	if (prelude) {
-		imported.set(pathToFileURL(path.join(root, prelude)).href, namesIn(read(prelude), 'export const').filter((name) => text.includes(name)));
-	}
-	const imports = [...imported].map(([from, names]) => `import { ${[...new Set(names)].join(', ')} } from "${from}";`);
-	return `${imports.join('\n')}\n\n${text.replace(IMPORT, '')}\n\nexport { ${namesIn(text, '(?:const|let|function|class)').join(', ')} };\n`;
+	const given = prelude ? namesIn(read(prelude), 'export const').filter((name) => text.includes(name)).join(', ') : '';
+	const first = prelude ? `import { ${given} } from "${pathToFileURL(path.join(root, prelude)).href}";\n\n` : '';
+	return `${first}${once}\n\nexport { ${namesIn(text, '(?:const|let|function|class)').join(', ')} };\n`;
+}
+
+/**
+ * What a compiler or Node says, with the page and the line there in place of those of files that are made of samples.
+ *
+ * @param {string} said text that names files as "a/File.as(3)" or "a/file.mjs:3"
+ */
+export function withPagesNamed(said) {
+	return said.replace(MADE, (place, file, inBrackets, behind) => {
+		const number = Number(inBrackets ?? behind);
+		const above = existsSync(path.join(root, file)) ? read(file).split('\n').slice(0, number) : [];
+		const at = above.findLastIndex((line) => PLACE.test(line));
+		if (at < 0) return place;
+		const [, page, first] = PLACE.exec(above[at]);
+		return `${page}:${Number(first) + number - at - 2}`;
+	});
 }

@@ -1,12 +1,12 @@
 /** The samples of the documentation in JavaScript, run on the module that the build has made; and that broken ones fail. */
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import { cpSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { root } from '../structure/sources.mjs';
-import { fencesIn, listingsIn, moduleOf, pages, preludeOf, testClasses } from './samples.mjs';
+import { fencesIn, listingsIn, moduleOf, pages, preludeOf, testClasses, withPagesNamed } from './samples.mjs';
 
 const folder = path.join(root, 'bin/generated/docs-js');
 const page = (...samples) => ({
@@ -27,10 +27,14 @@ function run(each) {
 	writeFileSync(path.join(folder, `${each.slug}.run.mjs`), `import * as samples from "./${each.slug}.mjs";
 ${prelude ? `import { check } from "${pathToFileURL(path.join(root, prelude))}";\nawait check(samples);` : ''}
 `);
-	return execFileSync(process.execPath, [path.join(folder, `${each.slug}.run.mjs`)], { encoding: 'utf8', stdio: 'pipe' });
+	const { status, stdout, stderr } = spawnSync(process.execPath, [path.join(folder, `${each.slug}.run.mjs`)], { encoding: 'utf8' });
+	if (status !== 0) throw new Error(withPagesNamed(stderr));
+	return stdout;
 }
 
-for (const each of pages().filter(({ fences }) => fences.some(({ language }) => language === 'js'))) {
+const wanted = (process.env.OF ?? '').split(',').filter((file) => file.endsWith('.md'));
+const inJavaScript = pages().filter(({ fences }) => fences.some(({ language }) => language === 'js'));
+for (const each of inJavaScript.filter(({ file }) => wanted.length === 0 || wanted.includes(file))) {
 	test(`the samples of ${each.file} run`, () => {
 		run(each);
 	});
@@ -39,6 +43,19 @@ for (const each of pages().filter(({ fences }) => fences.some(({ language }) => 
 test('a broken sample in JavaScript fails', () => {
 	assert.throws(() => run(page('import { Agent } from "starlogo-collision";\n', 'const agent = new Agent("bear").turn(30);\n')), /turn is not a function/);
 	assert.match(run(page('import { Agent } from "starlogo-collision";\n', 'const agent = new Agent("bear");\nconsole.log(agent.shape);\n')), /^bear$/m);
+});
+
+test('an error in a sample names the page, and the line there', () => {
+	const imported = 'import { Agent } from "starlogo-collision";';
+	assert.throws(() => run(page(`${imported}\nconst first = new Agent("bear");`, `${imported}\n\nfirst.turn(30);`)), ({ message }) => /\ba\.md:13:7\n/.test(message) && !/a\.mjs/.test(message));
+	const mine = 'package game\n{\n    public class Mine\n    {\n        var x:int;\n    }\n}';
+	for (const [file, text] of testClasses([page('var a:Agent = null;\n', 'var b:int;\nimport game.Mine;\nvar mine:Mine = null;', mine)])) {
+		mkdirSync(path.join(folder, path.dirname(file)), { recursive: true });
+		writeFileSync(path.join(folder, file), text);
+		const line = text.split('\n').findIndex((each) => /var (x:int|mine:Mine)/.test(each)) + 1;
+		assert.equal(withPagesNamed(`${path.join(folder, file)}(${line}): col: 5 Error`), `a.md:${/Mine/.test(file) ? 25 : 13}: col: 5 Error`);
+	}
+	assert.equal(withPagesNamed('bin/generated/docs/docs/NoSuchTest.as(3)'), 'bin/generated/docs/docs/NoSuchTest.as(3)');
 });
 
 test('fences are found, with their lines', () => {
@@ -58,7 +75,7 @@ test('samples of a page follow one another in one test, and a class is a file', 
 	assert.deepEqual([...files.keys()].sort(), ['docs/ASamplesTest.as', 'game/Mine.as']);
 	const generated = files.get('docs/ASamplesTest.as');
 	assert.match(generated, /import game\.Mine;\n {4}import starlogo\.agents\.Agent;/);
-	assert.match(generated, /a\.md:1\nvar a:Agent[^]*a\.md:21\nvar mine:Mine[^]*check\(\{ a: a, mine: mine \}\)/);
+	assert.match(generated, /a\.md:1";\nvar a:Agent[^]*a\.md:21";\nvar mine:Mine[^]*check\(\{ a: a, mine: mine \}\)/);
 	assert.throws(() => testClasses([page(mine, mine)]), /another sample defines game\.Mine/);
 	assert.throws(() => testClasses([page('var a:int;\n'), page('var b:int;\n')]), /another sample defines docs\.ASamplesTest/);
 });

@@ -194,7 +194,7 @@ function stalled(frames, since, seconds) {
 		return `, and no frame in the last ${since} s: one call takes longer, or has no end`;
 	}
 	return frames < seconds ? `, but ${frames} frames: it is slow; give it more by --stall`
-		: `, but ${frames} frames: it waits for an event, or does not call Host.exit`;
+		: `, but ${frames} frames: it waits for an event that does not come, or has ended without Host.exit`;
 }
 
 /** Plays all parts, one after the other, whatever happens to one. Resolves with the last exit status that is not 0. */

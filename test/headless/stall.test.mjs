@@ -80,5 +80,8 @@ test('the last test that a client\'s SWF has begun is the one that did not end',
 	const { status, stdout } = spawnSync(process.execPath, [path.join(root, 'test/client-tests-run.mjs'), file, '5', counts], { encoding: 'utf8' });
 	assert.equal(status, 70);
 	assert.match(stdout, /^FAILED game\.MeetTest\.hangs \(MeetTest\.as:7\): did not end within 5 s, and no frame in the last \d+ s: .*\n2 passed, 1 failed, 0 ignored, 2 not run\n$/m);
+	// the build's own reporter calls Host.exit
+	const waiting = spawnSync(process.execPath, [path.join(root, 'test/client-tests-run.mjs'), swf('waiting-client.swf', traced('  1/1 game.MeetTest.waits')), '5', path.join(folder, 'others.txt')], { encoding: 'utf8' });
+	assert.match(waiting.stdout, /^FAILED game\.MeetTest\.waits: did not end within 5 s, but \d+ frames: it (?!.*Host)/m);
 	assert.equal(readFileSync(counts, 'utf8'), '2 passed, 1 failed, 0 ignored, 2 not run');
 });

@@ -6,7 +6,7 @@
  *
  * TESTS is what the build made of the engine and the tests together. With --order these run alone, in that order; with --first it ends when one fails.
  * If none fails, those of --then run, or those farther from the source that PATTERN names, until one fails or they have taken their time. Before these the
- * files of --beside run, each as node --test with TESTS as their engine. --of says of which sources all these are tests.
+ * files of --beside run, each as node --test with TESTS as their engine. --of says of which sources and pages all these are tests.
  * With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines of TESTS that it
  * runs. The first line has those that run when TESTS is loaded.
  */
@@ -15,7 +15,7 @@ import { appendFileSync, mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
-import { choose, fartherTests, readTests, testsBeside } from "../chosen.mjs";
+import { choose, fartherTests, readTests, testsBeside, testsOfPages } from "../chosen.mjs";
 import { countLines } from "./coverage.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
@@ -83,15 +83,16 @@ function chosen() {
 	const known = readTests();
 	const choice = choose(options.test, known.classes, known.sources);
 	const { tests: found, farther: far, said } = choice;
-	if (found.size === 0) console.log(`no test matches ${options.test}: no class of tests, no test and no source file has that name`);
+	const ofPages = testsOfPages(choice.pages);
+	if (found.size + ofPages.length === 0) console.log(`no test matches ${options.test}: no class of tests, no test, no source file and no page with samples in JavaScript has that name`);
 	for (const line of said) console.log(line);
 	const near = tests.CLASSES.filter(({ name }) => found.has(name) && (options.full || !far.has(name)));
 	const then = options.full ? [] : fartherTests(choice, known.classes, known.sources);
 	return {
 		classes: near.map((each) => ({ ...each, isRun: (test) => found.get(each.name)?.includes(test) ?? true })),
 		farther: inOrder(then),
-		beside: options.full ? [] : testsBeside(choice.named),
-		of: choice.named,
+		beside: [...options.full ? [] : testsBeside(choice.named), ...ofPages],
+		of: [...choice.named, ...choice.pages],
 	};
 }
 
@@ -101,7 +102,7 @@ if (failed === 0) await runFarther();
 
 /** Runs a file of tests without a player on the module that is tested. */
 function runBeside(file) {
-	const { status, stdout, stderr } = spawnSync(process.execPath, ["--test", file], { encoding: "utf8", maxBuffer: 1e9, env: { ...process.env, ENGINE: path.resolve(positionals[0]) } });
+	const { status, stdout, stderr } = spawnSync(process.execPath, ["--test", file], { encoding: "utf8", maxBuffer: 1e9, env: { ...process.env, ENGINE: path.resolve(positionals[0]), OF: of.join(",") } });
 	if (status === 0) passed++;
 	else {
 		failed++;

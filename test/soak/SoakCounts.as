@@ -3,6 +3,8 @@ package soak
     /** What has happened in a soak: numbers by name, of which none may stay 0. */
     public final class SoakCounts
     {
+        private static const NAMED:int = 5;
+
         private var _names:Array = [];
         private var _counts:Object = {};
 
@@ -47,13 +49,17 @@ package soak
                 });
         }
 
-        /** A line each. */
+        /** How many kinds there are, and the rarest. */
         public function toString():String
         {
-            return _names.map(function(name:String, index:int, all:Array):String
+            var rarest:Array = _names.concat().sort(function(a:String, b:String):Number
                 {
-                    return "  " + name + ": " + _counts[name];
-                }).join("\n");
+                    return _counts[a] - _counts[b];
+                }).slice(0, NAMED);
+            return "  " + _names.length + " kinds of events, the rarest: " + rarest.map(function(name:String, index:int, all:Array):String
+                {
+                    return name + " " + _counts[name];
+                }).join(", ");
         }
     }
 }

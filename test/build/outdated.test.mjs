@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { outlineOf } from '../../js/module/outline.mjs';
 import { outdated, readSources } from '../../js/module/sources.mjs';
-import { read, sourcesBelow } from './sources.mjs';
+import { read, sourcesBelow } from '../structure/sources.mjs';
 
 const CLASS = `package a
 {

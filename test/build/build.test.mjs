@@ -7,8 +7,8 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { setTimeout } from 'node:timers/promises';
-import { failuresIn } from '../failures.mjs';
-import { read, root } from './sources.mjs';
+import { failuresIn, saidOf } from '../failures.mjs';
+import { read, root } from '../structure/sources.mjs';
 
 /** The build files, by their paths in the project. */
 const files = ['build.xml', ...readdirSync(path.join(root, 'build')).filter((file) => file.endsWith('.xml')).map((file) => `build/${file}`)];
@@ -48,9 +48,16 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 	const ofExec = ['BUILD FAILED', '/a/build/module.xml:9: exec returned: 1', '', 'Total time: 8 seconds'];
 	assert.equal(runAnt(['FAILED ATest.is: 1, not 2', '', ...ofExec], 1).stdout.split('seconds\n')[1], '\nFAILED ATest.is: 1, not 2\n');
 	assert.equal(runAnt(ofExec, 1).stdout.split('seconds\n')[1], '\nexec returned: 1\n');
+	const twice = ['/c/A.as(3): col: 5 Error: one', '    x++;', '/c/A.as(9): col: 5 Error: two', '    x++;'];
+	const ofParts = ['BUILD FAILED', '/a/build.xml:2: The following error occurred while executing this line:', '/a/build.xml:9: mxmlc:', ...twice, '/a/build.xml:9: mxmlc:', ...twice, '', 'Total time: 8 seconds'];
+	assert.equal(runAnt(ofParts, 1).stdout.split('seconds\n')[1], `\nmxmlc:\n${twice.join('\n')}\n`);
 	const good = runAnt(['BUILD SUCCESSFUL', 'Total time: 8 seconds'], 0);
 	assert.equal(good.status, 0);
 	assert.equal(good.stdout, 'BUILD SUCCESSFUL\nTotal time: 8 seconds\n');
+});
+
+test('what a tool says of a failure is told at once, and not only when all parts have ended', () => {
+	for (const file of files) assert.doesNotMatch(read(file), /<fail [^>]*\$\{[^>]*(output|problems|lint)/, file);
 });
 
 /** A program in Ant's place that makes something and does not end. It says so when it is told to. */
@@ -77,6 +84,26 @@ for (const signal of ['SIGTERM', 'SIGINT', 'SIGKILL']) {
 		rmSync(ended);
 	});
 }
+
+test('a second run in the folder is refused until the first has ended, or is a server\'s', async () => {
+	assert.equal(runAnt([], 0).status, 0);
+	hangingAnt();
+	const env = { ...process.env, ANT_HOME: home, IVY_JAR: path.join(home, 'antw') };
+	const run = spawn(path.join(home, 'antw'), ['compile'], { stdio: 'ignore', env });
+	while (!existsSync(path.join(home, 'bin/stamps/begun/file'))) await setTimeout(20);
+	const { status, stderr } = runAnt([], 0);
+	assert.equal(status, 75);
+	assert.match(stderr, new RegExp(`^antw: another run is going on in this folder, process ${run.pid}: `));
+	rmSync(path.join(home, 'bin/stamps/making'));
+	assert.equal(runAnt([], 0).status, 0);
+	for (const file of ['js/playground/serve.mjs', 'build/examples/serve.mjs']) {
+		const [target] = files.map(read).map((text) => text.split(`<arg value="${file}"/>`)[0]).filter((text, i) => text !== read(files[i]));
+		assert.match(target, /<delete file="\$\{stamps\}\/making" quiet="true"\/>\s+<exec [^<]*$/, file);
+	}
+	run.kill('SIGTERM');
+	await once(run, 'exit');
+	assert.equal(runAnt([], 0).status, 0);
+});
 
 test('what is made is made again after any edit of its sources: in the same second, or while it is made', () => {
 	const project = path.join(home, 'made.xml');
@@ -115,6 +142,9 @@ test('every part of the build asks that way', () => {
 test('tests that fail without a player are named, whatever Node prints', () => {
 	const tap = 'TAP version 13\n# Subtest: a.test.mjs\n    not ok 2 - adds two\n      ---\n    ok 3 - adds three\nnot ok 1 - a.test.mjs\nnot ok 2 - later # TODO\n';
 	assert.deepEqual(failuresIn(tap), ['adds two', 'a.test.mjs']);
+	const failure = 'not ok 2 - adds two\n  ---\n  error: |-\n    1, not 2\n  ...';
+	assert.equal(saidOf(`TAP version 13\nok 1 - adds one\n  ---\n  duration_ms: 1\n  ...\n${failure}\nok 3 - adds three\n  ---\n  ...\n1..3\n`), failure);
+	assert.equal(saidOf('TAP version 13\n'), 'TAP version 13\n');
 	assert.deepEqual(failuresIn('▶ a.test.mjs\n  ✖ adds two (1.5ms)\n✔ adds three (0.2ms)\n✖ failing tests:\n\n✖ adds two (1.5ms)\n'), ['adds two']);
 });
 

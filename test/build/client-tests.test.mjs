@@ -52,7 +52,17 @@ test('a function that FlexUnit would leave out is named', () => {
 
 test('a name chooses some of them', () => {
 	assert.equal(run('src,tests', 'turtle').stdout, '1 test class\n');
-	assert.match(written(), /Request\.classes\(game\.world\.TurtleTest\)/);
+	assert.match(written(), /Request\.classes\(game\.world\.TurtleTest\)\)/);
+});
+
+test('a name with a point chooses tests of a class', () => {
+	const file = path.join(folder, 'tests/game/world/TurtleTest.as');
+	writeFileSync(file, ['swims', 'dives', 'divesDeep'].map((name) => `        [Test]\n        public function ${name}():void {}\n`).join(''));
+	assert.equal(run('src,tests', 'TurtleTest.dives,MainTest').status, 0);
+	assert.match(written(), /PICKED:Array = \["MainTest", "game\.world\.TurtleTest\.dives", "game\.world\.TurtleTest\.divesDeep"\]/);
+	assert.match(written(), /Request\.classes\(MainTest, game\.world\.TurtleTest\)\.filterWith\(/);
+	assert.equal(run('src,tests', 'turtletest.flies').status, 64);
+	writeFileSync(file, '');
 });
 
 test('what is not there is named', () => {
@@ -60,5 +70,5 @@ test('what is not there is named', () => {
 	assert.match(run('src').stderr, /no file below src ends with Test\.as/);
 	const { status, stderr } = run('tests', 'bear');
 	assert.equal(status, 64);
-	assert.match(stderr, /no class matches -Dtest=bear, which chooses whole classes; there are MainTest, game\.world\.TurtleTest/);
+	assert.match(stderr, /no class and no test matches -Dtest=bear; there are MainTest, game\.world\.TurtleTest/);
 });

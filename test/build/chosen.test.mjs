@@ -1,7 +1,7 @@
 /** Tests of what -Dtest finds. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BROAD, choose, fartherTests, readTests, testsBeside, testsIn } from '../chosen.mjs';
+import { BROAD, choose, fartherTests, readTests, testsBeside, testsIn, testsOfPages } from '../chosen.mjs';
 
 const known = readTests();
 
@@ -46,6 +46,18 @@ test('a class with tests of its own name has these, and with .as those of what u
 	assert.ok(found('Box').includes('BoxTest'));
 	assert.equal(found('Box.as')[0], 'BoxTest');
 	assert.ok(found('Box.as').includes('IntersectsTest'));
+});
+
+test('a page is found by its path or its name, with the tests of its samples', () => {
+	const classes = new Map([...known.classes, ['docs.TerrainSamplesTest', ''], ['docs.ReadmeSamplesTest', '']]);
+	for (const pattern of ['docs/terrain.md', 'terrain.md', 'docs\\terrain.md']) {
+		const { tests, named, pages } = choose(pattern, classes, known.sources);
+		assert.deepEqual([[...tests.keys()], named, pages], [['docs.TerrainSamplesTest'], [], ['docs/terrain.md']], pattern);
+	}
+	assert.deepEqual([...choose('README.md', classes, known.sources).tests.keys()], ['docs.ReadmeSamplesTest']);
+	assert.deepEqual(choose('noSuchPage.md', classes, known.sources).pages, []);
+	assert.deepEqual(testsOfPages(['CONTRIBUTING.md', 'docs/terms.md']), []);
+	assert.deepEqual(testsOfPages(['docs/queries.md']), ['test/docs/samples.test.mjs']);
 });
 
 test('several names are all taken', () => {

@@ -45,13 +45,13 @@ package support
         /** The first one's point. */
         public function get pointA():Vector3D
         {
-            return new Vector3D(closest.aX, closest.aY, closest.aZ);
+            return closest.a.clone();
         }
 
         /** The second one's point. */
         public function get pointB():Vector3D
         {
-            return new Vector3D(closest.bX, closest.bY, closest.bZ);
+            return closest.b.clone();
         }
     }
 }

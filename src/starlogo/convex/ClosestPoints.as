@@ -1,7 +1,10 @@
 package starlogo.convex
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
+
+    use namespace engine;
 
     /**
      * The distance of two shapes a and b and their closest points, as a record. If the shapes touch, both points are one point of both shapes.
@@ -14,14 +17,10 @@ package starlogo.convex
         public var distance:Number = Infinity;
 
         /** The point of a. */
-        public var aX:Number = 0;
-        public var aY:Number = 0;
-        public var aZ:Number = 0;
+        public var a:Vector3D = new Vector3D();
 
         /** The point of b. */
-        public var bX:Number = 0;
-        public var bY:Number = 0;
-        public var bZ:Number = 0;
+        public var b:Vector3D = new Vector3D();
 
         /**
          * Sets the distance and the points from the gap between two cores. If the shapes overlap, both points become one point. It lies on the line
@@ -51,12 +50,12 @@ package starlogo.convex
                 y /= length;
                 z /= length;
             }
-            aX = gap.pointX - atA * x;
-            aY = gap.pointY - atA * y;
-            aZ = gap.pointZ - atA * z;
-            bX = gap.pointX - atB * x;
-            bY = gap.pointY - atB * y;
-            bZ = gap.pointZ - atB * z;
+            a.x = gap.pointX - atA * x;
+            a.y = gap.pointY - atA * y;
+            a.z = gap.pointZ - atA * z;
+            b.x = gap.pointX - atB * x;
+            b.y = gap.pointY - atB * y;
+            b.z = gap.pointZ - atB * z;
         }
 
         /**
@@ -65,16 +64,16 @@ package starlogo.convex
          */
         public function writeContact(out:ContactPoint):void
         {
-            var x:Number = aX - bX;
-            var y:Number = aY - bY;
-            var z:Number = aZ - bZ;
+            var x:Number = a.x - b.x;
+            var y:Number = a.y - b.y;
+            var z:Number = a.z - b.z;
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             out.depth = 0;
             if (distance < Infinity && length > 0)
             {
-                out.x = bX + x / 2;
-                out.y = bY + y / 2;
-                out.z = bZ + z / 2;
+                out.x = b.x + x / 2;
+                out.y = b.y + y / 2;
+                out.z = b.z + z / 2;
                 out.setNormal(x / length, y / length, z / length);
             }
         }
@@ -82,15 +81,9 @@ package starlogo.convex
         /** Exchanges the two shapes. */
         public function swap():void
         {
-            var x:Number = aX;
-            var y:Number = aY;
-            var z:Number = aZ;
-            aX = bX;
-            aY = bY;
-            aZ = bZ;
-            bX = x;
-            bY = y;
-            bZ = z;
+            var point:Vector3D = a;
+            a = b;
+            b = point;
         }
 
         /**
@@ -102,9 +95,9 @@ package starlogo.convex
             if (areTouching)
             {
                 distance = 0;
-                aX = bX = (aX + bX) / 2;
-                aY = bY = (aY + bY) / 2;
-                aZ = bZ = (aZ + bZ) / 2;
+                a.x = b.x = (a.x + b.x) / 2;
+                a.y = b.y = (a.y + b.y) / 2;
+                a.z = b.z = (a.z + b.z) / 2;
             }
             else if (!(distance > 0))
             {
@@ -116,39 +109,23 @@ package starlogo.convex
         public function setPoint(point:Vector3D):void
         {
             distance = 0;
-            aX = bX = point.x;
-            aY = bY = point.y;
-            aZ = bZ = point.z;
+            a.copyFrom(point);
+            b.copyFrom(point);
         }
 
         /** Transforms the points by a placement. */
         public function place(placement:Placement):void
         {
-            var size:Number = placement.size;
-            var x:Number = aX * size;
-            var y:Number = aY * size;
-            var z:Number = aZ * size;
-            aX = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
-            aY = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
-            aZ = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
-            x = bX * size;
-            y = bY * size;
-            z = bZ * size;
-            bX = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
-            bY = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
-            bZ = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
+            placement.place(a, a);
+            placement.place(b, b);
         }
 
         /** Copies another pair. */
         public function copyFrom(other:ClosestPoints):void
         {
             distance = other.distance;
-            aX = other.aX;
-            aY = other.aY;
-            aZ = other.aZ;
-            bX = other.bX;
-            bY = other.bY;
-            bZ = other.bZ;
+            a.copyFrom(other.a);
+            b.copyFrom(other.b);
         }
     }
 }

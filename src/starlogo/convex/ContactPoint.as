@@ -28,8 +28,8 @@ package starlogo.convex
          */
         public var triangle:int = -1;
 
-        /** What else is known of the depth. Null until a contact with such knowledge is written for the first time. */
-        public var proof:DepthProof = null;
+        /** What else is known of the depth. Only tests of the ground write it. */
+        public var proof:DepthProof = new DepthProof();
 
         /** Becomes the same as another contact. */
         public function copyFrom(other:ContactPoint):void
@@ -42,22 +42,7 @@ package starlogo.convex
             normalZ = other.normalZ;
             depth = other.depth;
             triangle = other.triangle;
-            if (other.proof != null)
-            {
-                resetProof().copyFrom(other.proof);
-            }
-            else if (proof != null)
-            {
-                proof.clear();
-            }
-        }
-
-        /** Returns the record of what is known of the depth, for a contact of which nothing is known yet. */
-        public function resetProof():DepthProof
-        {
-            proof ||= new DepthProof();
-            proof.clear();
-            return proof;
+            proof.copyFrom(other.proof);
         }
 
         /**

@@ -104,7 +104,7 @@ package starlogo.ground
             }
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                out.resetProof();
+                out.proof.clear();
                 _pairs.moveToWorld(out);
             }
         }
@@ -150,13 +150,13 @@ package starlogo.ground
                     _pairs.leaveOutFarther(out.distance);
                 }
             }
+            // the model's point first
+            out.swap();
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = _pairs.grid.heightAt(out.aX + origin.x, out.aY + origin.y) - origin.z >= out.aZ;
-                out.aX = out.bX = isUnder ? out.aX : out.bX;
-                out.aY = out.bY = isUnder ? out.aY : out.bY;
-                out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
+                var isUnder:Boolean = _pairs.grid.heightAt(out.a.x + origin.x, out.a.y + origin.y) - origin.z >= out.a.z;
+                out.setPoint(isUnder ? out.a : out.b);
             }
             out.correct(areTouching);
             out.place(origin);

@@ -51,7 +51,8 @@ package starlogo.ground
          */
         public function findContact(out:ContactPoint):void
         {
-            var proof:DepthProof = out.resetProof();
+            var proof:DepthProof = out.proof;
+            proof.clear();
             if (findDeepestBehind(out))
             {
                 // a point of the model is that deep behind a triangle
@@ -82,7 +83,7 @@ package starlogo.ground
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
-            out.resetProof();
+            out.proof.clear();
             _pairs.moveToWorld(out);
         }
 

@@ -61,7 +61,6 @@ package starlogo.ground
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _nodeCount:int = 0;
 
-        private var _nodeBox:Box = BoxTree.newBox();
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** Sets the model, as <code>GroundModelQuery.setTo()</code> takes it. The origin is the place of the placement. */
@@ -152,14 +151,14 @@ package starlogo.ground
                 return true;
             }
             var tree:BoxTree = _tree.boxTree;
-            tree.writeBox(node, _nodeBox);
+            var nodeBox:Box = tree.boxOf(node);
             isAbovePieces = tree.endsUpToDepth[node] < _depth;
             if (!isAbovePieces && _depth < BoxTree.EXACT)
             {
-                takeStructure(_nodeBox);
+                takeStructure(nodeBox);
                 return true;
             }
-            fitBoxTo(_nodeBox);
+            fitBoxTo(nodeBox);
             shapeInBox = null;
             point.x = box.x;
             point.y = box.y;

@@ -89,7 +89,7 @@ package starlogo.ground
         }
 
         /**
-         * Finds the closest points of the shape and the triangle, if they are closer than those found before.
+         * Finds the closest points of the triangle and the shape, if they are closer than those found before.
          *
          * @param out the points found before; overwritten if these are closer
          * @return whether these are closer

@@ -65,14 +65,7 @@ package starlogo.hierarchy
                 var bEnds:Boolean = endsB[b] >= trees.depthB;
                 if (aEnds && bEnds)
                 {
-                    if (visitor == null)
-                    {
-                        measureBoxes(trees, a, b, out);
-                    }
-                    else
-                    {
-                        measureItems(a, b, visitor, out);
-                    }
+                    measure(trees, a, b, visitor, out);
                     continue;
                 }
                 var dividesA:Boolean = bEnds || !aEnds && trees.isFirstLarger(a, b);
@@ -108,16 +101,10 @@ package starlogo.hierarchy
             throw new IllegalOperationError(this + " does not implement estimate");
         }
 
-        /** Measures the boxes of two nodes. If they are better than the best pair so far, they become it. */
-        protected function measureBoxes(trees:PosedTrees, a:int, b:int, out:BestPair):void
+        /** Measures two nodes that decide, by the visitor, or by their boxes if it is null. If they are better than the best pair so far, they become it. */
+        protected function measure(trees:PosedTrees, a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
         {
-            throw new IllegalOperationError(this + " does not implement measureBoxes");
-        }
-
-        /** Asks a visitor the subclass's question about the items of two nodes. */
-        protected function measureItems(a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
-        {
-            throw new IllegalOperationError(this + " does not implement measureItems");
+            throw new IllegalOperationError(this + " does not implement measure");
         }
     }
 }

@@ -72,6 +72,9 @@ package starlogo.hierarchy
         /** The radius of a sphere around the origin that contains the model. Rounding errors are relative to it. Complete with the root's box. */
         public var radiusAboutOrigin:Number = 0;
 
+        // The result of boxOf().
+        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+
         /**
          * Creates a tree without nodes. A NodeMaker makes them.
          *
@@ -114,16 +117,11 @@ package starlogo.hierarchy
             return splits[node] >> 2;
         }
 
-        /** A box for <code>writeBox()</code>. */
-        public static function newBox():Box
-        {
-            return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
-        }
-
-        /** Sets a box, whose axes are the coordinate axes already, to the box of a node, and returns it. */
-        public function writeBox(node:int, box:Box):Box
+        /** The box of a node as a structure. The next call overwrites it. */
+        public function boxOf(node:int):Box
         {
             var at:int = 6 * node;
+            var box:Box = _box;
             var center:Vector3D = box.center;
             center.x = boxes[at];
             center.y = boxes[int(at + 1)];

@@ -1,13 +1,12 @@
 package starlogo.hierarchy
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.PairTable;
     import starlogo.intersection.boxes.BoxAxes;
+    import starlogo.intersection.boxes.BoxPair;
 
     /**
      * Finds the distance of two trees. The distance of two boxes' extents, along the axes of one box or the other, is a lower bound of the
@@ -25,17 +24,14 @@ package starlogo.hierarchy
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
 
-        // The second model's axes, times its scale.
-        private var _axes:BoxAxes = new BoxAxes();
+        // The second tree's axes times its scale, and the vector from the middle of the first tree's node to the middle of the second's, of the pair
+        // that is estimated.
+        private var _pair:BoxPair = new BoxPair();
 
         // The radii of the spheres around both trees together. The rounding error is relative to it.
         private var _radii:Number;
 
-        // The vector from the middle of the first tree's node to the middle of the second's, of the pair that is estimated.
-        private var _between:Vector3D = new Vector3D();
-
         private var _measured:ClosestPoints = new ClosestPoints();
-        private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts the pairs of nodes that are visited */
         public function DistanceTraversal(counts:TreeCounts)
@@ -53,7 +49,7 @@ package starlogo.hierarchy
         {
             var relative:Placement = trees.pose.placement;
             _radii = trees.a.radius + trees.b.radius * relative.size;
-            _axes.readAxes(relative, relative.size);
+            _pair.axes.readAxes(relative, relative.size);
             out.copyFrom(find(trees, visitor).points);
         }
 
@@ -65,7 +61,8 @@ package starlogo.hierarchy
          */
         override protected function estimate(trees:PosedTrees, a:int, b:int, out:BestPair):void
         {
-            var axes:BoxAxes = _axes;
+            var pair:BoxPair = _pair;
+            var axes:BoxAxes = pair.axes;
             var pose:RelativePose = trees.pose;
             var relative:Placement = pose.placement;
             var boxes:Vector.<Number> = trees.b.boxes;
@@ -102,28 +99,27 @@ package starlogo.hierarchy
                 out.bound = out.least;
                 return;
             }
-            var between:Vector3D = _between;
-            between.x = x;
-            between.y = y;
-            between.z = z;
+            pair.x = x;
+            pair.y = y;
+            pair.z = z;
             raise(Math.sqrt(squared), pose, out);
-            estimateAlongSecond(trees, between, at, 6 * b, out);
+            estimateAlongSecond(pair, trees, at, 6 * b, out);
             if (out.points.distance < Infinity)
             {
-                estimateAlongLine(trees, between, at, 6 * b, out);
+                estimateAlongLine(pair, trees, at, 6 * b, out);
             }
         }
 
         // Raises the bound to the distance of two boxes, whose numbers begin at two indices, along the axes of the second one. The products contain its scale.
-        private function estimateAlongSecond(trees:PosedTrees, between:Vector3D, a:int, b:int, out:BestPair):void
+        private function estimateAlongSecond(pair:BoxPair, trees:PosedTrees, a:int, b:int, out:BestPair):void
         {
-            var axes:BoxAxes = _axes;
+            var axes:BoxAxes = pair.axes;
             var boxesA:Vector.<Number> = trees.a.boxes;
             var boxesB:Vector.<Number> = trees.b.boxes;
             var scale:Number = trees.pose.placement.size;
-            var x:Number = between.x;
-            var y:Number = between.y;
-            var z:Number = between.z;
+            var x:Number = pair.x;
+            var y:Number = pair.y;
+            var z:Number = pair.z;
             var halfX:Number = boxesA[int(a + 3)];
             var halfY:Number = boxesA[int(a + 4)];
             var halfZ:Number = boxesA[int(a + 5)];
@@ -147,15 +143,15 @@ package starlogo.hierarchy
 
         // Raises the bound to the distance of two boxes along the line between the closest points so far. It rules out most of the pairs that are not
         // nearer.
-        private function estimateAlongLine(trees:PosedTrees, between:Vector3D, a:int, b:int, out:BestPair):void
+        private function estimateAlongLine(pair:BoxPair, trees:PosedTrees, a:int, b:int, out:BestPair):void
         {
-            var axes:BoxAxes = _axes;
+            var axes:BoxAxes = pair.axes;
             var boxesA:Vector.<Number> = trees.a.boxes;
             var boxesB:Vector.<Number> = trees.b.boxes;
             var points:ClosestPoints = out.points;
-            var toX:Number = points.bX - points.aX;
-            var toY:Number = points.bY - points.aY;
-            var toZ:Number = points.bZ - points.aZ;
+            var toX:Number = points.b.x - points.a.x;
+            var toY:Number = points.b.y - points.a.y;
+            var toZ:Number = points.b.z - points.a.z;
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
             if (!(length > 0))
             {
@@ -167,7 +163,7 @@ package starlogo.hierarchy
             alongX = alongX < 0 ? -alongX : alongX;
             alongY = alongY < 0 ? -alongY : alongY;
             alongZ = alongZ < 0 ? -alongZ : alongZ;
-            var distance:Number = between.x * toX + between.y * toY + between.z * toZ
+            var distance:Number = pair.x * toX + pair.y * toY + pair.z * toZ
                 - alongX * boxesB[int(b + 3)] - alongY * boxesB[int(b + 4)] - alongZ * boxesB[int(b + 5)];
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
@@ -186,22 +182,21 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function measureBoxes(trees:PosedTrees, a:int, b:int, out:BestPair):void
+        override protected function measure(trees:PosedTrees, a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
         {
-            var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.writeBox(b, _box));
-            PairTable.findClosest(trees.a.writeBox(a, _box), placedB, _measured);
+            if (visitor != null)
+            {
+                visitor.findCloser(a, b, out);
+                return;
+            }
+            var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.boxOf(b));
+            PairTable.findClosest(trees.a.boxOf(a), placedB, _measured);
             reduce(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
             if (_measured.distance < out.least)
             {
                 out.least = _measured.distance;
                 out.points.copyFrom(_measured);
             }
-        }
-
-        /** @inheritDoc */
-        override protected function measureItems(a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
-        {
-            visitor.findCloser(a, b, out);
         }
 
         /**

@@ -1,7 +1,6 @@
 package starlogo.hierarchy
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.engine;
 
     use namespace engine;
@@ -22,7 +21,7 @@ package starlogo.hierarchy
         // Null until they are read.
         private var _left:HierarchyNode = null;
         private var _right:HierarchyNode = null;
-        private var _bounds:Box = null;
+        private var _bounds:BoundingStructure = null;
 
         /** Not for clients: the HierarchiesLibrary makes the nodes. */
         public function HierarchyNode()
@@ -79,7 +78,7 @@ package starlogo.hierarchy
          */
         public function get bounds():BoundingStructure
         {
-            _bounds ||= _tree.writeBox(_node, BoxTree.newBox());
+            _bounds ||= _tree.boxOf(_node).clone();
             return _bounds;
         }
 

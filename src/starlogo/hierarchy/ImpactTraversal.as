@@ -56,8 +56,13 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function measureBoxes(trees:PosedTrees, a:int, b:int, out:BestPair):void
+        override protected function measure(trees:PosedTrees, a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
         {
+            if (visitor != null)
+            {
+                visitor.findTouch(a, b, out);
+                return;
+            }
             readPair(trees, 6 * a, 6 * b, out);
             _sweep.findTime(_pair);
             if (_pair.time < out.least)
@@ -66,12 +71,6 @@ package starlogo.hierarchy
                 out.a = a;
                 out.b = b;
             }
-        }
-
-        /** @inheritDoc */
-        override protected function measureItems(a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
-        {
-            visitor.findTouch(a, b, out);
         }
 
         // Reads the boxes whose numbers begin at two indices. Times after the best one so far do not count.

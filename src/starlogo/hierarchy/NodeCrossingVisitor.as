@@ -1,6 +1,5 @@
 package starlogo.hierarchy
 {
-    import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
@@ -11,7 +10,6 @@ package starlogo.hierarchy
         private var _ray:Ray = new Ray();
         private var _all:RayCrossings = null;
         private var _search:BoxSearch = new BoxSearch();
-        private var _box:Box = BoxTree.newBox();
 
         public function NodeCrossingVisitor()
         {
@@ -39,7 +37,7 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            _all.addStructure(_ray, tree.writeBox(node, _box), null, Tolerances.ROUNDING * tree.radiusAboutOrigin);
+            _all.addStructure(_ray, tree.boxOf(node), null, Tolerances.ROUNDING * tree.radiusAboutOrigin);
         }
     }
 }

@@ -1,7 +1,6 @@
 package starlogo.hierarchy
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.intersection.PairTable;
 
@@ -19,7 +18,6 @@ package starlogo.hierarchy
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _nearest:ClosestPoints;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts the nodes that are visited */
         public function NodeDistanceVisitor(counts:TreeCounts)
@@ -49,7 +47,7 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            PairTable.findClosest(tree.writeBox(node, _box), _structure, _measured);
+            PairTable.findClosest(tree.boxOf(node), _structure, _measured);
             DistanceTraversal.reduce(_measured, tree.levelOf(node), 0, _radii);
             if (_measured.distance < limit)
             {

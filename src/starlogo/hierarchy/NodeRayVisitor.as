@@ -1,6 +1,5 @@
 package starlogo.hierarchy
 {
-    import starlogo.bounding.Box;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.rayBox;
@@ -17,7 +16,6 @@ package starlogo.hierarchy
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
         private var _search:BoxSearch = new BoxSearch();
-        private var _box:Box = BoxTree.newBox();
 
         // The node that the ray meets first, or -1.
         private var _first:int = -1;
@@ -44,13 +42,13 @@ package starlogo.hierarchy
             limit = ray.to;
             _search.setRay(ray);
             _search.find(tree, depth, this);
-            return _first >= 0 && rayBox(_ray, tree.writeBox(_first, _box), out);
+            return _first >= 0 && rayBox(_ray, tree.boxOf(_first), out);
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            if (rayBox(_ray, tree.writeBox(node, _box), _entry) && (_entry.distance < limit || _first < 0))
+            if (rayBox(_ray, tree.boxOf(node), _entry) && (_entry.distance < limit || _first < 0))
             {
                 _first = node;
                 limit = _entry.distance;

@@ -24,7 +24,6 @@ package starlogo.hierarchy
         private var _found:int = -1;
 
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts the nodes that are visited */
         public function NodeTouchVisitor(counts:TreeCounts)
@@ -59,16 +58,16 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            tree.writeBox(node, _box);
+            var box:Box = tree.boxOf(node);
             var sweep:RelativeMotion = _sweep;
             if (sweep.isStill)
             {
-                sweep.time = PairTable.areTouching(_box, _structure) ? 0 : RelativeMotion.NEVER;
+                sweep.time = PairTable.areTouching(box, _structure) ? 0 : RelativeMotion.NEVER;
             }
             else
             {
                 sweep.latest = limit;
-                PairTable.findTime(_structure, _box, sweep);
+                PairTable.findTime(_structure, box, sweep);
             }
             if (keepEarlier(sweep, _motion))
             {

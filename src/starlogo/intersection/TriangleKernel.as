@@ -81,7 +81,7 @@ package starlogo.intersection
         }
 
         /**
-         * Finds the closest points of the shape and a triangle, if they are closer than those of a triangle before.
+         * Finds the closest points of a triangle and the shape, if they are closer than those of a triangle before.
          *
          * @param out the distance and the points of the triangle before; overwritten if this one is closer
          * @return whether it is closer
@@ -89,7 +89,7 @@ package starlogo.intersection
         public function findCloser(corners:Vector.<Number>, at:int, out:ClosestPoints):Boolean
         {
             _triangle.setTriangle(corners, at);
-            return _kernel.findCloser(shape, _triangle, out);
+            return _kernel.findCloser(_triangle, shape, out);
         }
     }
 }

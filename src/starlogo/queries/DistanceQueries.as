@@ -62,7 +62,7 @@ package starlogo.queries
             if (distance == 0)
             {
                 // without the rounding of the point that was found, which stands in the game's point if that is out too
-                write(out, _point.center.x, _point.center.y, _point.center.z);
+                write(out, _point.center);
             }
             return distance;
         }
@@ -79,19 +79,19 @@ package starlogo.queries
                 // the edges of a world without edges have no points
                 return Infinity;
             }
-            write(pointA, _closest.aX, _closest.aY, _closest.aZ);
-            write(pointB, _closest.bX, _closest.bY, _closest.bZ);
+            write(pointA, _closest.a);
+            write(pointB, _closest.b);
             return _closest.distance;
         }
 
-        private static function write(out:Vector3D, x:Number, y:Number, z:Number):void
+        private static function write(out:Vector3D, point:Vector3D):void
         {
             if (out != null)
             {
                 // sets the fields one by one, because JavaScript callers may pass an object that is not a Vector3D
-                out.x = x;
-                out.y = y;
-                out.z = z;
+                out.x = point.x;
+                out.y = point.y;
+                out.z = point.z;
             }
         }
     }

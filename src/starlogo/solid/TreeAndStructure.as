@@ -9,7 +9,6 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeDistanceVisitor;
     import starlogo.hierarchy.NodeTouchVisitor;
     import starlogo.hierarchy.TreeCounts;
@@ -46,7 +45,6 @@ package starlogo.solid
         private var _shape:ConvexShape = new ConvexShape();
 
         private var _measured:ClosestPoints = new ClosestPoints();
-        private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts what the questions take */
         public function TreeAndStructure(counts:TreeCounts)
@@ -130,7 +128,7 @@ package starlogo.solid
         private function findContactOfNode(node:int, motion:RelativeMotion, out:ContactPoint):void
         {
             out.triangle = -1;
-            PairTable.findContact(pose.place(_structure), _tree.boxTree.writeBox(node, _box), motion, out);
+            PairTable.findContact(pose.place(_structure), _tree.boxTree.boxOf(node), motion, out);
         }
 
         /** @inheritDoc */

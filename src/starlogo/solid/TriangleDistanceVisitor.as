@@ -55,7 +55,6 @@ package starlogo.solid
             limit = out.distance = Infinity;
             _search.setExtents(_extents, 0);
             _search.findNear(model.boxTree, BoxTree.EXACT, this);
-            out.swap();
             return _slot;
         }
 

@@ -2,8 +2,6 @@ package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.ConvexKernel;
-    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;
@@ -14,13 +12,14 @@ package starlogo.solid
     import starlogo.hierarchy.NodePairVisitor;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.TriangleMesh;
+    import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
 
     /**
      * Decides by triangles about two nodes: whether they touch, when they first do, and how far they are apart. The triangles of the second node are
-     * moved into the first model's space, and kept as long as it is the second node. A triangle of each is a shape. ConvexKernel decides about the two,
-     * unless a quick test rules them out.
+     * moved into the first model's space, and kept as long as it is the second node. TriangleKernel decides about two triangles, unless a quick test
+     * rules them out.
      */
     internal final class TrianglePairVisitor extends NodePairVisitor
     {
@@ -41,10 +40,8 @@ package starlogo.solid
         // The extents of the current triangle of the second node and of its motion, with the tolerance of quick tests: minX, maxX, minY, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // A triangle of the first model, a triangle of the second, and what decides about them.
-        private var _first:ConvexShape = new ConvexShape();
-        private var _second:ConvexShape = new ConvexShape();
-        private var _kernel:ConvexKernel = new ConvexKernel();
+        // Decides about the current triangle of the second node, which is its shape, and triangles of the first model.
+        private var _kernel:TriangleKernel = new TriangleKernel();
 
         private var _counts:TreeCounts;
 
@@ -154,11 +151,8 @@ package starlogo.solid
          */
         public function findContact(best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
-            _movedFrom = -1;
-            _placement.placePoints(_secondMesh.corners, 9 * best.b, 9 * best.b + 9, _moved);
-            _first.setTriangle(_firstMesh.corners, 9 * best.a);
-            _second.setTriangle(_moved, 0);
-            _kernel.findContact(_second, _first, motion, out);
+            _kernel.setShapeToTriangle(_secondMesh.corners, 9 * best.b, _placement);
+            _kernel.findContact(_firstMesh.corners, 9 * best.a, motion, out);
         }
 
         // Moves the triangles of a node of the second model, and returns their number. The node has no children: two such nodes do not begin with the
@@ -179,8 +173,8 @@ package starlogo.solid
         // afterwards.
         private function setSecond(index:int):void
         {
-            _second.setTriangle(_moved, 9 * index);
-            _second.margin += _tolerance;
+            _kernel.shape.setTriangle(_moved, 9 * index);
+            _kernel.shape.margin += _tolerance;
             writeExtents(9 * index, 0, _motion.latest * _motion.x);
             writeExtents(9 * index + 1, 2, _motion.latest * _motion.y);
             writeExtents(9 * index + 2, 4, _motion.latest * _motion.z);
@@ -210,12 +204,11 @@ package starlogo.solid
                 return false;
             }
             _counts.triangleTests++;
-            if (stayApart(slot) || TriangleSeparation.areApart(_firstMesh.corners, 9 * slot, _second))
+            if (stayApart(slot) || TriangleSeparation.areApart(_firstMesh.corners, 9 * slot, _kernel.shape))
             {
                 return false;
             }
-            _first.setTriangle(_firstMesh.corners, 9 * slot);
-            return _kernel.areTouching(_first, _second);
+            return _kernel.areTouching(_firstMesh.corners, 9 * slot);
         }
 
         // Finds when the current triangle first touches a triangle of the first model. Sets the motion's time if that is no later than its latest time,
@@ -231,8 +224,7 @@ package starlogo.solid
             {
                 return false;
             }
-            _first.setTriangle(_firstMesh.corners, 9 * slot);
-            _kernel.findTime(_second, _first, _motion);
+            _kernel.findTime(_firstMesh.corners, 9 * slot, _motion);
             return _motion.time <= _motion.latest;
         }
 
@@ -243,8 +235,7 @@ package starlogo.solid
             if (squaredDistanceOfExtents(slot) < points.distance * points.distance && !isBeyond(slot, second, points))
             {
                 _counts.triangleTests++;
-                _first.setTriangle(_firstMesh.corners, 9 * slot);
-                _kernel.findCloser(_first, _second, points);
+                _kernel.findCloser(_firstMesh.corners, 9 * slot, points);
             }
         }
 
@@ -262,7 +253,7 @@ package starlogo.solid
         private function stayApart(slot:int):Boolean
         {
             _plane.setTriangle(_firstMesh.corners, 9 * slot);
-            return _plane.findEntry(_second, _outerTolerance, _motion) > _motion.latest;
+            return _plane.findEntry(_kernel.shape, _outerTolerance, _motion) > _motion.latest;
         }
 
         // The squared distance of the extents of a triangle of the first model from those of the current triangle. Both are prepared, because each
@@ -291,9 +282,9 @@ package starlogo.solid
         // second one is projected each time, because few pairs come here whose extents are near enough.
         private function isBeyond(slot:int, second:int, points:ClosestPoints):Boolean
         {
-            var x:Number = points.bX - points.aX;
-            var y:Number = points.bY - points.aY;
-            var z:Number = points.bZ - points.aZ;
+            var x:Number = points.b.x - points.a.x;
+            var y:Number = points.b.y - points.a.y;
+            var z:Number = points.b.z - points.a.z;
             var corners:Vector.<Number> = _moved;
             var p:Number = x * corners[second] + y * corners[int(second + 1)] + z * corners[int(second + 2)];
             var q:Number = x * corners[int(second + 3)] + y * corners[int(second + 4)] + z * corners[int(second + 5)];

@@ -1,7 +1,6 @@
 package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -44,9 +43,6 @@ package starlogo.solid
         private var _impacts:ImpactTraversal;
         private var _distances:DistanceTraversal;
         private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
-
-        // A node, for contacts.
-        private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts what the questions take */
         public function TwoTrees(counts:TreeCounts)
@@ -116,8 +112,8 @@ package starlogo.solid
 
         private function findContactOfNodes(nodeA:int, nodeB:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            var placedB:BoundingStructure = pose.place(_trees.b.writeBox(nodeB, _box));
-            PairTable.findContact(placedB, _trees.a.writeBox(nodeA, _box), motion, out);
+            var placedB:BoundingStructure = pose.place(_trees.b.boxOf(nodeB));
+            PairTable.findContact(placedB, _trees.a.boxOf(nodeA), motion, out);
         }
 
         /** @inheritDoc */

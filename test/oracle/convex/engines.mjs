@@ -167,7 +167,7 @@ export class Game {
 	}
 }
 
-const pointsOf = ({ distance, aX, aY, aZ, bX, bY, bZ }) => ({ distance, a: [aX, aY, aZ], b: [bX, bY, bZ] });
+const pointsOf = ({ distance, a, b }) => ({ distance, a: [a.x, a.y, a.z], b: [b.x, b.y, b.z] });
 const contactOf = ({ x, y, z, normalX, normalY, normalZ, depth }) => ({ point: [x, y, z], normal: [normalX, normalY, normalZ], depth });
 
 function structureOf({ Box, Capsule, Hull, Sphere, Vector3D }, { kind, numbers }) {

@@ -137,8 +137,8 @@ package starlogo.convex
                     _wrong.addIf(_pair.areTouching(_a, _b) != _pair.areTouching(_b, _a), "verdict", _what);
                     _pair.findClosest(_a, _b, _points);
                     _pair.findClosest(_b, _a, other);
-                    _wrong.addIf(_points.distance != other.distance || _points.aX != other.bX || _points.aY != other.bY || _points.aZ != other.bZ
-                            || _points.bX != other.aX || _points.bY != other.aY || _points.bZ != other.aZ, "points", _what);
+                    _wrong.addIf(_points.distance != other.distance || _points.a.x != other.b.x || _points.a.y != other.b.y || _points.a.z != other.b.z
+                            || _points.b.x != other.a.x || _points.b.y != other.a.y || _points.b.z != other.a.z, "points", _what);
                     setMotion(motion, _random.between(0, 3), _random.between(-1, 2));
                     back.startX = -motion.startX;
                     back.startY = -motion.startY;
@@ -422,7 +422,7 @@ package starlogo.convex
         private function approach(gap:Number):Boolean
         {
             _pair.findClosest(_a, _b, _points);
-            var way:Vector3D = new Vector3D(_points.aX - _points.bX, _points.aY - _points.bY, _points.aZ - _points.bZ);
+            var way:Vector3D = _points.a.subtract(_points.b);
             if (!(_points.distance > 0) || !(way.normalize() > 0))
             {
                 return false;
@@ -434,8 +434,8 @@ package starlogo.convex
 
         private function provePoints():void
         {
-            var pointA:Vector3D = new Vector3D(_points.aX, _points.aY, _points.aZ);
-            var pointB:Vector3D = new Vector3D(_points.bX, _points.bY, _points.bZ);
+            var pointA:Vector3D = _points.a.clone();
+            var pointB:Vector3D = _points.b.clone();
             var way:Vector3D = pointA.subtract(pointB);
             var slack:Number = PRECISION * _size;
             var text:String = _what + ": distance " + _points.distance;

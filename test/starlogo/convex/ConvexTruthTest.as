@@ -130,8 +130,8 @@ package starlogo.convex
             _pair.findClosest(box(-8, 16, -10, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2.00000000000016, 4.00000000000016, 2.00000000000016),
                     box(0, 8, -2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 6.00000000000032, 4.00000000000032, 6.00000000000032), points);
             assertTrue(points.distance < 1e-27);
-            assertTrue(new Vector3D(points.aX, points.aY, points.aZ).subtract(new Vector3D(-6, 12, -8)).length < 1e-12);
-            assertTrue(new Vector3D(points.bX, points.bY, points.bZ).subtract(new Vector3D(-6, 12, -8)).length < 1e-12);
+            assertTrue(points.a.subtract(new Vector3D(-6, 12, -8)).length < 1e-12);
+            assertTrue(points.b.subtract(new Vector3D(-6, 12, -8)).length < 1e-12);
         }
 
         /** The gap of the cores is 4e-9 of the longer one. The way out is along it, and shorter than all ways across a face or two edges. */
@@ -231,12 +231,12 @@ package starlogo.convex
             var swapped:ClosestPoints = new ClosestPoints();
             _pair.findClosest(pairs.a, pairs.b, points);
             _pair.findClosest(pairs.b, pairs.a, swapped);
-            _wrong.addIf(points.distance != swapped.distance || points.aX != swapped.bX || points.aY != swapped.bY || points.aZ != swapped.bZ
-                    || points.bX != swapped.aX || points.bY != swapped.aY || points.bZ != swapped.aZ, "swapped distance", pairs.what);
+            _wrong.addIf(points.distance != swapped.distance || points.a.x != swapped.b.x || points.a.y != swapped.b.y || points.a.z != swapped.b.z
+                    || points.b.x != swapped.a.x || points.b.y != swapped.a.y || points.b.z != swapped.a.z, "swapped distance", pairs.what);
             var off:Number = Math.abs(points.distance - Math.max(0, pairs.distance));
             var allowed:Number = DISTANCE * _size + PLACES * _places;
             _wrong.addIf(!(off <= allowed), "distance", pairs.what + ": " + points.distance + ", not " + pairs.distance);
-            var beside:Number = Math.max(_draw.outside(pairs.a, new Vector3D(points.aX, points.aY, points.aZ)), _draw.outside(pairs.b, new Vector3D(points.bX, points.bY, points.bZ)));
+            var beside:Number = Math.max(_draw.outside(pairs.a, points.a), _draw.outside(pairs.b, points.b));
             _wrong.addIf(!(beside <= allowed), "closest points", pairs.what + ": outside by " + beside);
             return off > 0 ? off / allowed : 0;
         }

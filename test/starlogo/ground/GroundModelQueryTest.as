@@ -2,7 +2,6 @@ package starlogo.ground
 {
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
-    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
@@ -83,7 +82,6 @@ package starlogo.ground
                     continue;
                 }
                 var all:ContactPoint = new ContactPoint();
-                all.resetProof();
                 var expected:String = exitsFrom(_query, all);
                 met += expected == "" ? 0 : 1;
                 compare(i, expected, exitsOf(_query));
@@ -99,7 +97,6 @@ package starlogo.ground
         {
             var all:ContactPoint = new ContactPoint();
             var filtered:int = 0;
-            all.resetProof();
             for (var i:int = 0; filtered < Effort.choose(100, 2000, 30); i++)
             {
                 makeOverlap(i);
@@ -176,13 +173,13 @@ package starlogo.ground
                 setTo(_query, 0, 0, 0);
                 _query.findClosest(true, points);
                 var slack:Number = 1e-9 * (_maxDistance + Math.abs(_placement.z));
-                var height:Number = heightAround(points.aX, points.aY, slack);
+                var height:Number = heightAround(points.a.x, points.a.y, slack);
                 var placed:BoundingStructure = _structure.place(_placement);
                 placed.widen(slack);
-                onSurface += height - points.aZ < slack ? 1 : 0;
-                _wrong.addIf(points.distance != 0 || points.aZ != points.bZ, "distance", i + ": " + points.distance);
-                _wrong.addIf(!(points.aZ <= height + slack), "above the ground", i + ", " + _structure + ": " + points.aZ + " above " + height);
-                _wrong.addIf(!placed.contains(new Vector3D(points.aX, points.aY, points.aZ)), "outside", i + ", " + _structure);
+                onSurface += height - points.a.z < slack ? 1 : 0;
+                _wrong.addIf(points.distance != 0 || points.a.z != points.b.z, "distance", i + ": " + points.distance);
+                _wrong.addIf(!(points.a.z <= height + slack), "above the ground", i + ", " + _structure + ": " + points.a.z + " above " + height);
+                _wrong.addIf(!placed.contains(points.a), "outside", i + ", " + _structure);
             }
             _wrong.assertNone();
             assertTrue(onSurface > 0);

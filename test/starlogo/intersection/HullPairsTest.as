@@ -64,7 +64,7 @@ package starlogo.intersection
             var result:ClosestPoints = new ClosestPoints();
             PairTable.findClosest(a, b, result);
             assertTrue(name + ": distance " + result.distance + " instead of " + expected, Math.abs(result.distance - expected) < NEAR);
-            var between:Number = Vector3D.distance(new Vector3D(result.aX, result.aY, result.aZ), new Vector3D(result.bX, result.bY, result.bZ));
+            var between:Number = Vector3D.distance(result.a, result.b);
             assertTrue(name + ": points " + between, Math.abs(between - result.distance) < NEAR);
         }
 

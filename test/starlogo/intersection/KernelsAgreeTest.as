@@ -70,8 +70,8 @@ package starlogo.intersection
                 PairTable.findClosest(a, b, points);
                 PairTable.findClosest(b, a, others);
                 others.swap();
-                var isSame:Boolean = points.distance == others.distance && points.aX == others.aX && points.aY == others.aY && points.aZ == others.aZ
-                    && points.bX == others.bX && points.bY == others.bY && points.bZ == others.bZ;
+                var isSame:Boolean = points.distance == others.distance && points.a.x == others.a.x && points.a.y == others.a.y && points.a.z == others.a.z
+                    && points.b.x == others.b.x && points.b.y == others.b.y && points.b.z == others.b.z;
                 assertTrue(i + ": " + a + ", " + b + ": " + points.distance + ", " + others.distance, isSame);
             }
             var small:Sphere = new Sphere(new Vector3D(0, 0, 0), 0.1);

@@ -130,8 +130,8 @@ package starlogo.intersection
             note(pairs.family, "distance", Math.abs(_pair.distance - truth) / Math.max(size, truth), DISTANCE);
             assertEquals(pairs.family + ": hit", truth == 0, _pair.distance <= DISTANCE * size);
             assertEquals(pairs.family + ", swapped", _pair.distance, _turned.distance);
-            var pointA:Vector3D = new Vector3D(_pair.aX, _pair.aY, _pair.aZ);
-            var pointB:Vector3D = new Vector3D(_pair.bX, _pair.bY, _pair.bZ);
+            var pointA:Vector3D = _pair.a.clone();
+            var pointB:Vector3D = _pair.b.clone();
             var slack:Number = 10 * DISTANCE * (size + truth) + ROUNDING * (pointA.length + pointB.length);
             var isOnBoth:Boolean = truth > 0 ? SurfaceDistance.of(pairs.a, pointA) <= slack && SurfaceDistance.of(pairs.b, pointB) <= slack
                 : isIn(pairs.a, pointA, slack) && isIn(pairs.b, pointA, slack);

@@ -85,7 +85,7 @@ package starlogo.intersection
                 {
                     continue;
                 }
-                var normal:Vector3D = new Vector3D(closest.aX - closest.bX, closest.aY - closest.bY, closest.aZ - closest.bZ);
+                var normal:Vector3D = closest.b.subtract(closest.a);
                 normal.normalize();
                 var gap:Number = _random.logBetween(1e-7, 1e-3);
                 structure.translate(new Vector3D((gap - closest.distance) * normal.x, (gap - closest.distance) * normal.y, (gap - closest.distance) * normal.z));

@@ -95,11 +95,11 @@ package starlogo.solid
                 pair.setTo(bear, stands, int.MAX_VALUE, sphere, stands, true);
                 assertTrue(pair.areOverlapping());
                 pair.findInside(out);
-                out.aX = 7;
+                out.a.x = 7;
                 pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, true);
                 pair.relate();
                 pair.findInside(out);
-                assertEquals(7, out.aX);
+                assertEquals(7, out.a.x);
             }
             // nor is it where the pair before stood
             var moved:Placement = new Placement();
@@ -107,7 +107,7 @@ package starlogo.solid
             pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, true);
             pair.relate();
             assertTrue(pair.findInside(out));
-            assertEquals(0, out.aX);
+            assertEquals(0, out.a.x);
         }
 
         /** The traversals find what a loop over all pairs of nodes that decide finds. */

@@ -106,6 +106,12 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
+        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
+        {
+            // findContactOfParts has found the contact with the nearest edge
+        }
+
+        /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             var deepest:int = findDeepest(a, b, RelativeMotion.NONE);
@@ -121,12 +127,12 @@ package starlogo.search.pairs
                 // what is beyond the edge is of both
                 toEdge = toEnd;
             }
-            out.aX = _farthest.x + toEnd * outwards.x;
-            out.aY = _farthest.y + toEnd * outwards.y;
-            out.aZ = _farthest.z + toEnd * outwards.z;
-            out.bX = _farthest.x + toEdge * outwards.x;
-            out.bY = _farthest.y + toEdge * outwards.y;
-            out.bZ = _farthest.z + toEdge * outwards.z;
+            out.a.x = _farthest.x + toEnd * outwards.x;
+            out.a.y = _farthest.y + toEnd * outwards.y;
+            out.a.z = _farthest.z + toEnd * outwards.z;
+            out.b.x = _farthest.x + toEdge * outwards.x;
+            out.b.y = _farthest.y + toEdge * outwards.y;
+            out.b.z = _farthest.z + toEdge * outwards.z;
             out.correct(areTouching);
         }
 

@@ -36,7 +36,6 @@ package starlogo.search.pairs
         private var _supportSearch:SupportSearch;
         private var _farthest:SupportPoint = new SupportPoint();
         private var _inwards:Vector3D = new Vector3D();
-        private var _closest:ClosestPoints = new ClosestPoints();
         private var _separation:GroundExitSearch;
 
         // Decides quickly about bodies that are clearly above or in the ground, by their extents; and about the others.
@@ -163,13 +162,6 @@ package starlogo.search.pairs
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             queryOf(a, b).findClosest(areTouching, out);
-        }
-
-        /** @inheritDoc */
-        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
-        {
-            findClosest(a, b, false, _closest);
-            _closest.writeContact(out);
         }
 
         private static function gridOf(ground:Body):HeightGrid

@@ -22,7 +22,6 @@ package starlogo.search.pairs
     {
         // The number of tests since takeCounts(), by the kinds of the first and the second structure.
         private var _testCounts:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
-        private var _closest:ClosestPoints = new ClosestPoints();
 
         /** Gives these tests to a narrow phase that does not have them. So a game of spheres alone does not load their code. */
         public static function addTo(narrowPhase:NarrowPhase):void
@@ -92,13 +91,6 @@ package starlogo.search.pairs
         {
             PairTable.findClosest(a.worldStructure(), b.worldStructure(), out);
             out.correct(areTouching);
-        }
-
-        /** @inheritDoc */
-        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
-        {
-            findClosest(a, b, false, _closest);
-            _closest.writeContact(out);
         }
     }
 }

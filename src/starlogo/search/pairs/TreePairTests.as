@@ -48,7 +48,6 @@ package starlogo.search.pairs
 
         // Where a point is, as the placement of the structure POINT.
         private var _at:Placement = new Placement();
-        private var _closest:ClosestPoints = new ClosestPoints();
 
         /** @param limits how far trees are tested */
         public function TreePairTests(limits:TreeLimits)
@@ -118,21 +117,6 @@ package starlogo.search.pairs
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             pairOf(a, b, _limits.exact).findClosest(areTouching, out);
-        }
-
-        /** @inheritDoc */
-        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
-        {
-            if (NarrowPhase.isReversed(a, b))
-            {
-                findClosest(b, a, false, _closest);
-                _closest.swap();
-            }
-            else
-            {
-                findClosest(a, b, false, _closest);
-            }
-            _closest.writeContact(out);
         }
 
         /**

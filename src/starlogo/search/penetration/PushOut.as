@@ -169,28 +169,21 @@ package starlogo.search.penetration
         // has the distance. Returns whether they touch.
         private function goToBlocked():Boolean
         {
+            // beyond its end, a push out of several contacts may lead into one of them again
+            var isOfSeveral:Boolean = _pushes.current.planeCount > 1;
             _tried.setDirection(push.x / _pushes.length, push.y / _pushes.length, push.z / _pushes.length);
-            var farther:Number = _pushes.length + _pair.probeDistance;
-            if (_pushes.current.planeCount > 1)
+            _tried.distance = _pushes.length;
+            if (isOfSeveral && _pair.testAt(_tried))
             {
-                // beyond its end, a push out of several contacts may lead into one of them again
-                _tried.distance = _pushes.length;
-                if (_pair.testAt(_tried))
-                {
-                    return true;
-                }
+                return true;
             }
-            _tried.distance = farther;
+            _tried.distance = _pushes.length + _pair.probeDistance;
             if (_pair.testAt(_tried))
             {
                 return true;
             }
-            if (_pushes.current.planeCount == 1)
-            {
-                return false;
-            }
             _tried.distance = _pushes.length + ROOM * _pair.extent;
-            return _pair.testAt(_tried);
+            return isOfSeveral && _pair.testAt(_tried);
         }
 
         // Takes the push. If the two are free before its end, the depth is refined. The first push out of the ground needs no test if its contact

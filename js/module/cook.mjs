@@ -127,7 +127,7 @@ function readSource(file) {
 	let bytes = readFileSync(file);
 	if (/\.gltf$/i.test(file)) {
 		const document = JSON.parse(bytes);
-		for (const buffer of (document.buffers ?? []).filter(({ uri }) => uri && !uri.startsWith("data:"))) {
+		for (const buffer of (document.buffers ?? []).filter(({ uri }) => uri && !/^data:/i.test(uri))) {
 			const path = join(dirname(file), decodeURIComponent(buffer.uri));
 			if (!isIn(dirname(file), path)) throw new Error(`its data is not in its folder: ${buffer.uri}`);
 			if (parts.length > MOST_FILES) throw new Error(`its data is in more than ${MOST_FILES} files`);

@@ -10,6 +10,7 @@ package starlogo
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
+    import starlogo.models.SourceTransform;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.requireUpAxis;
     import starlogo.steps.Steps;
@@ -177,8 +178,7 @@ package starlogo
         public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
             requireGiven("model", model);
-            // a transform is known by its text, so a program that never uses a ModelTransform need not contain that class
-            requireUpAxis(model.name, upAxis, !(upAxis is String) && String(upAxis).indexOf("rotate ") == 0);
+            requireUpAxis(model.name, upAxis, upAxis is SourceTransform);
             var preparation:ModelPreparation = preparing(model, null);
             finish(preparation);
             return preparation.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));

@@ -38,7 +38,7 @@ package starlogo.away3d
         /** The work that makes a model of a source. @param object as for Away3dModel */
         public static function of(name:String, object:Object):ModelReader
         {
-            var data:ModelData = ModelReader.dataFor(name, "z", Model.FOOTPRINT);
+            var data:ModelData = ModelData.forFile(name, "z", Model.FOOTPRINT);
             return new ModelReader(data, new SourceReader(data, object));
         }
 

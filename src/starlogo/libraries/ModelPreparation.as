@@ -50,10 +50,6 @@ package starlogo.libraries
         {
             _model = model;
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
-            if (structuresLibrary != null)
-            {
-                _structuresBuilder = structuresLibrary.newBuilder(model.name, model.vertices);
-            }
             if (hierarchiesLibrary != null)
             {
                 modelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
@@ -62,6 +58,10 @@ package starlogo.libraries
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
+            }
+            if (structuresLibrary != null && structures == null)
+            {
+                _structuresBuilder = structuresLibrary.newBuilder(model.name, model.vertices);
             }
             add(store == null || isComplete ? computing(false) : readingAndStoring(store));
         }

@@ -1,6 +1,6 @@
-// This room has models, and what reads them from files. A reader for each format fills a ModelData, as the first part of a ModelReader; a
-// Normalisation brings that to its place and scale, and a Model keeps it; a ModelLoader does the same in steps while a game runs. Read this
-// file first, then ModelReader and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
+// This room has models, and what reads them from files. A reader for each format fills a ModelData, as the first part of a ModelReader, which then
+// brings that to its place and scale, and a Model keeps it; a ModelLoader does the same in steps while a game runs. Read this file first, then
+// ModelReader and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
 package starlogo.models
 {
     import starlogo.engine;

@@ -1,10 +1,9 @@
 package starlogo.models
 {
     import starlogo.models.cooked.CookedFile;
-    import starlogo.steps.finish;
 
     /**
-     * What a model is made of. The reader of a format fills it with what the file says, a Normalisation brings that to the model's place and
+     * What a model is made of. The reader of a format fills it with what the file says, a ModelReader brings that to the model's place and
      * scale, and the Model keeps it.
      *
      * @private
@@ -17,7 +16,7 @@ package starlogo.models
         /** x, y, z of each vertex. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
-        /** Three vertex indices for each triangle. The Normalisation replaces an empty list by null. */
+        /** Three vertex indices for each triangle. The ModelReader replaces an empty list by null. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
         /** The material of each triangle. */
@@ -32,14 +31,14 @@ package starlogo.models
         /** Turns, scales and moves the model; null for none. */
         public var transform:ModelTransform = null;
 
-        /** The axis that points up in the vertices, before the Normalisation: "x", "y" or "z". With a transform it is "z". */
+        /** The axis that points up in the vertices, before they are turned to z up: "x", "y" or "z". With a transform it is "z". */
         public var upAxis:String = "z";
 
         /** The length of the file's unit in patches, for Model.AS_GIVEN without a transform. */
         public var unit:Number = 1;
 
         /**
-         * The model's place and scale in its source. The Normalisation sets it. If a cooked file has set it before, the vertices are in
+         * The model's place and scale in its source. The ModelReader sets it. If a cooked file has set it before, the vertices are in
          * their places already.
          */
         public var frame:SourceFrame = null;
@@ -73,7 +72,24 @@ package starlogo.models
             data.triangles = triangles == null ? data.triangles : triangles.slice();
             data.scaling = scaling;
             data.transform = transform;
-            finish(new Normalisation(data));
+            return new ModelReader(data).readAll();
+        }
+
+        /**
+         * The data of a file that is not read yet.
+         *
+         * @param name the model's name
+         * @param upAxis "x", "y", "z" or a ModelTransform
+         * @param scaling as for Model's constructor; null if the file says it
+         * @throws ModelError if the up axis is none of these
+         */
+        public static function forFile(name:String, upAxis:Object, scaling:String):ModelData
+        {
+            var data:ModelData = new ModelData(name);
+            data.scaling = scaling;
+            data.transform = upAxis as ModelTransform;
+            requireUpAxis(name, upAxis, data.transform != null);
+            data.upAxis = data.transform == null ? String(upAxis) : "z";
             return data;
         }
 

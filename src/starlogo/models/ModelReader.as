@@ -1,6 +1,10 @@
 package starlogo.models
 {
+    import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.AffineTransform;
+    import starlogo.geometry.vertices.VertexBounds;
+    import starlogo.geometry.vertices.VertexData;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -8,8 +12,8 @@ package starlogo.models
     use namespace engine;
 
     /**
-     * The work that makes a model from its file: the reader of its format fills the data, then a Normalisation brings these to their place
-     * and scale. A step takes about a millisecond, and throws a ModelError if the file is wrong.
+     * The work that makes a model. If there is a file, the reader of its format fills the data with what the file says. Then these are checked, turned
+     * to z up, and turned, scaled and moved as Model says. A step takes about a millisecond, and throws a ModelError if the file is wrong.
      *
      * @private
      */
@@ -18,34 +22,29 @@ package starlogo.models
         // Reading the file is this share of the work. The rest is normalising.
         private static const READING:Number = 0.9;
 
+        // Extents in x and y below this fraction of the z extent are rounding errors of the program that placed the vertices.
+        private static const LINE_RATIO:Number = 1e-6;
+
+        private static const VERTICES_PER_STEP:int = 4000;
+        private static const CORNERS_PER_STEP:int = 20000;
+
         private var _data:ModelData;
 
-        /**
-         * @param data what is read; see <code>dataFor()</code>
-         * @param reading the steps that fill the data
-         */
-        public function ModelReader(data:ModelData, reading:Steps)
-        {
-            _data = data;
-            add(reading).begin(normalising);
-        }
+        // the box around the vertices, as they are after the steps so far
+        private var _bounds:VertexBounds;
 
         /**
-         * The data of a file that is not read yet.
-         *
-         * @param name the model's name
-         * @param upAxis "x", "y", "z" or a ModelTransform
-         * @param scaling as for Model's constructor; null if the file says it
-         * @throws ModelError if the up axis is none of these
+         * @param data what is read; see <code>ModelData.forFile()</code>. The steps change it, and throw the errors of Model's constructor
+         * @param reading the steps that fill the data; null if its vertices and triangles are complete
          */
-        public static function dataFor(name:String, upAxis:Object, scaling:String):ModelData
+        public function ModelReader(data:ModelData, reading:Steps = null)
         {
-            var data:ModelData = new ModelData(name);
-            data.scaling = scaling;
-            data.transform = upAxis as ModelTransform;
-            requireUpAxis(name, upAxis, data.transform != null);
-            data.upAxis = data.transform == null ? String(upAxis) : "z";
-            return data;
+            _data = data;
+            if (reading != null)
+            {
+                add(reading);
+            }
+            call(checkData).call(addParts);
         }
 
         /** Does all steps that are left. Returns the data, which are complete then. */
@@ -73,9 +72,189 @@ package starlogo.models
             return new Model(null, null, null, null, _data);
         }
 
-        private function normalising():Steps
+        private function checkData():void
         {
-            return new Normalisation(_data);
+            var count:int = _data.vertices.length;
+            refuseIf(_data.name == "", _data.name, "a model needs a name that is not empty");
+            refuseIf(count == 0, _data.name, "no vertices: a model needs at least one");
+            refuseIf(count % 3 != 0, _data.name, "vertices have three coordinates each, but there are " + count + " in all");
+            refuseIf(Model.SCALINGS.indexOf(_data.scaling) < 0, _data.name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + _data.scaling + "\"");
+        }
+
+        private function addParts():void
+        {
+            begin(turningToZUp).begin(measuring);
+            // data that have a frame are normalised already
+            if (_data.frame != null)
+            {
+                call(checkExtent);
+            }
+            else
+            {
+                _data.frame = new SourceFrame();
+                addPlacing();
+            }
+            slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners).call(close);
+        }
+
+        private function addPlacing():void
+        {
+            switch (_data.scaling)
+            {
+                case Model.FOOTPRINT:
+                    begin(turning).begin(stretching).begin(standing);
+                    break;
+                case Model.VOLUME:
+                    begin(centring).begin(turning).begin(centring).begin(stretching).begin(translating);
+                    break;
+                default:
+                    begin(turning).begin(stretching).begin(translating);
+            }
+        }
+
+        private function turningToZUp():Steps
+        {
+            return _data.upAxis == "z" ? null : turnToZUp(_data.upAxis).transformingPoints(_data.vertices);
+        }
+
+        private function measuring():Steps
+        {
+            return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, measure);
+        }
+
+        private function measure(first:int, end:int):void
+        {
+            _bounds = first == 0 ? new VertexBounds() : _bounds;
+            _bounds.add(_data.vertices, first, end);
+            if (!_bounds.areFinite)
+            {
+                throw new ModelError(_data.name, "", VertexData.vertexProblem(_data.vertices));
+            }
+        }
+
+        private function turning():Steps
+        {
+            var transform:ModelTransform = _data.transform;
+            return transform == null || transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
+        }
+
+        private function stretching():Steps
+        {
+            var f:Vector3D = factors;
+            return f.x == 1 && f.y == 1 && f.z == 1 ? null : transforming(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
+                    cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
+        }
+
+        private function get factors():Vector3D
+        {
+            var unit:Number = _data.scaling == Model.AS_GIVEN ? _data.unit : 1;
+            return _data.transform == null ? new Vector3D(unit, unit, unit) : _data.transform.scale;
+        }
+
+        // The steps that turn or scale. The factor says how much larger this makes the model.
+        private function transforming(transform:AffineTransform, factor:Number):Steps
+        {
+            _data.frame.addTransform(transform, factor);
+            return new StepSequence().add(transform.transformingPoints(_data.vertices)).begin(measuring);
+        }
+
+        // Puts the middle of the lowest face of the box at the origin, and makes the box as wide as the scaling FOOTPRINT says.
+        private function standing():Steps
+        {
+            var unit:Number = Math.max(_bounds.extentX, _bounds.extentY);
+            if (unit <= _bounds.extentZ * LINE_RATIO)
+            {
+                unit = _bounds.extentZ > 0 ? _bounds.extentZ : 1;
+            }
+            return placingBox(0, unit);
+        }
+
+        // Puts the middle of the box at the origin, and makes its volume 1.
+        private function centring():Steps
+        {
+            return placingBox(_bounds.extentZ / 2, rootOf(_bounds.extentX) * rootOf(_bounds.extentY) * rootOf(_bounds.extentZ)).begin(measuring);
+        }
+
+        // The steps that put a point of the box at the origin, the middle in x and y, at a height above the floor; and divide by a divisor.
+        private function placingBox(height:Number, divisor:Number):StepSequence
+        {
+            // 0 - 0 is 0, but -0 would be negative
+            return placing(new Vector3D(_bounds.minX, _bounds.minY, _bounds.minZ), new Vector3D(0 - _bounds.extentX / 2, 0 - _bounds.extentY / 2, 0 - height), divisor);
+        }
+
+        // Moves by the transform. With the scaling VOLUME the lowest vertex is put at z = 0 first.
+        private function translating():Steps
+        {
+            return placing(new Vector3D(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0), _data.transform == null ? new Vector3D() : _data.transform.translation, 1);
+        }
+
+        // The steps that put a low corner at the origin, move, and divide by a divisor. The differences from the corner come first and the division
+        // last. So the bounds are exact, and the smallest and largest numbers work.
+        private function placing(low:Vector3D, move:Vector3D, divisor:Number):StepSequence
+        {
+            checkExtent();
+            _data.frame.addMove(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
+            return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    place(_data.vertices, first, end, low, move, divisor);
+                });
+        }
+
+        private static function place(vertices:Vector.<Number>, first:int, end:int, low:Vector3D, move:Vector3D, divisor:Number):void
+        {
+            var lowX:Number = low.x;
+            var lowY:Number = low.y;
+            var lowZ:Number = low.z;
+            var moveX:Number = move.x;
+            var moveY:Number = move.y;
+            var moveZ:Number = move.z;
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
+            {
+                var j:int = i + 1;
+                var k:int = i + 2;
+                vertices[i] = (vertices[i] - lowX + moveX) / divisor;
+                vertices[j] = (vertices[j] - lowY + moveY) / divisor;
+                vertices[k] = (vertices[k] - lowZ + moveZ) / divisor;
+            }
+        }
+
+        private function checkExtent():void
+        {
+            var size:Number = _bounds.extentX + _bounds.extentY + _bounds.extentZ;
+            refuseIf(!(size < Infinity), _data.name, "the coordinates are too large: the model's extent is not a finite number");
+        }
+
+        private function checkCorners(first:int, end:int):void
+        {
+            var problem:String = VertexData.triangleProblem(_data.triangles, _data.vertices.length / 3, first, end);
+            refuseIf(problem != null, _data.name, problem);
+        }
+
+        // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.
+        private function close():void
+        {
+            var isMirror:Boolean = _data.transform != null && _data.transform.isMirror;
+            for each (var labels:TriangleLabels in [_data.materials, _data.meshes])
+            {
+                labels.close(_data.triangles.length / 3);
+                if (isMirror)
+                {
+                    labels.reverse();
+                }
+            }
+            if (isMirror)
+            {
+                _data.triangles.reverse();
+            }
+            _data.vertices.fixed = _data.triangles.fixed = true;
+            _data.triangles = _data.triangles.length == 0 ? null : _data.triangles;
+        }
+
+        // as in the client: an extent of 0 counts as 1
+        private static function rootOf(extent:Number):Number
+        {
+            return extent == 0 ? 1 : cubeRoot(extent);
         }
     }
 }

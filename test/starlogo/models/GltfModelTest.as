@@ -176,7 +176,7 @@ package starlogo.models
             }
         }
 
-        /** Any character of an address may stand as its number. */
+        /** Any character of an address may stand as its number, and its scheme and "base64" in capitals (RFC 3986, RFC 2397). */
         [Test]
         public function takesEscapedDigitsOfBase64():void
         {
@@ -189,6 +189,8 @@ package starlogo.models
                 + uri.substr(uri.indexOf(",") + 1).split("+").join("%2B").split("/").join("%2f").split("=").join("%3D");
             assertTrue(escaped, /%2f%2f%2B%2BAA%3D%3D$/.test(escaped));
             assertEquals(GltfModel.fromBytes("a", file.toTextBytes(uri)).vertices.join(), GltfModel.fromBytes("a", file.toTextBytes(escaped)).vertices.join());
+            assertEquals(GltfModel.fromBytes("a", file.toTextBytes(uri)).vertices.join(),
+                    GltfModel.fromBytes("a", file.toTextBytes("Data:;BASE64" + uri.substr(uri.indexOf(",")))).vertices.join());
             Failures.assertFails("buffers[0].uri", "expected base64", GltfModel.fromBytes, "a", file.toTextBytes("data:;base64,AB%zzCD%"));
         }
 

@@ -173,10 +173,16 @@ package starlogo.models.collada
             throw error("there is no <" + names[0] + "> with the id \"" + TextWords.shorten(url.substr(1)) + "\"");
         }
 
-        /** Splits the element's own text into words. For long texts, ColladaWords does the same in steps. */
+        /** The element's own text. */
+        public function get text():String
+        {
+            return texts.join(" ");
+        }
+
+        /** Splits the element's own text into words. For long texts, TextWords.splitting() does the same in steps. */
         public function splitText():Array
         {
-            return TextWords.of(texts.join(" "));
+            return TextWords.of(text);
         }
 
         /**
@@ -214,10 +220,10 @@ package starlogo.models.collada
          */
         public function integer(attributeName:String, missing:Number):Number
         {
-            var text:String = attribute(attributeName);
-            var number:Number = text == "" ? missing : Decimal.of(TextWords.of(text).join(" "));
+            var value:String = attribute(attributeName);
+            var number:Number = value == "" ? missing : Decimal.of(TextWords.of(value).join(" "));
             refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), "expected " +
-                    attributeName + " to be a whole number, not negative, but found \"" + TextWords.shorten(text) + "\"");
+                    attributeName + " to be a whole number, not negative, but found \"" + TextWords.shorten(value) + "\"");
             return number;
         }
 

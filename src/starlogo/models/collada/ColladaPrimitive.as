@@ -40,10 +40,10 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "triangles":
-                    addTriangles(new ColladaWords(lists));
+                    add(TextWords.splitting(textOf(lists), readingTriangles));
                     break;
                 case "polylist":
-                    addPolylist(new ColladaWords(lists), new ColladaWords(element.childrenNamed("vcount").slice(0, 1)));
+                    addPolylist(textOf(lists), textOf(element.childrenNamed("vcount").slice(0, 1)));
                     break;
                 case "polygons":
                     addLists(lists.concat(element.childrenNamed("ph")), "polygons", readPolygon);
@@ -82,18 +82,25 @@ package starlogo.models.collada
             _offset = positionInput(_element).integer("offset", 0);
         }
 
-        private function addTriangles(reader:ColladaWords):void
+        // The own texts of some elements, one after the other.
+        private static function textOf(elements:Vector.<ColladaElement>):String
         {
-            add(reader).begin(function():Steps
+            var texts:Array = [];
+            for each (var element:ColladaElement in elements)
+            {
+                texts.push(element.text);
+            }
+            return texts.join(" ");
+        }
+
+        private function readingTriangles(indices:Array):Steps
+        {
+            var count:int = cornersIn(indices);
+            _element.refuseIf(count % 3 != 0, "expected three corners for each triangle, but found " + count);
+            _element.checkCount(count / 3, "triangles");
+            return new StepSequence().slices(count, CORNERS_PER_STEP, function(first:int, end:int):void
                 {
-                    var indices:Array = reader.words;
-                    var count:int = cornersIn(indices);
-                    _element.refuseIf(count % 3 != 0, "expected three corners for each triangle, but found " + count);
-                    _element.checkCount(count / 3, "triangles");
-                    return new StepSequence().slices(count, CORNERS_PER_STEP, function(first:int, end:int):void
-                        {
-                            readTriangles(indices, first, end);
-                        });
+                    readTriangles(indices, first, end);
                 });
         }
 
@@ -108,12 +115,15 @@ package starlogo.models.collada
         }
 
         // A polylist has the indices of all polygons in one list, and the number of corners of each polygon in another.
-        private function addPolylist(indexReader:ColladaWords, sizeReader:ColladaWords):void
+        private function addPolylist(indices:String, sizes:String):void
         {
-            add(indexReader).add(sizeReader).begin(function():Steps
-                {
-                    return readingPolylist(indexReader.words, sizeReader.words);
-                });
+            add(TextWords.splitting(indices, function(indexWords:Array):Steps
+                    {
+                        return TextWords.splitting(sizes, function(sizeWords:Array):Steps
+                            {
+                                return readingPolylist(indexWords, sizeWords);
+                            });
+                    }));
         }
 
         private function readingPolylist(indices:Array, sizes:Array):Steps

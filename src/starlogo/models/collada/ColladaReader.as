@@ -52,7 +52,7 @@ package starlogo.models.collada
          */
         public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelReader
         {
-            var data:ModelData = ModelReader.dataFor(name, upAxis == null ? "z" : upAxis, scaling);
+            var data:ModelData = ModelData.forFile(name, upAxis == null ? "z" : upAxis, scaling);
             return new ModelReader(data, new ColladaReader(data, text, upAxis != null));
         }
 

@@ -2,6 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.FileLimits;
     import starlogo.models.text.Decimal;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -27,13 +28,13 @@ package starlogo.models.collada
             _points = points;
             var accessor:ColladaElement = source.requiredChild("technique_common").requiredChild("accessor");
             var array:ColladaElement = accessor.target("source", ["float_array", "int_array"], source);
-            var text:ColladaWords = new ColladaWords(new <ColladaElement>[array]);
+            var text:String = array.text;
             accessor.limits.count(FileLimits.NUMBERS, text.length / 2, accessor);
             accessor.limits.count(FileLimits.THINGS, accessor.children.length, accessor);
-            add(text).begin(function():Steps
-                {
-                    return readingPoints(accessor, array, text.words);
-                });
+            add(TextWords.splitting(text, function(words:Array):Steps
+                    {
+                        return readingPoints(accessor, array, words);
+                    }));
         }
 
         private function readingPoints(accessor:ColladaElement, array:ColladaElement, words:Array):Steps

@@ -28,6 +28,12 @@ package starlogo.models.cooked
      */
     public final class CookedReader extends StepSequence
     {
+        /** The form of coordinates as floats of 32 bits. A smaller form n has whole multiples of 1e-n. */
+        internal static const SINGLE:int = 9;
+
+        /** The form of the model's own coordinates as doubles of 64 bits. */
+        internal static const DOUBLE:int = 10;
+
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
 
@@ -62,6 +68,12 @@ package starlogo.models.cooked
             return new ModelReader(data, new CookedReader(data, bytes, modelKey));
         }
 
+        /** The divisor for the numbers of a form. */
+        internal static function divisorOf(form:int):Number
+        {
+            return form < SINGLE ? Number("1e" + form) : 1;
+        }
+
         /** @inheritDoc */
         override public function step():Boolean
         {
@@ -85,14 +97,14 @@ package starlogo.models.cooked
             refuseIf(modelKey != null && !file.isOf(modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
             _data.cooked = file;
             _data.scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
-            var form:int = readCount(CookedWriter.DOUBLE);
+            var form:int = readCount(DOUBLE);
             // the model's own vertices are transformed already
-            var hasTransform:Boolean = readCount(form == CookedWriter.DOUBLE ? 0 : 1) == 1;
+            var hasTransform:Boolean = readCount(form == DOUBLE ? 0 : 1) == 1;
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
             new FileLimits(_data.name, _bytes.length).requireMesh(vertexCount, triangleCount);
             _data.transform = hasTransform ? readTransform() : null;
-            if (form == CookedWriter.DOUBLE)
+            if (form == DOUBLE)
             {
                 _data.frame = readFrame();
                 refuseIf(_data.frame == null, _data.name, "the cooked file does not have the model's place in its source");
@@ -177,10 +189,10 @@ package starlogo.models.cooked
         private function readNumbers(first:int, end:int, form:int):void
         {
             var all:Vector.<Number> = _data.vertices;
-            var divisor:Number = CookedWriter.divisorOf(form);
+            var divisor:Number = divisorOf(form);
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
-                if (form < CookedWriter.SINGLE)
+                if (form < SINGLE)
                 {
                     // each number is stored as the difference from the one of the vertex before, in multiples of 1 / divisor
                     var multiple:int = i < 3 ? 0 : Math.round(all[int(i - 3)] * divisor);
@@ -189,12 +201,12 @@ package starlogo.models.cooked
                 }
                 else
                 {
-                    all[i] = form == CookedWriter.DOUBLE ? _bytes.readDouble() : _bytes.readFloat();
+                    all[i] = form == DOUBLE ? _bytes.readDouble() : _bytes.readFloat();
                 }
             }
         }
 
-        // The Normalisation checks whether the vertices exist.
+        // The ModelReader checks whether the vertices exist.
         private function readCorners(first:int, end:int):void
         {
             var bytes:ByteArray = _bytes;

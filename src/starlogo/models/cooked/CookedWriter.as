@@ -21,28 +21,22 @@ package starlogo.models.cooked
      */
     public final class CookedWriter
     {
-        /** The form for coordinates as floats of 32 bits. A smaller form n stores whole multiples of 1e-n. */
-        internal static const SINGLE:int = 9;
-
-        /** The form for the model's own coordinates as doubles of 64 bits. */
-        internal static const DOUBLE:int = 10;
-
         private static const LARGEST:Number = 1000000000;
 
         /** The bytes of a model's section. @throws ModelError if it needs the model's place in its source, which is not finite */
         public static function of(model:Model):ByteArray
         {
             var source:Vector.<Number> = model.source.toSource(model.vertices);
-            for (var form:int = 0; form <= SINGLE; form++)
+            for (var form:int = 0; form <= CookedReader.SINGLE; form++)
             {
-                var points:Vector.<Number> = form < SINGLE ? multiples(source, divisorOf(form)) : singles(source);
+                var points:Vector.<Number> = form < CookedReader.SINGLE ? multiples(source, CookedReader.divisorOf(form)) : singles(source);
                 if (areSourceOf(points, model))
                 {
                     return write(model, form, points);
                 }
             }
             refuseIf(SourceFrame.of(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
-            return write(model, DOUBLE, model.vertices);
+            return write(model, CookedReader.DOUBLE, model.vertices);
         }
 
         // Whether a model of these points and the model's triangles is the model: the vertices and the place in the source are equal to the last bit. It is
@@ -56,12 +50,6 @@ package starlogo.models.cooked
             }
             var made:ModelData = ModelData.of(model.name, points, model.triangles, model.data.scaling, transform);
             return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.frame.numbers, model.source.numbers);
-        }
-
-        /** The divisor for the numbers of a form. */
-        internal static function divisorOf(form:int):Number
-        {
-            return form < SINGLE ? Number("1e" + form) : 1;
         }
 
         private static function multiples(source:Vector.<Number>, divisor:Number):Vector.<Number>
@@ -94,7 +82,7 @@ package starlogo.models.cooked
         {
             var out:ByteArray = CookedFile.newBytes();
             var data:ModelData = model.data;
-            var transform:ModelTransform = form == DOUBLE ? null : data.transform;
+            var transform:ModelTransform = form == CookedReader.DOUBLE ? null : data.transform;
             var triangles:Vector.<uint> = model.triangles || new Vector.<uint>();
             VarInt.write(Model.SCALINGS.indexOf(data.scaling), out);
             VarInt.write(form, out);
@@ -107,7 +95,7 @@ package starlogo.models.cooked
                 writeVector(transform.scale, out);
                 writeVector(transform.translation, out);
             }
-            if (form == DOUBLE)
+            if (form == CookedReader.DOUBLE)
             {
                 for each (var number:Number in model.source.numbers)
                 {
@@ -137,14 +125,14 @@ package starlogo.models.cooked
         // Multiples are written as differences from the vertex before.
         private static function writePoints(points:Vector.<Number>, form:int, out:ByteArray):void
         {
-            var divisor:Number = divisorOf(form);
+            var divisor:Number = CookedReader.divisorOf(form);
             for (var i:int = 0; i < points.length; i++)
             {
-                if (form < SINGLE)
+                if (form < CookedReader.SINGLE)
                 {
                     VarInt.write(Math.round(points[i] * divisor) - (i < 3 ? 0 : Math.round(points[i - 3] * divisor)), out);
                 }
-                else if (form == SINGLE)
+                else if (form == CookedReader.SINGLE)
                 {
                     out.writeFloat(points[i]);
                 }

@@ -25,6 +25,10 @@ package starlogo.models.gltf
 
         private static const BUFFERS_PER_STEP:int = 100;
 
+        // the beginning of the address of data inside the file, and the end of what is before the data; the case does not matter (RFC 2397)
+        private static const DATA:RegExp = /^data:/i;
+        private static const BASE64:RegExp = /;base64$/i;
+
         // extensions that are read (quantization), or that do not change shapes
         private static const SUPPORTED:RegExp = /^(KHR_mesh_quantization|KHR_(materials|techniques?|texture|lights|xmp|node)_|EXT_(texture|lights)_|MSFT_texture_|KHR_animation_pointer)/;
         private static const DRACO:String = "KHR_draco_mesh_compression";
@@ -277,10 +281,10 @@ package starlogo.models.gltf
                 }
                 return;
             }
-            if (uri.indexOf("data:") == 0)
+            if (DATA.test(uri))
             {
                 var comma:int = uri.indexOf(",");
-                buffer.refuseIf(uri.substring(0, comma).substr(-7) != ";base64", "expected data in base64", "uri");
+                buffer.refuseIf(!BASE64.test(uri.substring(0, comma)), "expected data in base64", "uri");
                 if (uri.indexOf("%", comma) >= 0)
                 {
                     uri = uri.substring(0, comma + 1) + unescape(uri.substring(comma + 1));

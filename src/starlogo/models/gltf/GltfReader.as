@@ -69,7 +69,7 @@ package starlogo.models.gltf
 
         private static function dataFor(file:GltfFile, upAxis:Object, scaling:String):ModelData
         {
-            return ModelReader.dataFor(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
+            return ModelData.forFile(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
         }
 
         private function readingNodes():Steps

@@ -24,8 +24,8 @@ package starlogo.models.gltf
         private var _vertices:Vector.<Number>;
         // the points before the node places them
         private var _points:Vector.<Number>;
-        // of a skinned mesh
-        private var _joints:GltfJoints = null;
+        // of a skinned mesh, how its joints move points
+        private var _joints:Vector.<AffineTransform> = null;
         private var _transform:AffineTransform;
 
         /**
@@ -53,8 +53,7 @@ package starlogo.models.gltf
             var attributes:GltfJson = primitive.object("attributes");
             if (skin >= 0 && attributes.has("JOINTS_0"))
             {
-                _joints = scene.jointsOf(skin);
-                call(copyPoints).add(_joints);
+                _joints = scene.jointsOf(skin, call(copyPoints));
                 addSkin(file, attributes);
             }
             _transform = _joints == null ? scene.globalTransformOf(node) : new AffineTransform();
@@ -64,7 +63,7 @@ package starlogo.models.gltf
         /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
         public function get isMirror():Boolean
         {
-            return (_joints == null ? _transform : _joints.transforms[0]).isMirror;
+            return (_joints == null ? _transform : _joints[0]).isMirror;
         }
 
         private function addTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
@@ -156,7 +155,7 @@ package starlogo.models.gltf
                 }
                 if (sum == 0)
                 {
-                    _joints.transforms[0].transformPoints(points, i, i + 1, points, i);
+                    _joints[0].transformPoints(points, i, i + 1, points, i);
                     continue;
                 }
                 points[at] = x / sum;
@@ -168,11 +167,11 @@ package starlogo.models.gltf
         private function jointAt(numbers:GltfAccessor, at:int):AffineTransform
         {
             var joint:Number = numbers.numbers[at];
-            if (!(joint >= 0 && joint < _joints.transforms.length && int(joint) == joint))
+            if (!(joint >= 0 && joint < _joints.length && int(joint) == joint))
             {
-                throw numbers.json.error("vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.transforms.length);
+                throw numbers.json.error("vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.length);
             }
-            return _joints.transforms[int(joint)];
+            return _joints[int(joint)];
         }
 
         private function placeVertices(first:int, end:int):void

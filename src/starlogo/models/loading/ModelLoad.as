@@ -123,10 +123,9 @@ package starlogo.models.loading
         /** Sets the file to read, as bytes or as text. The other is null. */
         public function setFile(bytes:ByteArray, text:String):void
         {
-            var isEncoded:Boolean = text == null && (bytes == null || ModelFormat.ofBytes(bytes) == null);
             call(function():void
                 {
-                    if (isEncoded)
+                    if (text == null && (bytes == null || ModelFormat.ofBytes(bytes) == null))
                     {
                         setFile(null, FileText.decode(name, bytes));
                     }

@@ -32,8 +32,6 @@ package starlogo.models.obj
         // The material and the mesh of each polygon.
         private var _polygonLabels:Vector.<int> = new Vector.<int>();
 
-        private var _triangulator:Triangulator;
-
         // The highest index of a vertex in a face, and its line.
         private var _highestIndex:int = -1;
         private var _highestLine:int;
@@ -52,7 +50,6 @@ package starlogo.models.obj
             _data = data;
             _lines = new LineReader(name, text);
             _limits = new FileLimits(name, text.length);
-            _triangulator = new Triangulator(_limits, data.vertices, data.triangles);
             repeat(readSome).call(checkIndices).begin(cutting);
         }
 
@@ -66,7 +63,7 @@ package starlogo.models.obj
          */
         public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelReader
         {
-            var data:ModelData = ModelReader.dataFor(name, upAxis, scaling);
+            var data:ModelData = ModelData.forFile(name, upAxis, scaling);
             return new ModelReader(data, new ObjReader(data, text));
         }
 
@@ -165,17 +162,19 @@ package starlogo.models.obj
         {
             // a number for each vertex: 1 if a polygon has it as a corner
             var isCorner:Vector.<uint> = new Vector.<uint>(_data.vertices.length / 3);
-            return new StepSequence().add(_triangulator.addingEach(_polygons.length, function(index:int):Steps
+            var triangulator:Triangulator = new Triangulator(_limits, _data.vertices, _data.triangles);
+            return new StepSequence().add(triangulator.addingEach(_polygons.length, function(index:int):Steps
                     {
-                        return cuttingPolygon(index, isCorner);
+                        beginPolygon(index, isCorner);
+                        return triangulator.addPolygon(_polygons[index]);
                     })).begin(function():Steps
                 {
                     return _data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(_data.vertices, _data.triangles, isCorner);
                 });
         }
 
-        // Cuts a polygon into triangles, and marks its vertices. Returns the work that is left; null for none.
-        private function cuttingPolygon(index:int, isCorner:Vector.<uint>):Steps
+        // Gives the triangles that follow the material and the mesh of a polygon, and marks its vertices.
+        private function beginPolygon(index:int, isCorner:Vector.<uint>):void
         {
             _data.materials.beginRun(_polygonLabels[2 * index], _data.triangles.length / 3);
             _data.meshes.beginRun(_polygonLabels[2 * index + 1], _data.triangles.length / 3);
@@ -183,7 +182,6 @@ package starlogo.models.obj
             {
                 isCorner[corner] = 1; // also if the polygon has no triangle
             }
-            return _triangulator.addPolygon(_polygons[index]);
         }
     }
 }

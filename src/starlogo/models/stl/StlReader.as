@@ -66,7 +66,7 @@ package starlogo.models.stl
          */
         public static function of(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String):ModelReader
         {
-            var data:ModelData = ModelReader.dataFor(name, upAxis, scaling);
+            var data:ModelData = ModelData.forFile(name, upAxis, scaling);
             return new ModelReader(data, new StlReader(data, bytes, text));
         }
 

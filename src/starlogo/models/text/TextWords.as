@@ -1,5 +1,8 @@
 package starlogo.models.text
 {
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
     /**
      * Splits text with native functions of the player, because a loop over characters is slow.
      *
@@ -7,6 +10,9 @@ package starlogo.models.text
      */
     public final class TextWords
     {
+        private static const CHARACTERS_PER_STEP:int = 200000;
+        private static const SPACE:int = 0x20;
+
         /** The words of a text, separated by any white space. Empty for a text without words. */
         public static function of(text:String):Array
         {
@@ -16,6 +22,37 @@ package starlogo.models.text
             var start:int = text.charCodeAt(0) == 0x20 ? 1 : 0;
             var end:int = text.charCodeAt(text.length - 1) == 0x20 ? text.length - 1 : text.length;
             return end > start ? text.substring(start, end).split(" ") : [];
+        }
+
+        /**
+         * The steps that split a long text into words, and then do the work on these.
+         *
+         * @param make <code>(words:Array):Steps</code>; the work on the words
+         */
+        public static function splitting(text:String, make:Function):Steps
+        {
+            var words:Array = [];
+            var start:int = 0;
+            return new StepSequence().repeat(function():Boolean
+                {
+                    var end:int = Math.min(start + CHARACTERS_PER_STEP, text.length);
+                    while (end < text.length && text.charCodeAt(end) > SPACE)
+                    {
+                        end++;
+                    }
+                    var more:Array = of(text.substring(start, end));
+                    // most texts are one piece, whose list is taken as it is
+                    for (var i:int = 0; i < more.length && start > 0; i++)
+                    {
+                        words.push(more[i]);
+                    }
+                    words = start == 0 ? more : words;
+                    start = end;
+                    return start < text.length;
+                }).begin(function():Steps
+                {
+                    return make(words);
+                });
         }
 
         /** The text without a byte-order mark at its beginning. */

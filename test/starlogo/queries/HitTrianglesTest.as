@@ -159,16 +159,36 @@ package starlogo.queries
         }
 
         [Test]
-        public function inATriangleWithoutAreaTheNearestCornerHasTheWholeWeight():void
+        public function howeverNarrowATriangleIsItsWeightsMakeThePoint():void
         {
-            var needle:Model = new Model("needle", new <Number>[0, 0, 0, 1, 0, 0, 0.4, 0, 0], new <uint>[0, 1, 2], Model.AS_GIVEN);
-            var queries:AgentQueries = queriesOf(needle, new Agent("needle"), "triangles");
-            var expected:Object = {"0.05": new Vector3D(1, 0, 0), "0.95": new Vector3D(0, 1, 0), "0.43": new Vector3D(0, 0, 1)};
-            for (var x:String in expected)
+            var agent:Agent = new Agent("needle");
+            for each (var height:Number in [1e-6, 1e-9, 1e-12, 1e-15, 0])
             {
-                var hit:ShapeHit = queries.castShape(new Sphere(new Vector3D(Number(x), 0, 3), 0.1), 0, 0, -5);
-                assertTrue(x + ": " + hit.weights, hit.weights.equals(expected[x]));
+                for (var turn:int = 0; turn < 3; turn++)
+                {
+                    // the longest edge is each of the three
+                    var corners:Array = [new Vector3D(0, 0, 0.3), new Vector3D(1, 0, 0.7), new Vector3D(0.4, height, 0.46)];
+                    corners = corners.concat(corners).slice(turn, turn + 3);
+                    var vertices:Vector.<Number> = new Vector.<Number>();
+                    for each (var corner:Vector3D in corners)
+                    {
+                        vertices.push(corner.x, corner.y, corner.z);
+                    }
+                    var needle:Model = new Model("needle", vertices, new <uint>[0, 1, 2], Model.AS_GIVEN);
+                    var queries:AgentQueries = queriesOf(needle, agent, "triangles");
+                    for each (var along:Number in [0.05, 0.4, 0.43, 0.95])
+                    {
+                        var at:Vector3D = new Vector3D(along, 0, 0.3 + 0.4 * along);
+                        var hit:RayHit = queries.cast(new Vector3D(at.x - 0.3, 0.2, 2), new Vector3D(0.3, -0.2, at.z - 2));
+                        checkTriangle(needle, agent, 0, hit.point, hit.weights);
+                        var ball:ShapeHit = queries.castShape(new Sphere(new Vector3D(at.x, 0, 3), 0.1), 0, 0, -5);
+                        checkTriangle(needle, agent, 0, ball.point, ball.weights);
+                    }
+                }
             }
+            var point:Model = new Model("needle", new <Number>[1, 2, 3, 1, 2, 3, 1, 2, 3], new <uint>[0, 1, 2], Model.AS_GIVEN);
+            var inOne:ShapeHit = queriesOf(point, agent, "triangles").castShape(new Sphere(new Vector3D(1, 2, 5), 0.1), 0, 0, -5);
+            checkTriangle(point, agent, 0, inOne.point, inOne.weights);
         }
 
         [Test]

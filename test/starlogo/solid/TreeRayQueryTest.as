@@ -225,6 +225,37 @@ package starlogo.solid
             assertTrue("met: " + met, met > Effort.choose(200, 10000));
         }
 
+        // The ray comes along the solid's thin sides, so the place where it crosses their planes is a rounding error.
+        [Test]
+        public function aRayAlongNarrowSidesMeetsTheirCorner():void
+        {
+            for (var i:int = 0; i < Effort.choose(3000, 100000); i++)
+            {
+                var axes:Vector.<Vector3D> = _structures.frame();
+                var extents:Array = [1, _random.logBetween(1e-8, 1), _random.logBetween(1e-8, 1)];
+                var corners:Vector.<Vector3D> = new Vector.<Vector3D>();
+                var vertices:Vector.<Number> = new Vector.<Number>();
+                for (var k:int = 0; k < 6; k++)
+                {
+                    var place:Number = (k % 2 == 0 ? 1 : -1) * extents[k >> 1];
+                    corners[k] = axes[k >> 1].clone();
+                    corners[k].scaleBy(place);
+                    vertices.push(corners[k].x, corners[k].y, corners[k].z);
+                }
+                var octahedron:Model = new Model("octahedron", vertices, new <uint>[0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5], Model.AS_GIVEN);
+                var corner:Vector3D = corners[_random.integer(0, 5)];
+                var along:Vector3D = corner.subtract(corners[_random.integer(0, 5)]);
+                along.scaleBy(_random.between(1, 4));
+                var aside:Vector3D = _structures.position(_random.logBetween(1e-12, 0.1));
+                var origin:Vector3D = corner.add(along).add(aside);
+                var direction:Vector3D = corner.subtract(origin);
+                var ray:Ray = new Ray();
+                ray.aim(origin, direction);
+                var distance:Number = distanceAt(hierarchyOf(octahedron), 1, true, ray);
+                assertTrue(i + ": " + distance + ", not " + direction.length + ", from " + origin + " to " + corner + " of " + corners, distance <= direction.length + 1e-6);
+            }
+        }
+
         private static function between(a:Vector3D, b:Vector3D, share:Number):Vector3D
         {
             return new Vector3D(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z));

@@ -12,8 +12,8 @@ package starlogo.intersection.ray
      * triangles.</p>
      *
      * <p>A ray also meets a triangle if it passes the triangle within the gap across which surfaces still touch (Tolerances.SURFACES). So a ray
-     * towards a silhouette finds it. In this case the point must lie within the triangle's extents, enlarged by the gap, because the
-     * hierarchy's boxes contain only such points.</p>
+     * towards a silhouette finds it. In this case it meets the triangle where it passes the edges. The place where it crosses the plane is far from a
+     * steep triangle.</p>
      *
      * @private
      */
@@ -202,56 +202,67 @@ package starlogo.intersection.ray
                 }
                 var sum:Number = sideA + sideB + sideC;
                 var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
-                if (Math.abs(sum) <= EDGE_ON * _margin * width)
+                var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON * _margin * width;
+                var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
+                if (isInside && !isEdgeOn)
                 {
-                    passEdges(corners, 9 * slot, out);
+                    out.distance = _stretch * (sideA * aW + sideB * bW + sideC * cW) / sum;
                 }
                 else
                 {
-                    var depth:Number = Math.abs(_stretch) * (Math.abs(aW - bW) + Math.abs(bW - cW));
-                    crossPlane(_stretch * (sideA * aW + sideB * bW + sideC * cW) / sum, width * depth, sum, out);
+                    var gap:Number = isInside ? 3 * EDGE_ON * _margin : _margin;
+                    passEdges(corners, 9 * slot, gap, out);
                 }
                 // NaN is skipped too
                 if (!(out.distance >= _ray.from))
                 {
                     continue;
                 }
-                var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
-                if (isInside || isOver(aU, aV, bU, bV, sideC, sum) && isOver(bU, bV, cU, cV, sideA, sum) && isOver(cU, cV, aU, aV, sideB, sum)
-                        && isInExtents(out, corners, 9 * slot))
+                out.slot = slot;
+                if (isEdgeOn)
                 {
-                    out.slot = slot;
-                    return slot;
+                    setAlong(out);
                 }
+                else
+                {
+                    var depth:Number = Math.abs(_stretch) * (Math.abs(aW - bW) + Math.abs(bW - cW));
+                    setAcross(width * depth, sum, out);
+                }
+                return slot;
             }
             return -1;
         }
 
-        // Sets the crossing to the place where the line crosses a triangle's plane. The ray may pass a gap beside the place that is tested. On a steep
-        // triangle, which is deep for its area, the place is then farther off along the ray.
-        private function crossPlane(distance:Number, spread:Number, sum:Number, out:TriangleCrossing):void
+        // Sets the rest of a crossing with a triangle that the ray does not see edge on. The ray may pass a gap beside the place that is tested. On a
+        // steep triangle, which is deep for its area, the place is then farther off along the ray.
+        private function setAcross(spread:Number, sum:Number, out:TriangleCrossing):void
         {
-            out.distance = out.end = distance;
-            out.slack = Tolerances.ROUNDING * Math.abs(distance) + 4 * _margin * (1 + spread / Math.abs(sum));
+            out.end = out.distance;
+            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + 4 * _margin * (1 + spread / Math.abs(sum));
             out.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
         }
 
-        // Sets the crossing to the places where the ray first and last passes the edges of a triangle that it sees edge on. The distance is NaN if no
-        // edge is near, or none after the ray's beginning.
-        private function passEdges(corners:Vector.<Number>, at:int, out:TriangleCrossing):void
+        // Sets the rest of a crossing with a triangle that the ray sees edge on.
+        private function setAlong(out:TriangleCrossing):void
         {
-            out.distance = Infinity;
-            out.end = -Infinity;
-            passEdge(corners, at, at + 3, out);
-            passEdge(corners, at + 3, at + 6, out);
-            passEdge(corners, at + 6, at, out);
-            out.distance = out.end >= _ray.from ? Math.max(out.distance, _ray.from) : NaN;
             out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + 4 * EDGE_ON * _margin;
             out.end = Math.max(out.end, out.distance) + out.slack;
             out.side = RayCrossings.EDGE_ON;
         }
 
-        private function passEdge(corners:Vector.<Number>, from:int, to:int, out:TriangleCrossing):void
+        // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a gap. The distance is NaN if no edge is
+        // near, or none after the ray's beginning.
+        private function passEdges(corners:Vector.<Number>, at:int, gap:Number, out:TriangleCrossing):void
+        {
+            out.distance = Infinity;
+            out.end = -Infinity;
+            passEdge(corners, at, at + 3, gap, out);
+            passEdge(corners, at + 3, at + 6, gap, out);
+            passEdge(corners, at + 6, at, gap, out);
+            out.distance = out.end >= _ray.from ? Math.max(out.distance, _ray.from) : NaN;
+        }
+
+        private function passEdge(corners:Vector.<Number>, from:int, to:int, gap:Number, out:TriangleCrossing):void
         {
             var fromW:Number = corners[from + _w] - _originW;
             var fromU:Number = corners[from + _u] - _originU - _shearU * fromW;
@@ -263,38 +274,12 @@ package starlogo.intersection.ray
             var share:Number = square > 0 ? Math.max(0, Math.min(1, -(fromU * toU + fromV * toV) / square)) : 0;
             fromU += share * toU;
             fromV += share * toV;
-            if (fromU * fromU + fromV * fromV <= 9 * EDGE_ON * EDGE_ON * _margin * _margin)
+            if (fromU * fromU + fromV * fromV <= gap * gap)
             {
                 var place:Number = _stretch * (fromW + share * (toW - fromW));
                 out.distance = Math.min(out.distance, place);
                 out.end = Math.max(out.end, place);
             }
-        }
-
-        // Whether the ray passes an edge on the triangle's side, or within the gap.
-        private function isOver(fromU:Number, fromV:Number, toU:Number, toV:Number, side:Number, sum:Number):Boolean
-        {
-            toU -= fromU;
-            toV -= fromV;
-            return side == 0 || side > 0 == sum > 0 || side * side <= _margin * _margin * (toU * toU + toV * toV);
-        }
-
-        // Whether the place of a crossing is within a triangle's extents, enlarged by the gap.
-        private function isInExtents(crossing:TriangleCrossing, corners:Vector.<Number>, at:int):Boolean
-        {
-            var distance:Number = crossing.distance;
-            return isBetween(_ray.x + distance * _ray.directionX, corners, at)
-                && isBetween(_ray.y + distance * _ray.directionY, corners, at + 1)
-                && isBetween(_ray.z + distance * _ray.directionZ, corners, at + 2);
-        }
-
-        private function isBetween(place:Number, corners:Vector.<Number>, at:int):Boolean
-        {
-            var a:Number = corners[at];
-            var b:Number = corners[int(at + 3)];
-            var c:Number = corners[int(at + 6)];
-            return (a - place <= _margin || b - place <= _margin || c - place <= _margin)
-                && (place - a <= _margin || place - b <= _margin || place - c <= _margin);
         }
     }
 }

@@ -17,11 +17,10 @@ package starlogo.queries.rays
      */
     public final class TriangleOfHit
     {
-        // From the point to each corner, and the triangle's normal.
+        // From the point to each corner.
         private var _a:Vector3D = new Vector3D();
         private var _b:Vector3D = new Vector3D();
         private var _c:Vector3D = new Vector3D();
-        private var _normal:Vector3D = new Vector3D();
 
         /**
          * Writes the mesh, the material and the weights.
@@ -71,39 +70,67 @@ package starlogo.queries.rays
             out.setTo(tree.vertices[vertex] - x, tree.vertices[int(vertex + 1)] - y, tree.vertices[int(vertex + 2)] - z);
         }
 
-        // Each weight is the share of the part between the point and the other two corners. A part beyond an edge counts as 0. If the triangle has
-        // no area, the nearest corner has all the weight.
+        // Weighs the corners from the longest edge, because along it even a narrow triangle has digits.
         private function weigh(weights:Vector3D):void
         {
-            _normal.setTo(0, 0, 0);
-            addCross(_b, _c, _normal);
-            addCross(_c, _a, _normal);
-            addCross(_a, _b, _normal);
-            weights.setTo(areaBetween(_b, _c), areaBetween(_c, _a), areaBetween(_a, _b));
-            var sum:Number = weights.x + weights.y + weights.z;
-            if (sum > 0)
+            var ab:Number = squaredDistance(_a, _b);
+            var bc:Number = squaredDistance(_b, _c);
+            var ca:Number = squaredDistance(_c, _a);
+            if (ab >= bc && ab >= ca)
             {
-                weights.setTo(weights.x / sum, weights.y / sum, weights.z / sum);
-                return;
+                weighFrom(_a, _b, _c, ab, weights);
             }
-            var a:Number = _a.lengthSquared;
-            var b:Number = _b.lengthSquared;
-            var c:Number = _c.lengthSquared;
-            var nearest:int = a <= b && a <= c ? 0 : (b <= c ? 1 : 2);
-            weights.setTo(nearest == 0 ? 1 : 0, nearest == 1 ? 1 : 0, nearest == 2 ? 1 : 0);
+            else if (bc >= ca)
+            {
+                weighFrom(_b, _c, _a, bc, weights);
+                weights.setTo(weights.z, weights.x, weights.y);
+            }
+            else
+            {
+                weighFrom(_c, _a, _b, ca, weights);
+                weights.setTo(weights.y, weights.z, weights.x);
+            }
         }
 
-        // The area between the point and two corners, in a unit of its own; 0 if it is beyond the edge.
-        private function areaBetween(u:Vector3D, v:Vector3D):Number
+        private static function squaredDistance(u:Vector3D, v:Vector3D):Number
         {
-            return Math.max(0, _normal.x * (u.y * v.z - u.z * v.y) + _normal.y * (u.z * v.x - u.x * v.z) + _normal.z * (u.x * v.y - u.y * v.x));
+            var x:Number = v.x - u.x;
+            var y:Number = v.y - u.y;
+            var z:Number = v.z - u.z;
+            return x * x + y * y + z * z;
         }
 
-        private static function addCross(u:Vector3D, v:Vector3D, sum:Vector3D):void
+        // Finds the weights of an edge's ends, x and y, and of the corner over it, z. The point's height over the edge, as a part of the corner's, is the
+        // weight of the corner. Its place along the edge divides the rest. What is beyond an edge of the triangle counts as on it.
+        private static function weighFrom(start:Vector3D, end:Vector3D, over:Vector3D, squaredLength:Number, weights:Vector3D):void
         {
-            sum.x += u.y * v.z - u.z * v.y;
-            sum.y += u.z * v.x - u.x * v.z;
-            sum.z += u.x * v.y - u.y * v.x;
+            var edgeX:Number = end.x - start.x;
+            var edgeY:Number = end.y - start.y;
+            var edgeZ:Number = end.z - start.z;
+            var x:Number = over.x - start.x;
+            var y:Number = over.y - start.y;
+            var z:Number = over.z - start.z;
+            // the places along the edge of the point and of the corner
+            var along:Number = 0;
+            var alongOver:Number = 0;
+            if (squaredLength > 0)
+            {
+                along = Math.max(0, Math.min(1, -(start.x * edgeX + start.y * edgeY + start.z * edgeZ) / squaredLength));
+                alongOver = (x * edgeX + y * edgeY + z * edgeZ) / squaredLength;
+            }
+            x -= alongOver * edgeX;
+            y -= alongOver * edgeY;
+            z -= alongOver * edgeZ;
+            var height:Number = -(x * (start.x + along * edgeX) + y * (start.y + along * edgeY) + z * (start.z + along * edgeZ));
+            var squaredHeight:Number = x * x + y * y + z * z;
+            var weight:Number = squaredHeight > 0 ? Math.max(0, height / squaredHeight) : 0;
+            // the triangle's height there, as a part of the corner's, is room / side
+            var room:Number = along < alongOver ? along : 1 - along;
+            var side:Number = along < alongOver ? alongOver : 1 - alongOver;
+            weight = weight * side > room ? room / side : Math.min(1, weight);
+            weights.z = weight;
+            weights.y = Math.max(0, Math.min(1 - weight, along - weight * alongOver));
+            weights.x = 1 - weight - weights.y;
         }
     }
 }

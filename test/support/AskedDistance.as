@@ -4,7 +4,6 @@ package support
     import starlogo.agents.Agent;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
-    import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
     import starlogo.search.table.AgentTable;
@@ -20,16 +19,14 @@ package support
         /** Whether the two touch. */
         public var areTouching:Boolean;
 
-        private var _pairs:NarrowPhase;
         private var _table:AgentTable;
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
 
-        /** As a collider of these shapes and these settings sees agents. */
-        public function AskedDistance(choice:BaseShapeChoice, pairs:NarrowPhase)
+        /** As a collider of these settings sees agents. */
+        public function AskedDistance(pairs:NarrowPhase)
         {
-            _pairs = pairs;
-            _table = new AgentTable(choice, null);
+            _table = new AgentTable(pairs, null);
         }
 
         /** How far two agents are apart. */
@@ -37,8 +34,8 @@ package support
         {
             _table.currentBodyOf(a, _bodyA);
             _table.currentBodyOf(b, _bodyB);
-            areTouching = _pairs.areTouching(_bodyA, _bodyB);
-            _pairs.findClosest(_bodyA, _bodyB, true, closest);
+            areTouching = _table.narrowPhase.areTouching(_bodyA, _bodyB);
+            _table.narrowPhase.findClosest(_bodyA, _bodyB, true, closest);
             return closest.distance;
         }
 

@@ -77,7 +77,7 @@ package starlogo.collision
         /** @private Has the choice of shapes and the settings, and tests pairs of agents, for questions too. */
         engine function get narrowPhase():NarrowPhase
         {
-            return search.narrowPhase;
+            return search.table.narrowPhase;
         }
 
         /** @inheritDoc */
@@ -151,6 +151,10 @@ package starlogo.collision
         {
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
+            if (_phase != HANDLING)
+            {
+                by.table.refreshWorld();
+            }
             by.findContact(collider, collidee, motion, point);
             contact.read(point);
             contact.time = motion.time;
@@ -208,12 +212,15 @@ package starlogo.collision
          */
         override engine function enterPhase(phase:int):void
         {
-            _phase = phase;
             if (phase == HANDLING)
             {
                 takeContactsFromFrame();
             }
-            search.table.holdWorld(phase == HANDLING);
+            if ((phase == HANDLING) != (_phase == HANDLING))
+            {
+                search.table.holdGround(phase == HANDLING);
+            }
+            _phase = phase;
         }
 
         /** @private */

@@ -17,12 +17,9 @@ package starlogo.queries
     public final class AgentPlaces
     {
         private var _seen:SeenAgents;
-        private var _found:Collector;
-        private var _near:NearSearch;
-        private var _cone:Cone = new Cone();
 
-        // Answers what an accepts asks while these questions call it.
-        private var _nested:AgentPlaces = null;
+        // By the level of a question (SeenAgents.level): its search.
+        private var _searches:Vector.<NearSearch> = new Vector.<NearSearch>();
 
         /**
          * Asks about the agents of a SeenAgents. Others may ask about the same.
@@ -34,8 +31,6 @@ package starlogo.queries
         {
             requireGiven("seen", seen);
             _seen = seen;
-            _found = new Collector(seen);
-            _near = new NearSearch(_found);
         }
 
         /**
@@ -51,7 +46,7 @@ package starlogo.queries
          */
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return idle.findNear(agent, radius, Collector.ALL, filter).endWithList(out);
+            return findNear(agent, radius, Collector.ALL, filter).endWithList(out);
         }
 
         /**
@@ -64,7 +59,7 @@ package starlogo.queries
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
             var at:Placement = _seen.placeOf(agent);
-            return idle.count(agent, at.x, at.y, at.z, radius, filter);
+            return count(agent, at.x, at.y, at.z, radius, filter);
         }
 
         /**
@@ -78,7 +73,7 @@ package starlogo.queries
          */
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return idle.findNear(agent, radius, 1, filter).endWithFirst();
+            return findNear(agent, radius, 1, filter).endWithFirst();
         }
 
         /**
@@ -97,7 +92,7 @@ package starlogo.queries
         public function nearestFew(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requireNotNegative("count", count);
-            return idle.findNear(agent, radius, count, filter).endWithList(out);
+            return findNear(agent, radius, count, filter).endWithList(out);
         }
 
         /**
@@ -111,7 +106,7 @@ package starlogo.queries
          */
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return idle.findNearPoint(point, radius, Collector.ALL, filter).endWithList(out);
+            return findNearPoint(point, radius, Collector.ALL, filter).endWithList(out);
         }
 
         /**
@@ -124,7 +119,7 @@ package starlogo.queries
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
             requirePoint(point);
-            return idle.count(null, point.x, point.y, point.z, radius, filter);
+            return count(null, point.x, point.y, point.z, radius, filter);
         }
 
         /**
@@ -137,7 +132,7 @@ package starlogo.queries
          */
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return idle.findNearPoint(point, radius, 1, filter).endWithFirst();
+            return findNearPoint(point, radius, 1, filter).endWithFirst();
         }
 
         /**
@@ -157,13 +152,7 @@ package starlogo.queries
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requireNotNegative("degrees", degrees);
-            return idle.findNear(agent, radius, Collector.ALL, filter, degrees).endWithList(out);
-        }
-
-        // These questions, or the nested ones while a filter's accepts is being called.
-        private function get idle():AgentPlaces
-        {
-            return _found.isAsking ? (_nested ||= new AgentPlaces(_seen)).idle : this;
+            return findNear(agent, radius, Collector.ALL, filter, degrees).endWithList(out);
         }
 
         private function findNear(agent:Agent, radius:Number, wanted:int, filter:AgentFilter, degrees:Number = 360):Collector
@@ -184,17 +173,28 @@ package starlogo.queries
                 degrees:Number = 360):Collector
         {
             requireNotNegative("radius", radius);
-            _found.begin(wanted, radius * radius, asker, filter);
-            var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
-            _near.find(_seen.treeOfPlaces(), x, y, z, cone);
-            return _found;
+            var found:Collector = _seen.ask(wanted, radius * radius, asker, filter);
+            var search:NearSearch = searchOfLevel();
+            var cone:Cone = degrees < 360 ? search.cone.setTo(asker.worldPlacement(), degrees / 2) : null;
+            search.find(found, _seen.treeOfPlaces(), x, y, z, cone);
+            return found;
         }
 
         private function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
         {
             requireNotNegative("radius", radius);
-            _found.begin(Collector.ALL, radius * radius, asker, filter);
-            return _near.count(_seen.treeOfPlaces(), x, y, z);
+            var found:Collector = _seen.ask(Collector.ALL, radius * radius, asker, filter);
+            return searchOfLevel().count(found, _seen.treeOfPlaces(), x, y, z);
+        }
+
+        // The search of a question that begins now.
+        private function searchOfLevel():NearSearch
+        {
+            while (_searches.length <= _seen.level)
+            {
+                _searches.push(new NearSearch());
+            }
+            return _searches[_seen.level];
         }
     }
 }

@@ -23,19 +23,17 @@ package starlogo.queries
     public final class AgentRays
     {
         private var _seen:SeenAgents;
-        private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _rowRays:RowRayQuery;
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
-        private var _hits:Hits;
+
+        // By the level of a question (SeenAgents.level): how the ray meets rows.
+        private var _hits:Vector.<Hits> = new Vector.<Hits>();
 
         // For the line between two agents.
         private var _middleA:Vector3D = new Vector3D();
         private var _middleB:Vector3D = new Vector3D();
-
-        // Answers what an accepts asks while these questions call it.
-        private var _nested:AgentRays = null;
 
         /**
          * Asks about the agents of a SeenAgents. Others may ask about the same.
@@ -47,9 +45,7 @@ package starlogo.queries
         {
             requireGiven("seen", seen);
             _seen = seen;
-            _found = new Collector(seen);
             _rowRays = new RowRayQuery(seen);
-            _hits = new Hits(seen, RayHit);
         }
 
         /**
@@ -80,7 +76,10 @@ package starlogo.queries
          */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
-            return idle.castFirst(origin, direction, maxDistance, filter, hit);
+            var found:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
+            var hits:Hits = hitsOfLevel();
+            collect(found, hits);
+            return hits.end(found) == 0 ? null : write(hits, 0, hit || new RayHit());
         }
 
         /**
@@ -109,7 +108,23 @@ package starlogo.queries
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
                 out:Vector.<RayHit> = null, allSurfaces:Boolean = false):Vector.<RayHit>
         {
-            return idle.castThrough(origin, direction, maxDistance, filter, out || new Vector.<RayHit>(), allSurfaces);
+            var found:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
+            var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
+            var hits:Hits = hitsOfLevel();
+            if (allSurfaces)
+            {
+                collectSurfaces(found, hits);
+            }
+            else
+            {
+                collect(found, hits);
+            }
+            hits.resize(listed, hits.end(found));
+            for (var i:int = 0; i < listed.length; i++)
+            {
+                write(hits, i, listed[i]);
+            }
+            return listed;
         }
 
         /**
@@ -122,44 +137,6 @@ package starlogo.queries
          * @throws ArgumentError if one is null, or if its model is unknown or lacks data that the collision system needs
          */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter = null):Boolean
-        {
-            return idle.isWayFree(a, b, filter);
-        }
-
-        // These questions, or the nested ones while a filter's accepts is being called.
-        private function get idle():AgentRays
-        {
-            return _found.isAsking ? (_nested ||= new AgentRays(_seen)).idle : this;
-        }
-
-        private function castFirst(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, hit:RayHit):RayHit
-        {
-            begin(1, requireOrigin(origin), direction, maxDistance, filter);
-            collect();
-            return _hits.end(_found) == 0 ? null : write(0, hit || new RayHit());
-        }
-
-        private function castThrough(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>,
-                allSurfaces:Boolean):Vector.<RayHit>
-        {
-            begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
-            if (allSurfaces)
-            {
-                collectSurfaces();
-            }
-            else
-            {
-                collect();
-            }
-            _hits.resize(out, _hits.end(_found));
-            for (var i:int = 0; i < out.length; i++)
-            {
-                write(i, out[i]);
-            }
-            return out;
-        }
-
-        private function isWayFree(a:Agent, b:Agent, filter:AgentFilter):Boolean
         {
             findMiddle(a, _middleA);
             findMiddle(b, _middleB);
@@ -176,15 +153,15 @@ package starlogo.queries
             }
             var rowA:int = _seen.rowOf(a);
             var rowB:int = _seen.rowOf(b);
-            begin(1, from, towards, distance, filter);
-            for (var row:int = _found.nextOf(_search); row >= 0 && !_found.canEnd; row = _found.nextOf(_search))
+            var found:Collector = begin(1, from, towards, distance, filter);
+            for (var row:int = found.nextOf(_search); row >= 0 && !found.canEnd; row = found.nextOf(_search))
             {
                 if (row != rowA && row != rowB && _rowRays.findHit(row, _ray, _entry))
                 {
-                    _found.add(row, _entry.distance);
+                    found.add(row, _entry.distance);
                 }
             }
-            return _found.end() == 0;
+            return found.end() == 0;
         }
 
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
@@ -212,48 +189,59 @@ package starlogo.queries
             return origin;
         }
 
-        private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):void
+        private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):Collector
         {
             _ray.aim(origin, direction);
             requireNotNegative("maxDistance", maxDistance);
             _ray.to = maxDistance;
-            _found.begin(wanted, maxDistance, null, filter);
-            _hits.begin();
+            var found:Collector = _seen.ask(wanted, maxDistance, null, filter);
             _search.begin(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
+            return found;
+        }
+
+        // The hits of a question that begins now.
+        private function hitsOfLevel():Hits
+        {
+            while (_hits.length <= _seen.level)
+            {
+                _hits.push(new Hits(_seen, RayHit));
+            }
+            _hits[_seen.level].begin();
+            return _hits[_seen.level];
         }
 
         // Finds the rows that the ray meets, and keeps how it meets them.
-        private function collect():void
+        private function collect(found:Collector, out:Hits):void
         {
-            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
+            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
             {
                 if (_rowRays.findHit(row, _ray, _entry))
                 {
-                    _found.add(row, _entry.distance);
-                    _hits.addEntry(row, _ray, _entry);
-                    _ray.to = _found.limit;
+                    found.add(row, _entry.distance);
+                    out.addEntry(row, _ray, _entry);
+                    _ray.to = found.limit;
                 }
             }
         }
 
         // Finds the rows that the ray meets, and keeps all surfaces that it crosses.
-        private function collectSurfaces():void
+        private function collectSurfaces(found:Collector, out:Hits):void
         {
-            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
+            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
             {
-                if (_rowRays.findSurfaces(row, _ray, _hits))
+                if (_rowRays.findSurfaces(row, _ray, out))
                 {
-                    _found.add(row, _hits.firstKeyOf(row));
+                    found.add(row, out.firstKeyOf(row));
                 }
             }
         }
 
         // Writes how the ray meets a row of the answer.
-        private function write(index:int, hit:RayHit):RayHit
+        private function write(hits:Hits, index:int, hit:RayHit):RayHit
         {
-            _hits.write(index, hit);
-            hit.distance = _hits.keyOf(index);
+            hits.write(index, hit);
+            hit.distance = hits.keyOf(index);
             return hit;
         }
     }

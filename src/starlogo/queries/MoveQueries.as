@@ -32,15 +32,14 @@ package starlogo.queries
     {
         private var _seen:SeenAgents;
 
-        // Collects the rows near the way; then, for casts and moveUntilTouch, those of them that stop the body.
-        private var _found:Collector;
-
         private var _touches:TouchSweep = new TouchSweep();
         private var _slider:Slider = new Slider();
         private var _hits:Hits;
 
-        // The body of the question, where it begins, and its motion.
-        private var _body:MovingBody;
+        // By the level of a question (SeenAgents.level): its body.
+        private var _bodies:Vector.<MovingBody> = new Vector.<MovingBody>();
+
+        // Where the body begins, and its motion. They are set when it is known which rows are near.
         private var _from:Vector3D = new Vector3D();
         private var _motion:Vector3D = new Vector3D();
 
@@ -54,82 +53,82 @@ package starlogo.queries
         // Where the row that is met first stops the body.
         private var _end:Vector3D = new Vector3D();
 
-        // Answers what an accepts asks while these questions call it.
-        private var _nested:MoveQueries = null;
-
         /** @param seen the agents that the questions are about */
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _found = new Collector(seen);
-            _body = new MovingBody(seen);
             _hits = new Hits(seen, ShapeHit);
         }
 
         /** See AgentWalks.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var asked:MoveQueries = idle;
-            asked._body.readStructure(structure);
-            return asked.cast(null, dx, dy, dz, filter, hit);
+            var body:MovingBody = bodyOfLevel();
+            body.readStructure(structure);
+            return cast(body, null, dx, dy, dz, filter, hit);
         }
 
         /** See AgentWalks.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var asked:MoveQueries = idle;
-            asked._body.readStructure(structure);
-            return asked.castAll(null, dx, dy, dz, filter, out);
+            var body:MovingBody = bodyOfLevel();
+            body.readStructure(structure);
+            return castAll(body, null, dx, dy, dz, filter, out);
         }
 
         /** See AgentWalks.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var asked:MoveQueries = idle;
-            asked._body.readCastAgent(agent);
-            return asked.cast(agent, dx, dy, dz, filter, hit);
+            var body:MovingBody = bodyOfLevel();
+            body.readCastAgent(agent);
+            return cast(body, agent, dx, dy, dz, filter, hit);
         }
 
         /** See AgentWalks.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var asked:MoveQueries = idle;
-            asked._body.readCastAgent(agent);
-            return asked.castAll(agent, dx, dy, dz, filter, out);
+            var body:MovingBody = bodyOfLevel();
+            body.readCastAgent(agent);
+            return castAll(body, agent, dx, dy, dz, filter, out);
         }
 
         /** See AgentWalks.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            return idle.move(agent, dx, dy, dz, filter, contact);
+            return move(agent, dx, dy, dz, filter, contact);
         }
 
         /** See AgentWalks.slide. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             _seen.requireMovable(agent, "slide");
-            return idle.moveSliding(agent, dx, dy, dz, filter, SlideLimits.NONE);
+            return moveSliding(agent, dx, dy, dz, filter, SlideLimits.NONE);
         }
 
         /** Slides, but at the agent's height: a slope is an upright wall. The errors are those of <code>slide()</code>. */
         public function slideLevel(agent:Agent, dx:Number, dy:Number, filter:AgentFilter):Number
         {
             _seen.requireMovable(agent, "slide");
-            return idle.moveSliding(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
+            return moveSliding(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
         }
 
-        // These questions, or the nested ones while a filter's accepts is being called.
-        private function get idle():MoveQueries
+        // The body of a question that begins now.
+        private function bodyOfLevel():MovingBody
         {
-            return _found.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
+            while (_bodies.length <= _seen.level)
+            {
+                _bodies.push(new MovingBody(_seen));
+            }
+            return _bodies[_seen.level];
         }
 
         private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
-            _body.readAgent(agent);
-            var isMet:Boolean = findStops(agent, dx, dy, dz, filter, 1, _end) > 0;
+            var body:MovingBody = bodyOfLevel();
+            body.readAgent(agent);
+            var isMet:Boolean = findStops(body, agent, dx, dy, dz, filter, 1, _end) > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
@@ -151,12 +150,13 @@ package starlogo.queries
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
-            _body.readAgent(agent);
-            setMotion(agent, dx, dy, dz);
-            _found.begin(Collector.ALL, 1, agent, filter);
-            _body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, _found);
-            var fraction:Number = _slider.slide(_body, _body.rows, _from, _motion, limits, _slid);
-            _slider.restoreClearance(_body, _slid.place);
+            var body:MovingBody = bodyOfLevel();
+            body.readAgent(agent);
+            requireMotion(dx, dy, dz, agent);
+            body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
+            setMotion(body, dx, dy, dz);
+            var fraction:Number = _slider.slide(body, body.rows, _from, _motion, limits, _slid);
+            _slider.restoreClearance(body, _slid.place);
             if (limits.staysLevel)
             {
                 // the clearance leads off slopes by their normals
@@ -169,15 +169,15 @@ package starlogo.queries
             return fraction;
         }
 
-        private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
+        private function cast(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return findStops(asker, dx, dy, dz, filter, 1, null) == 0 ? null : write(0, hit || new ShapeHit());
+            return findStops(body, asker, dx, dy, dz, filter, 1, null) == 0 ? null : write(0, hit || new ShapeHit());
         }
 
-        private function castAll(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
+        private function castAll(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            _hits.resize(hits, findStops(asker, dx, dy, dz, filter, Collector.ALL, null));
+            _hits.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, null));
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);
@@ -185,47 +185,45 @@ package starlogo.queries
             return hits;
         }
 
-        // The asker is null if a structure is cast.
-        private function setMotion(asker:Agent, dx:Number, dy:Number, dz:Number):void
+        private function setMotion(body:MovingBody, dx:Number, dy:Number, dz:Number):void
         {
-            var at:Placement = _body.source.placement;
-            requireMotion(dx, dy, dz, asker);
+            var at:Placement = body.source.placement;
             _motion.setTo(dx, dy, dz);
             _from.setTo(at.x, at.y, at.z);
         }
 
         // Finds the rows that stop the body on a straight way, each as if the others were not there. If an end is given, it receives the place where
-        // the first of them stops the body. Returns how many hits the answer has.
-        private function findStops(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, wanted:int, end:Vector3D):int
+        // the first of them stops the body. The asker is null if a structure is cast. Returns how many hits the answer has.
+        private function findStops(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, wanted:int, end:Vector3D):int
         {
-            setMotion(asker, dx, dy, dz);
-            _found.begin(Collector.ALL, 1, asker, filter);
-            _body.findRowsAlong(_motion, _found);
+            requireMotion(dx, dy, dz, asker);
+            body.findRowsAlong(dx, dy, dz, asker, filter);
+            setMotion(body, dx, dy, dz);
             _lift.clear();
             // a floor may be many rows: what is lifted out of one of them does not run into the next
-            if (collectLifted(wanted, end) && _touches.findLift(_body, _body.rows, _from, _motion, _lift))
+            var found:Collector = _seen.ask(wanted, Infinity, null, null);
+            if (collectLifted(body, found, end) && _touches.findLift(body, body.rows, _from, _motion, _lift))
             {
-                collectLifted(wanted, end);
+                found = _seen.ask(wanted, Infinity, null, null);
+                collectLifted(body, found, end);
             }
-            return _hits.end(_found);
+            return _hits.end(found);
         }
 
         // Finds the rows that stop the body if it begins with the lift. Returns whether a common lift of all rows could change the answer.
-        private function collectLifted(wanted:int, end:Vector3D):Boolean
+        private function collectLifted(body:MovingBody, found:Collector, end:Vector3D):Boolean
         {
-            var rows:IntList = _body.rows;
-            var found:Collector = _found;
+            var rows:IntList = body.rows;
             var mayLift:Boolean = false;
-            found.begin(wanted, Infinity, null, null);
             _hits.begin();
             if (end != null)
             {
-                _lift.findEnd(_from, _motion, 1, _body.core.slop, end);
+                _lift.findEnd(_from, _motion, 1, body.core.slop, end);
             }
             for (var i:int = 0; i < rows.count && found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
-                _touches.findTouch(_body, row, _from, _motion, _lift, _result);
+                _touches.findTouch(body, row, _from, _motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0)
                 {
@@ -234,7 +232,7 @@ package starlogo.queries
                     _hits.add(row, _result.fraction).copyFrom(_result.contact);
                     if (end != null && isFirst)
                     {
-                        _touches.goIntoTouch(_body, _result);
+                        _touches.goIntoTouch(body, _result);
                         end.copyFrom(_result.place);
                     }
                 }
@@ -254,7 +252,7 @@ package starlogo.queries
             }
             else if (contact.triangle < 0)
             {
-                contact.triangle = _seen.narrowPhase.treeTests.nearestTriangle(body, contact);
+                contact.triangle = _seen.table.narrowPhase.treeTests.nearestTriangle(body, contact);
             }
             _hits.write(index, hit);
             hit.time = _hits.keyOf(index);

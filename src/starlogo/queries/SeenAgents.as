@@ -2,8 +2,8 @@
 // kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
 // what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. The folder trees/ has the trees and their
 // searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts may ask while a
-// question is under way: then another object of the same class answers (idle). Read this file first, then AgentRays for a ray, TouchSweep and
-// Slider for a motion, or WalkMover for a walk.
+// question is under way: what that one needs afterwards belongs to its level (SeenAgents.level). Read this file first, then AgentRays for a ray,
+// TouchSweep and Slider for a motion, or WalkMover for a walk.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
@@ -14,6 +14,7 @@ package starlogo.queries
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.RowTree;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
@@ -38,11 +39,10 @@ package starlogo.queries
      */
     public final class SeenAgents
     {
-        /** @private The agents as rows. Questions only read them. */
+        /**
+         * @private The agents as rows. Questions only read them. The tests of their bodies belong to the collision system and have its settings.
+         */
         engine var table:AgentTable;
-
-        /** @private Tests which rows touch. It belongs to the collision system and has its settings. Questions do not set it. */
-        engine var narrowPhase:NarrowPhase;
 
         private var _source:QuerySource;
 
@@ -59,8 +59,15 @@ package starlogo.queries
         // The body of an agent that has changed since the last update.
         private var _made:Body = new Body();
 
-        // The number of questions under way that are calling a filter's accepts.
-        private var _locks:int = 0;
+        /**
+         * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, one level deeper than the
+         * question that calls it, but not change the agents. What a question needs after these calls is there once for each level. Read only.
+         */
+        engine var level:int = 0;
+
+        // By level: what collects the rows of a question; and the one of the present level.
+        private var _collectors:Vector.<Collector> = new Vector.<Collector>();
+        private var _collector:Collector;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -75,8 +82,8 @@ package starlogo.queries
             {
                 throw QuerySource.errorAbout(collisionOrShapes);
             }
-            narrowPhase = _source.findNarrowPhase();
-            table = new AgentTable(narrowPhase.choice, null);
+            table = new AgentTable(_source.findNarrowPhase(), null);
+            goToLevel(0);
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
@@ -103,17 +110,14 @@ package starlogo.queries
             requireGiven("agents", agents);
             requireUnlocked("update");
             var found:NarrowPhase = _source.findNarrowPhase();
-            var next:AgentTable = found === narrowPhase ? table : new AgentTable(found.choice, null);
+            var isOther:Boolean = found !== table.narrowPhase;
+            var next:AgentTable = isOther ? new AgentTable(found, null) : table;
             next.read(agents);
             next.readWorld(terrain == null ? null : terrain.worldAgent, null);
             table = next;
-            if (found !== narrowPhase)
+            for (var i:int = 0; isOther && i < _needs.length; i++)
             {
-                narrowPhase = found;
-                for (var i:int = 0; i < _needs.length; i++)
-                {
-                    _needs[i](found);
-                }
+                _needs[i](found);
             }
             _places.makeStale();
             _extents.makeStale();
@@ -148,19 +152,25 @@ package starlogo.queries
         engine function needTests(addTo:Function):void
         {
             _needs.push(addTo);
-            addTo(narrowPhase);
+            addTo(table.narrowPhase);
         }
 
-        /** @private While a filter's <code>accepts</code> is called, the agents must not change. */
-        engine function lock():void
+        /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
+        engine function ask(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            _locks++;
+            _collector.begin(wanted, limit, asker, filter);
+            return _collector;
         }
 
-        /** @private Call this once for each <code>lock()</code>. */
-        engine function unlock():void
+        /** @private From now on questions are of a level: of a deeper one while a filter's <code>accepts</code> is called. */
+        engine function goToLevel(next:int):void
         {
-            _locks--;
+            if (next == _collectors.length)
+            {
+                _collectors.push(new Collector(this));
+            }
+            _collector = _collectors[next];
+            level = next;
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
@@ -261,7 +271,7 @@ package starlogo.queries
 
         private function requireUnlocked(what:String):void
         {
-            if (_locks > 0)
+            if (level > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
             }

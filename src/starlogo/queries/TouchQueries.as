@@ -23,40 +23,36 @@ package starlogo.queries
     public final class TouchQueries
     {
         private var _seen:SeenAgents;
-        private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
 
         // A body that is not an agent's: a structure, one at another place, or the edges of the world; and this place.
         private var _body:Body = new Body();
         private var _place:Vector3D = new Vector3D();
 
-        // Answers what an accepts asks while these questions call it.
-        private var _nested:TouchQueries = null;
-
         /** @param seen the agents that the questions are about */
         public function TouchQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _found = new Collector(seen);
         }
 
         /** See AgentQueries.touching. */
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            return idle.findAt(agent, Collector.ALL, filter).endWithList(out);
+            return find(agent, _seen.bodyOf(agent), Collector.ALL, filter).endWithList(out);
         }
 
         /** See AgentQueries.touchesAny. */
         public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
         {
-            return idle.findAt(agent, 1, filter).end() > 0;
+            return find(agent, _seen.bodyOf(agent), 1, filter).end() > 0;
         }
 
         /** See AgentQueries.touchesEdge. */
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
             requireGiven("bounds", bounds);
-            return idle.isAtEdge(agent, bounds);
+            var body:Body = _seen.bodyOf(agent);
+            return body.shape != null && _seen.table.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _body));
         }
 
         /** See AgentQueries.wouldTouchAt. */
@@ -64,44 +60,17 @@ package starlogo.queries
         {
             _seen.requirePlaced(agent);
             requireInWorld("a place", x, y, z, agent);
-            return idle.findDisplaced(agent, x, y, z, filter).end() > 0;
+            _place.setTo(x, y, z);
+            _body.copyFrom(_seen.bodyOf(agent));
+            _body.moveTo(_place);
+            return find(agent, _body, 1, filter).end() > 0;
         }
 
         /** See AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            return idle.findAround(structure, filter).endWithList(out);
-        }
-
-        // These questions, or the nested ones while a filter's accepts is being called.
-        private function get idle():TouchQueries
-        {
-            return _found.isAsking ? (_nested ||= new TouchQueries(_seen)).idle : this;
-        }
-
-        private function isAtEdge(agent:Agent, bounds:WorldBounds):Boolean
-        {
-            var body:Body = _seen.bodyOf(agent);
-            return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _body));
-        }
-
-        private function findAt(agent:Agent, wanted:int, filter:AgentFilter):Collector
-        {
-            return find(agent, _seen.bodyOf(agent), wanted, filter);
-        }
-
-        private function findDisplaced(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Collector
-        {
-            _place.setTo(x, y, z);
-            _body.copyFrom(_seen.bodyOf(agent));
-            _body.moveTo(_place);
-            return find(agent, _body, 1, filter);
-        }
-
-        private function findAround(structure:BoundingStructure, filter:AgentFilter):Collector
-        {
             _body.readStructure(structure);
-            return find(null, _body, Collector.ALL, filter);
+            return find(null, _body, Collector.ALL, filter).endWithList(out);
         }
 
         // Finds the agents that touch a body, sorted by the distances of their places from the body's place. If one is wanted, it may be any that
@@ -109,24 +78,24 @@ package starlogo.queries
         private function find(asker:Agent, body:Body, wanted:int, filter:AgentFilter):Collector
         {
             var table:AgentTable = _seen.table;
-            _found.begin(wanted, Infinity, asker, filter);
+            var found:Collector = _seen.ask(wanted, Infinity, asker, filter);
             if (body.shape == null)
             {
-                return _found;
+                return found;
             }
             _search.beginAround(_seen.treeOfExtents(), body);
-            for (var row:int = _found.nextOf(_search); row >= 0 && !_found.canEnd; row = _found.nextOf(_search))
+            for (var row:int = found.nextOf(_search); row >= 0 && !found.canEnd; row = found.nextOf(_search))
             {
-                if (_seen.narrowPhase.areTouching(body, table.bodyOf(row)))
+                if (table.narrowPhase.areTouching(body, table.bodyOf(row)))
                 {
                     var toX:Number = table.places.last.x[row] - body.placement.x;
                     var toY:Number = table.places.last.y[row] - body.placement.y;
                     var toZ:Number = table.places.last.z[row] - body.placement.z;
                     // the ground has no place, so it comes last
-                    _found.add(row, row == ListedAgents.GROUND_ROW ? Infinity : toX * toX + toY * toY + toZ * toZ);
+                    found.add(row, row == ListedAgents.GROUND_ROW ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }
             }
-            return _found;
+            return found;
         }
     }
 }

@@ -29,36 +29,24 @@ package starlogo.queries
 
         private var _seen:SeenAgents;
         private var _walkMover:WalkMover;
-        private var _walk:Walk;
 
-        // Answers what an accepts asks while these questions call it.
-        private var _nested:WalkQueries = null;
+        // By the level of a question (SeenAgents.level): its walk.
+        private var _walks:Vector.<Walk> = new Vector.<Walk>();
 
         /** @param seen the agents that the questions are about */
         public function WalkQueries(seen:SeenAgents)
         {
             _seen = seen;
             _walkMover = new WalkMover(seen);
-            _walk = new Walk(seen);
         }
 
         /** See AgentWalks.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            return idle.walkOn(agent, dx, dy, options || DEFAULTS, out || new Footing());
-        }
-
-        // These questions, or the nested ones while a filter's accepts is being called.
-        private function get idle():WalkQueries
-        {
-            return _walk.found.isAsking ? (_nested ||= new WalkQueries(_seen)).idle : this;
-        }
-
-        private function walkOn(agent:Agent, dx:Number, dy:Number, options:WalkOptions, footing:Footing):Footing
-        {
-            var walk:Walk = _walk;
-            readOptions(agent, dx, dy, options, walk);
+            var footing:Footing = out || new Footing();
+            var walk:Walk = walkOfLevel();
+            readOptions(agent, dx, dy, options || DEFAULTS, walk);
             var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
             var platform:int = findPlatform(walk, link);
             var at:Placement = walk.body.readAgent(agent, walk.turn).placement;
@@ -79,6 +67,16 @@ package starlogo.queries
                 link.setTo(footing.on, _seen.table.bodyOf(walk.floorRow).placement, _seen.table.places.last.revisions[walk.floorRow]);
             }
             return footing;
+        }
+
+        // The walk of a question that begins now.
+        private function walkOfLevel():Walk
+        {
+            while (_walks.length <= _seen.level)
+            {
+                _walks.push(new Walk(_seen));
+            }
+            return _walks[_seen.level];
         }
 
         // Finds what the motion and the options mean for the agent.
@@ -105,7 +103,7 @@ package starlogo.queries
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.turn = link.carry(_seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && walk.found.askFilter(row, walk.agent, walk.options.filter))
+                if ((walk.turn != 0 || walk.carry.length > 0) && _seen.ask(1, 0, walk.agent, walk.options.filter).endWithRow(row))
                 {
                     return row;
                 }

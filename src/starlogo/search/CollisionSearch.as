@@ -29,9 +29,6 @@ package starlogo.search
      */
     public final class CollisionSearch
     {
-        /** Has the choice of the agents' shapes, and tests which of them touch. */
-        public var narrowPhase:NarrowPhase;
-
         /** The agents of the last search. */
         public var table:AgentTable;
 
@@ -52,12 +49,11 @@ package starlogo.search
         /** @param narrowPhase may have other searches too */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
-            this.narrowPhase = narrowPhase;
-            table = new AgentTable(narrowPhase.choice, _bins.levels);
-            _motions = new RowMotions(table, narrowPhase, _bins.levels);
-            _finder = new PairFinder(table, narrowPhase, _motions);
+            table = new AgentTable(narrowPhase, _bins.levels);
+            _motions = new RowMotions(table);
+            _finder = new PairFinder(table, _motions);
             _pairs = new FoundPairs(table.list);
-            _keptPairs = new KeptPairs(table, _finder, _motions, narrowPhase, _bins.levels, _pairs);
+            _keptPairs = new KeptPairs(table, _finder, _motions, _pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -65,7 +61,7 @@ package starlogo.search
         {
             var bodyA:Body = table.currentBodyOf(a, _bodyA);
             var bodyB:Body = table.currentBodyOf(b, _bodyB);
-            return bodyA.shape != null && bodyB.shape != null && narrowPhase.areTouching(bodyA, bodyB);
+            return bodyA.shape != null && bodyB.shape != null && table.narrowPhase.areTouching(bodyA, bodyB);
         }
 
         /**
@@ -84,9 +80,9 @@ package starlogo.search
             table.readWorld(input.ground, input.edges);
             _motions.begin(input.isAnySweeping());
             // tests since the last search, as those of questions, do not count
-            narrowPhase.takeCounts(counts);
+            table.narrowPhase.takeCounts(counts);
             var memberCount:int = mayKeep && _keptPairs.find(input) ? _keptPairs.memberCount : findAll(input, mayKeep);
-            narrowPhase.takeCounts(counts);
+            table.narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
@@ -141,7 +137,6 @@ package starlogo.search
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
-            table.refreshWorld();
             if (table.list.rankOf(a) <= table.list.rankOf(b))
             {
                 findContactInOrder(a, b, motion, out);
@@ -170,7 +165,7 @@ package starlogo.search
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            narrowPhase.findContact(bodyA, bodyB, motion, out);
+            table.narrowPhase.findContact(bodyA, bodyB, motion, out);
         }
 
         // The rows that the bins get, called members: those with a shape that take part and whose breeds are of interest.

@@ -1,6 +1,5 @@
 package starlogo.search
 {
-    import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.CellLists;
     import starlogo.data.IntList;
     import starlogo.engine;
@@ -29,7 +28,6 @@ package starlogo.search
         private var _table:AgentTable;
         private var _finder:PairFinder;
         private var _motions:RowMotions;
-        private var _narrowPhase:NarrowPhase;
 
         // The pairs of the search, and whether they and the cells belong to the last one.
         private var _pairs:FoundPairs;
@@ -57,17 +55,14 @@ package starlogo.search
          * @param table has the rows
          * @param finder finds the pairs of changed rows
          * @param motions of the rows, if an agent sweeps
-         * @param narrowPhase has the choice of shapes, and how far trees are tested
-         * @param levels those of the bins that search all rows
          * @param pairs has the pairs of the last search, and gets those of the next one
          */
-        public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, narrowPhase:NarrowPhase, levels:BinLevels, pairs:FoundPairs)
+        public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, pairs:FoundPairs)
         {
             _table = table;
             _finder = finder;
             _motions = motions;
-            _narrowPhase = narrowPhase;
-            _cells = new CellLists(levels);
+            _cells = new CellLists(table.places.levels);
             _pairs = pairs;
             _found = new FoundPairs(table.list);
         }
@@ -146,7 +141,8 @@ package starlogo.search
 
         private function get currentDepth():int
         {
-            return _narrowPhase.treeLimits.exact ? 0 : _narrowPhase.treeLimits.maxDepth;
+            var limits:TreeLimits = _table.narrowPhase.treeLimits;
+            return limits.exact ? 0 : limits.maxDepth;
         }
 
         // The number of rows that were read again, or have another place in the list.
@@ -163,7 +159,7 @@ package starlogo.search
         // Whether so few rows have changed that a search of all rows would take longer.
         private function areFew(changes:int):Boolean
         {
-            var rowsPerChange:int = _narrowPhase.choice.areSpheres || !_interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
+            var rowsPerChange:int = _table.narrowPhase.choice.areSpheres || !_interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
             return rowsPerChange * changes <= _table.list.rows.count;
         }
 

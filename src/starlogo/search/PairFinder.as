@@ -28,7 +28,6 @@ package starlogo.search
         public var earlyPairs:int = 0;
 
         private var _table:AgentTable;
-        private var _narrowPhase:NarrowPhase;
         private var _motions:RowMotions;
         private var _sorter:PairSorter = new PairSorter();
 
@@ -46,14 +45,12 @@ package starlogo.search
         private var _members:IntList = new IntList();
 
         /**
-         * @param table has the rows
-         * @param narrowPhase tests which of them touch
+         * @param table has the rows, and the tests of which of them touch
          * @param motions of the rows, if an agent sweeps
          */
-        public function PairFinder(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions)
+        public function PairFinder(table:AgentTable, motions:RowMotions)
         {
             _table = table;
-            _narrowPhase = narrowPhase;
             _motions = motions;
         }
 
@@ -109,11 +106,12 @@ package starlogo.search
         // Keeps the rows that touch a row, and moves them to the beginning of the list. The level has the slack of their extents.
         private function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
-            if (_narrowPhase.choice.areSpheres)
-            {
-                return _narrowPhase.sphereTests.keepTouching(_table, level, row, others, count);
-            }
             var table:AgentTable = _table;
+            var tests:NarrowPhase = table.narrowPhase;
+            if (tests.choice.areSpheres)
+            {
+                return tests.sphereTests.keepTouching(table, level, row, others, count);
+            }
             var body:Body = table.bodyOf(row);
             var extents:Extents = table.extents;
             var slack:Number = level.slack;
@@ -124,7 +122,7 @@ package starlogo.search
             {
                 var other:int = others[i];
                 var isNear:Boolean = table.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
-                if (isNear && _narrowPhase.areTouching(body, table.bodyOf(other)))
+                if (isNear && tests.areTouching(body, table.bodyOf(other)))
                 {
                     others[kept] = other;
                     kept++;
@@ -137,7 +135,7 @@ package starlogo.search
         private function keepTouchingWorld(worldRow:int, others:Vector.<int>, count:int):int
         {
             var world:Body = _table.bodyOf(worldRow);
-            var tests:PairTests = _narrowPhase.pairTestsForWorldAgent(world);
+            var tests:PairTests = _table.narrowPhase.pairTestsForWorldAgent(world);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {

@@ -3,7 +3,6 @@ package starlogo.search
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.BinLevel;
-    import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.convex.ContactPoint;
@@ -38,23 +37,15 @@ package starlogo.search
         private var _sweeps:Vector.<Boolean> = new Vector.<Boolean>();
 
         private var _table:AgentTable;
-        private var _narrowPhase:NarrowPhase;
-        private var _levels:BinLevels;
 
         // When the extents of a pair overlap.
         private var _interval:ContactInterval = new ContactInterval();
         private var _axisMotion:AxisMotion = new AxisMotion();
 
-        /**
-         * @param table has the rows
-         * @param narrowPhase tests which rows touch
-         * @param levels for the extents of motions
-         */
-        public function RowMotions(table:AgentTable, narrowPhase:NarrowPhase, levels:BinLevels)
+        /** @param table has the rows, and the levels for the extents of motions too */
+        public function RowMotions(table:AgentTable)
         {
             _table = table;
-            _narrowPhase = narrowPhase;
-            _levels = levels;
         }
 
         /** Begins a search. @param areNeeded whether an agent sweeps in it */
@@ -121,7 +112,7 @@ package starlogo.search
             extents.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
             extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
             extents.offset[row] = standing.offset[row];
-            _levels.assign(extents, row);
+            _table.places.levels.assign(extents, row);
         }
 
         /**
@@ -171,10 +162,10 @@ package starlogo.search
             }
             if (motion.time == RelativeMotion.NEVER)
             {
-                _narrowPhase.findContact(bodyA, bodyB, motion, out);
+                _table.narrowPhase.findContact(bodyA, bodyB, motion, out);
                 return;
             }
-            _narrowPhase.pairTestsFor(bodyA, bodyB).separate(bodyA, bodyB, motion, out);
+            _table.narrowPhase.pairTestsFor(bodyA, bodyB).separate(bodyA, bodyB, motion, out);
             // the motion was relative to b at its present place, so the point is moved back to where b was at that time
             var back:Number = motion.time - 1;
             out.x += back * _motions.x[b];
@@ -198,12 +189,12 @@ package starlogo.search
         {
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
-            if (_narrowPhase.areTouching(bodyA, bodyB))
+            if (_table.narrowPhase.areTouching(bodyA, bodyB))
             {
                 motion.time = time;
                 if (out != null)
                 {
-                    _narrowPhase.pairTestsFor(bodyA, bodyB).findContactOfParts(bodyA, bodyB, motion, out);
+                    _table.narrowPhase.pairTestsFor(bodyA, bodyB).findContactOfParts(bodyA, bodyB, motion, out);
                 }
             }
         }
@@ -218,12 +209,12 @@ package starlogo.search
             sweptPairs++;
             if (areSpheres && out == null)
             {
-                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
+                _table.narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
                 return;
             }
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
-            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
+            _table.narrowPhase.pairTestsFor(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.

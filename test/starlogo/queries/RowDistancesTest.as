@@ -71,7 +71,7 @@ package starlogo.queries
                 var pairs:NarrowPhase = new NarrowPhase(choice);
                 choice.addTests(pairs);
                 StructurePairTests.addTo(pairs);
-                systems.push(new AskedDistance(choice, pairs));
+                systems.push(new AskedDistance(pairs));
             }
             FrameByFrame.repeat(this, Effort.choose(800, 40000), function(i:int):void
                 {
@@ -85,7 +85,7 @@ package starlogo.queries
             var choice:BaseShapeChoice = new TreeChoice(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
             choice.addTests(pairs);
-            var asked:AskedDistance = new AskedDistance(choice, pairs);
+            var asked:AskedDistance = new AskedDistance(pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             FrameByFrame.repeat(this, Effort.choose(180, 9000), function(i:int):void
                 {
@@ -117,7 +117,7 @@ package starlogo.queries
             var pairs:NarrowPhase = new NarrowPhase(choice);
             choice.addTests(pairs);
             pairs.treeLimits.exact = true;
-            var asked:AskedDistance = new AskedDistance(choice, pairs);
+            var asked:AskedDistance = new AskedDistance(pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             FrameByFrame.repeat(this, Effort.choose(60, 3000), function(i:int):void
                 {
@@ -140,7 +140,7 @@ package starlogo.queries
             var choice:BaseShapeChoice = new TreeChoice(sGreatLand, new TightestFitChoice(sGreatLand));
             var pairs:NarrowPhase = new NarrowPhase(choice);
             choice.addTests(pairs);
-            var asked:AskedDistance = new AskedDistance(choice, pairs);
+            var asked:AskedDistance = new AskedDistance(pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             var fit:BoundingStructure = sGreatLand.boundingStructures.tightestFit("sphere");
             FrameByFrame.repeat(this, Effort.choose(120, 6000), function(i:int):void

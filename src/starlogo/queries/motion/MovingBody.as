@@ -13,6 +13,7 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
@@ -126,15 +127,20 @@ package starlogo.queries.motion
         /**
          * Finds the rows near a straight motion.
          *
-         * @param found has begun, with a limit of 1. It says which rows count
+         * @param dx the motion along x
+         * @param dy along y
+         * @param dz along z
+         * @param asker the agent that moves, which does not count; null for a structure
+         * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
          */
-        public function findRowsAlong(motion:Vector3D, found:Collector):void
+        public function findRowsAlong(dx:Number, dy:Number, dz:Number, asker:Agent, filter:AgentFilter):void
         {
+            var found:Collector = _seen.ask(Collector.ALL, 1, asker, filter);
             rows.count = 0;
             if (hasShape)
             {
                 _search.beginAround(_seen.treeOfExtents(), source);
-                _search.moveAlong(motion.x, motion.y, motion.z, 1);
+                _search.moveAlong(dx, dy, dz, 1);
                 found.listRows(_search, rows);
             }
         }
@@ -145,10 +151,12 @@ package starlogo.queries.motion
          * @param range how far it may go in any direction
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
-         * @param found has begun. It says which rows count
+         * @param asker the agent that moves, which does not count
+         * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
          */
-        public function findRowsWithin(range:Number, up:Number, down:Number, found:Collector):void
+        public function findRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
         {
+            var found:Collector = _seen.ask(Collector.ALL, 1, asker, filter);
             rows.count = 0;
             if (hasShape)
             {
@@ -180,7 +188,7 @@ package starlogo.queries.motion
         /** The tests for two bodies: see NarrowPhase. */
         public function pairTestsFor(own:Body, other:Body):PairTests
         {
-            return _seen.narrowPhase.pairTestsFor(own, other);
+            return _seen.table.narrowPhase.pairTestsFor(own, other);
         }
 
         /** The whole body at a place. It is valid until the next call. */
@@ -199,7 +207,7 @@ package starlogo.queries.motion
         /** Whether the core touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
         public function coreTouches(row:int, place:Vector3D):Boolean
         {
-            return touches(row, place) && _seen.narrowPhase.areTouching(core.at(place), bodyOf(row));
+            return touches(row, place) && _seen.table.narrowPhase.areTouching(core.at(place), bodyOf(row));
         }
 
         /** Whether a row stops only what comes from above. See Agent.isOneWay. */
@@ -233,7 +241,7 @@ package starlogo.queries.motion
         // Whether the whole body, where it was placed, touches another.
         private function areTouching(whole:Body, other:Body):Boolean
         {
-            return isNear(whole, other, RelativeMotion.NONE) && _seen.narrowPhase.areTouching(whole, other);
+            return isNear(whole, other, RelativeMotion.NONE) && _seen.table.narrowPhase.areTouching(whole, other);
         }
 
         /** The larger extent of the body and another. The ground's extents are those of a cell, and do not count. */
@@ -276,7 +284,7 @@ package starlogo.queries.motion
             var whole:Body = wholeAt(place);
             if (other.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.groundTestsOf(other).isDeeper(whole, other, core.slop);
+                return _seen.table.narrowPhase.groundTestsOf(other).isDeeper(whole, other, core.slop);
             }
             _smaller.readShrunk(other, null, BodyCore.shrinkOf(other, core.slop));
             return areTouching(whole, _smaller);

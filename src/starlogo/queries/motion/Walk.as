@@ -4,7 +4,6 @@ package starlogo.queries.motion
     import starlogo.agents.Agent;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
-    import starlogo.queries.trees.Collector;
 
     /**
      * A walk, as a record: what the options mean for this agent, and how far it has come. WalkQueries begins it, and the WalkMover goes it.
@@ -24,9 +23,6 @@ package starlogo.queries.motion
 
         /** Its body, and the rows near the walk. */
         public var body:MovingBody;
-
-        /** Asks the filter of the options which rows count. While it does, the walk must not go on. */
-        public var found:Collector;
 
         /** The number of pieces. A walk that is longer than the agent goes in pieces, because the ground may be even only so far. */
         public var pieces:int = 1;
@@ -63,7 +59,6 @@ package starlogo.queries.motion
         public function Walk(seen:SeenAgents)
         {
             body = new MovingBody(seen);
-            found = new Collector(seen);
         }
 
         /** The agent stands on ground that is at most this far below it. */

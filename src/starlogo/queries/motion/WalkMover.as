@@ -6,7 +6,6 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
-    import starlogo.queries.trees.Collector;
     import starlogo.search.ModelShape;
     import starlogo.search.penetration.OverlapMiddle;
 
@@ -56,10 +55,9 @@ package starlogo.queries.motion
         /** Finds the rows near a walk, and up to a distance from it. */
         public function findNear(walk:Walk, distance:Number):void
         {
-            walk.found.begin(Collector.ALL, 1, walk.agent, walk.options.filter);
             // the range has the way in it, whatever its direction
             walk.body.findRowsWithin(walk.range + distance, walk.pieces * walk.options.stepHeight,
-                    walk.pieces * walk.options.snap + walk.options.fall, walk.found);
+                    walk.pieces * walk.options.snap + walk.options.fall, walk.agent, walk.options.filter);
         }
 
         /**

@@ -56,7 +56,7 @@ package starlogo.queries.rays
             var body:Body = _seen.table.bodyOf(row);
             if (body.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.groundTestsOf(body).findHit(body, ray, out);
+                return _seen.table.narrowPhase.groundTestsOf(body).findHit(body, ray, out);
             }
             bringIntoModel(ray, body.placement, _inModel);
             return _inModel.isFinite && findHitOfShape(body, _inModel, out) && bringBack(out, _inModel, body.placement, ray);
@@ -78,7 +78,7 @@ package starlogo.queries.rays
             _crossings.count = 0;
             if (isGround)
             {
-                _seen.narrowPhase.groundTestsOf(body).findCrossings(body, ray, _crossings);
+                _seen.table.narrowPhase.groundTestsOf(body).findCrossings(body, ray, _crossings);
             }
             else
             {
@@ -139,10 +139,10 @@ package starlogo.queries.rays
             var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
-                var limits:TreeLimits = _seen.narrowPhase.treeLimits;
+                var limits:TreeLimits = _seen.table.narrowPhase.treeLimits;
                 return _solid.find(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
             }
-            return rayStructure(line, shape.structure, _seen.narrowPhase.convexRay, out);
+            return rayStructure(line, shape.structure, _seen.table.narrowPhase.convexRay, out);
         }
 
         // Adds the crossings of a ray in the model's space with a body's shape. Returns whether they are those of triangles.
@@ -151,10 +151,10 @@ package starlogo.queries.rays
             var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
-                var limits:TreeLimits = _seen.narrowPhase.treeLimits;
+                var limits:TreeLimits = _seen.table.narrowPhase.treeLimits;
                 return _solid.findAll(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
             }
-            out.addStructure(line, shape.structure, _seen.narrowPhase.convexRay, 0);
+            out.addStructure(line, shape.structure, _seen.table.narrowPhase.convexRay, 0);
             return false;
         }
     }

@@ -16,7 +16,7 @@ package starlogo.queries.trees
      *
      * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. Motions and casts of shapes call it for all rows
-     * near them. It may ask questions itself. These have another Collector, of nested questions.</p>
+     * near them. It may ask questions itself. These have the Collector of the next level (SeenAgents.ask).</p>
      *
      * @private
      */
@@ -33,9 +33,6 @@ package starlogo.queries.trees
 
         /** The number of rows that are wanted, or ALL. */
         public var wanted:int = ALL;
-
-        /** Whether a filter's <code>accepts</code> is being called. Then this must not begin another search. Read only. */
-        public var isAsking:Boolean = false;
 
         private var _seen:SeenAgents;
 
@@ -78,10 +75,9 @@ package starlogo.queries.trees
             return wanted == 1 && filter.accepts == null && _rows.count > 0;
         }
 
-        /** Asks a filter about one row, as a search of its own. Returns whether the row counts. */
-        public function askFilter(row:int, asker:Agent, agentFilter:AgentFilter):Boolean
+        /** Ends a search that has found one row. Returns whether it counts. */
+        public function endWithRow(row:int):Boolean
         {
-            begin(1, 0, asker, agentFilter);
             if (filter.mayCount(row))
             {
                 add(row, 0);
@@ -175,8 +171,8 @@ package starlogo.queries.trees
         private function admitTo(end:int):void
         {
             var decide:Function = filter.accepts;
-            _seen.lock();
-            isAsking = true;
+            var level:int = _seen.level;
+            _seen.goToLevel(level + 1);
             try
             {
                 for (var i:int = _admitted; i < end && _admitted < wanted; i++)
@@ -190,8 +186,7 @@ package starlogo.queries.trees
             }
             finally
             {
-                isAsking = false;
-                _seen.unlock();
+                _seen.goToLevel(level);
             }
         }
 

@@ -14,8 +14,11 @@ package starlogo.queries.trees
      */
     public final class NearSearch
     {
-        private var _found:Collector;
-        private var _tree:RowTree;
+        /** A cone for the rows to be in. */
+        public var cone:Cone = new Cone();
+
+        private var _found:Collector = null;
+        private var _tree:RowTree = null;
 
         // The place.
         private var _x:Number = 0;
@@ -26,12 +29,6 @@ package starlogo.queries.trees
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _squares:Vector.<Number> = new Vector.<Number>();
 
-        /** @param found says which rows are wanted, and collects them unsorted. It begins before each search */
-        public function NearSearch(found:Collector)
-        {
-            _found = found;
-        }
-
         /**
          * Finds the rows near a place.
          *
@@ -41,10 +38,9 @@ package starlogo.queries.trees
          * @param z the place
          * @param cone the rows must be in it too; null for none
          */
-        public function find(tree:RowTree, x:Number, y:Number, z:Number, cone:Cone = null):void
+        public function find(found:Collector, tree:RowTree, x:Number, y:Number, z:Number, cone:Cone = null):void
         {
-            var found:Collector = _found;
-            setTo(tree, x, y, z);
+            setTo(found, tree, x, y, z);
             var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
             var asker:int = found.filter.askerRow;
             var waiting:int = asker < 0 ? enqueue(RowTree.ROOT, 0) : beginBeside(tree.leafOf(asker));
@@ -84,10 +80,9 @@ package starlogo.queries.trees
          * @param y the place
          * @param z the place
          */
-        public function count(tree:RowTree, x:Number, y:Number, z:Number):int
+        public function count(found:Collector, tree:RowTree, x:Number, y:Number, z:Number):int
         {
-            var found:Collector = _found;
-            setTo(tree, x, y, z);
+            setTo(found, tree, x, y, z);
             var asks:Boolean = found.filter.accepts != null;
             var countsNodes:Boolean = !asks && !found.filter.excludes;
             var counted:int = 0;
@@ -112,8 +107,9 @@ package starlogo.queries.trees
             return asks ? found.end() : counted;
         }
 
-        private function setTo(tree:RowTree, x:Number, y:Number, z:Number):void
+        private function setTo(found:Collector, tree:RowTree, x:Number, y:Number, z:Number):void
         {
+            _found = found;
             _tree = tree;
             _x = x;
             _y = y;

@@ -9,6 +9,7 @@ package starlogo.search.table
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.NarrowPhase;
     import starlogo.search.WorldAgent;
 
     use namespace engine;
@@ -27,6 +28,9 @@ package starlogo.search.table
     {
         // In place of a revision: the value has to be computed again.
         private static const STALE:int = -1;
+
+        /** Chooses the shapes of the agents, and tests their bodies. It may have other tables too. */
+        public var narrowPhase:NarrowPhase;
 
         /** The list that was read last, and the row of each agent. */
         public var list:ListedAgents = new ListedAgents();
@@ -57,24 +61,20 @@ package starlogo.search.table
         // By the rows of the ground and of the edges: whether they have changed since they were read before.
         engine var hasWorldChanged:Vector.<Boolean> = new <Boolean>[false, false];
 
-        // Whether a frame needs these rows as they are.
-        private var _isWorldHeld:Boolean = false;
-
         // The rows that are being read whose bodies have changed, and their new shapes.
         private var _reshaped:IntList = new IntList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        // Has the shape of each model. The revision of all models up to which rows of replaced models are marked.
-        private var _choice:BaseShapeChoice;
+        // The revision of all models up to which rows of replaced models are marked.
         private var _modelsRevision:int = -1;
 
         /**
-         * @param choice has the shape of each model
+         * @param narrowPhase chooses the shapes, and tests the bodies
          * @param levels for extents; null if none are needed
          */
-        public function AgentTable(choice:BaseShapeChoice, levels:BinLevels)
+        public function AgentTable(narrowPhase:NarrowPhase, levels:BinLevels)
         {
-            _choice = choice;
+            this.narrowPhase = narrowPhase;
             places = new PlaceHistory(levels);
             extents = places.extents;
             grow(ListedAgents.FIRST_LISTED);
@@ -179,14 +179,11 @@ package starlogo.search.table
             }
         }
 
-        /** Reads the ground and the edges of the last search again, as they are now. If a frame holds them, they stay as it has read them. */
+        /** Reads the ground and the edges of the last search again, as they are now. */
         public function refreshWorld():void
         {
-            if (!_isWorldHeld)
-            {
-                readSurface(ListedAgents.GROUND_ROW);
-                readSurface(ListedAgents.EDGES_ROW);
-            }
+            readSurface(ListedAgents.GROUND_ROW);
+            readSurface(ListedAgents.EDGES_ROW);
         }
 
         private function readSurface(row:int):void
@@ -198,15 +195,14 @@ package starlogo.search.table
             }
         }
 
-        /** Holds the ground and the edges of the world as they were read, or lets go of them. */
-        public function holdWorld(isHeld:Boolean):void
+        /** Holds the ground as it was read, or lets go of it. The edges do not change. */
+        public function holdGround(isHeld:Boolean):void
         {
             var ground:ModelShape = shapes[ListedAgents.GROUND_ROW];
-            if (ground != null && isHeld != _isWorldHeld)
+            if (ground != null)
             {
                 ground.grid.hold(isHeld);
             }
-            _isWorldHeld = isHeld;
         }
 
         /**
@@ -223,7 +219,7 @@ package starlogo.search.table
                 return bodyOf(row);
             }
             var ofWorld:WorldAgent = agent as WorldAgent;
-            spare.readAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
+            spare.readAgent(agent, ofWorld == null ? narrowPhase.choice.shapeOf(agent) : ofWorld.requireSurface());
             if (row >= 0)
             {
                 spare.rank = list.ranks[row];
@@ -340,12 +336,13 @@ package starlogo.search.table
 
         private function forgetReplaced():void
         {
-            if (_choice.revision == _modelsRevision)
+            var choice:BaseShapeChoice = narrowPhase.choice;
+            if (choice.revision == _modelsRevision)
             {
                 return;
             }
-            _modelsRevision = _choice.revision;
-            _choice.forgetReplaced();
+            _modelsRevision = choice.revision;
+            choice.forgetReplaced();
             for (var row:int = 0; row < shapes.length; row++)
             {
                 if (shapes[row] != null && shapes[row].isVoid)
@@ -364,7 +361,7 @@ package starlogo.search.table
             }
             for (var i:int = 0; i < reshaped.count; i++)
             {
-                out[i] = _choice.shapeOf(list.agents[reshaped.numbers[i]]);
+                out[i] = narrowPhase.choice.shapeOf(list.agents[reshaped.numbers[i]]);
             }
         }
 

@@ -39,8 +39,8 @@ package starlogo.search.table
         // By row: the way from the agent's place to the middle of its extents.
         private var _offsets:Points = new Points();
 
-        // The levels for extents; null if none are needed.
-        private var _levels:BinLevels;
+        /** The levels for extents; null if none are needed. */
+        public var levels:BinLevels;
 
         // Whether a row ever had a coarser level because it was far out. From then on each row that moves is assigned a level, so it gets a finer one
         // when it comes back.
@@ -49,7 +49,7 @@ package starlogo.search.table
         /** @param levels for extents; null if none are needed */
         public function PlaceHistory(levels:BinLevels)
         {
-            _levels = levels;
+            this.levels = levels;
         }
 
         /**
@@ -139,7 +139,7 @@ package starlogo.search.table
             var middleX:Vector.<Number> = extents.x;
             var middleY:Vector.<Number> = extents.y;
             var middleZ:Vector.<Number> = extents.z;
-            var maxDistanceSquared:Number = _levels == null ? Infinity : _levels.maxDistanceSquared;
+            var maxDistanceSquared:Number = levels == null ? Infinity : levels.maxDistanceSquared;
             if (_wasOneFarOut)
             {
                 maxDistanceSquared = 0;
@@ -165,7 +165,7 @@ package starlogo.search.table
         // The ground and the edges of the world are in no bins.
         private function assignLevel(row:int):void
         {
-            if (_levels != null && row >= ListedAgents.FIRST_LISTED && _levels.assign(extents, row))
+            if (levels != null && row >= ListedAgents.FIRST_LISTED && levels.assign(extents, row))
             {
                 _wasOneFarOut = true;
             }

@@ -7,7 +7,6 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
-    import starlogo.queries.trees.Collector;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -27,7 +26,6 @@ package starlogo.queries.motion
             var wrong:Complaints = new Complaints();
             var seen:SeenAgents = new SeenAgents(EachCollider.make("combinations, exact", landOf(SolidModels.all())));
             var body:MovingBody = new MovingBody(seen);
-            var near:Collector = new Collector(seen);
             var sweep:CoreSweep = new CoreSweep();
             var from:Vector3D = new Vector3D();
             var motion:Vector3D = new Vector3D();
@@ -50,8 +48,7 @@ package starlogo.queries.motion
                 body.readAgent(agents[0]);
                 from.setTo(agents[0].x, agents[0].y, agents[0].z);
                 motion.setTo(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
-                near.begin(Collector.ALL, 1, agents[0], null);
-                body.findRowsAlong(motion, near);
+                body.findRowsAlong(motion.x, motion.y, motion.z, agents[0], null);
                 body.beginMotion(body.rows, from, motion);
                 var found:Impact = new Impact();
                 sweep.findFirst(body, from, motion, found);

@@ -8,7 +8,6 @@ package starlogo.queries.motion
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.SeenAgents;
-    import starlogo.queries.trees.Collector;
     import support.agentAt;
     import support.landOf;
 
@@ -25,12 +24,10 @@ package starlogo.queries.motion
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var body:MovingBody = new MovingBody(seen);
-            var near:Collector = new Collector(seen);
             var from:Vector3D = new Vector3D(0, 0, 1.5);
             var result:SlideResult = new SlideResult();
             body.readAgent(agent);
-            near.begin(Collector.ALL, 1, agent, null);
-            body.findRowsWithin(1, 0, 0, near);
+            body.findRowsWithin(1, 0, 0, agent, null);
             slider.slide(body, body.rows, from, new Vector3D(0, 0, -1), SlideLimits.NONE, result);
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
             slider.slide(body, body.rows, from, new Vector3D(), SlideLimits.NONE, result);

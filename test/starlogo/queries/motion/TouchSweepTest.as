@@ -15,7 +15,6 @@ package starlogo.queries.motion
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.queries.SeenAgents;
-    import starlogo.queries.trees.Collector;
     import starlogo.search.Body;
     import support.Complaints;
     import support.EachCollider;
@@ -38,7 +37,6 @@ package starlogo.queries.motion
         private var _model:Model = BuiltInModel.sphere();
         private var _seen:SeenAgents = new SeenAgents(EachCollider.make("triangles", landOf(_model)));
         private var _body:MovingBody = new MovingBody(_seen);
-        private var _near:Collector = new Collector(_seen);
         private var _sweep:TouchSweep = new TouchSweep();
         private var _result:MotionResult = new MotionResult();
         private var _corners:Vector.<Number> = new Vector.<Number>();
@@ -112,8 +110,7 @@ package starlogo.queries.motion
             for each (var motion:Vector3D in motions)
             {
                 _body.readStructure(new Sphere(from, 0.1));
-                _near.begin(Collector.ALL, 1, null, null);
-                _body.findRowsAlong(motion, _near);
+                _body.findRowsAlong(motion.x, motion.y, motion.z, null, null);
                 _sweep.findTouch(_body, _seen.rowOf(agent), from, motion, new StartLift(), _result);
                 assertTrue(motion + ": deep", _result.isDeep);
             }
@@ -138,8 +135,7 @@ package starlogo.queries.motion
                 _body.readStructure(make(middle.add(side), _structures.frame()));
                 from.setTo(_body.source.placement.x, _body.source.placement.y, _body.source.placement.z);
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
-                _near.begin(Collector.ALL, 1, null, null);
-                _body.findRowsAlong(motion, _near);
+                _body.findRowsAlong(motion.x, motion.y, motion.z, null, null);
                 _sweep.findTouch(_body, _seen.rowOf(agent), from, motion, new StartLift(), _result);
                 if (_result.row >= 0)
                 {
@@ -159,7 +155,7 @@ package starlogo.queries.motion
                 return;
             }
             _met++;
-            var nearest:int = _seen.narrowPhase.treeTests.nearestTriangle(tree, _result.contact);
+            var nearest:int = _seen.table.narrowPhase.treeTests.nearestTriangle(tree, _result.contact);
             var triangle:int = _result.contact.triangle;
             if (triangle != nearest)
             {

@@ -70,7 +70,9 @@ package starlogo.bounding
             {
                 throw new ArgumentError(problem);
             }
-            VertexBounds.requireWithin(VertexBounds.of(points).largest);
+            var bounds:VertexBounds = VertexBounds.of(points);
+            VertexBounds.requireWithin(bounds.largest);
+            checkSize(bounds.extent, "a hull");
             var count:int = points.length / 3;
             for (var i:int = 0; i < points.length; i += 3)
             {
@@ -86,7 +88,6 @@ package starlogo.bounding
                 relative[i + 2] = points[i + 2] - center.z;
             }
             setCorners(relative);
-            checkSize(VertexBounds.of(this.points).extent, "a hull");
         }
 
         /** @inheritDoc */

@@ -149,7 +149,7 @@ package starlogo.bounding
         // Cloning the result checks it.
         private function placeWithin(placement:Placement):BoundingStructure
         {
-            place(placement, clone()).clone();
+            place(placement).clone();
             return place(placement, this);
         }
 
@@ -362,6 +362,8 @@ package starlogo.bounding
                 throw new RangeError(what + " must have a size of 0, or of at least " + SMALLEST + ": " + size);
             }
         }
+
+        // Placement's own methods are not public, because the ES module checks the arguments of all that is, and these are called for each pair.
 
         /**
          * Transforms a point by a placement, for structures of your own.

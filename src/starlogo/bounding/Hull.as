@@ -21,16 +21,7 @@ package starlogo.bounding
      */
     public final class Hull extends BoundingStructure
     {
-        /**
-         * The index of the first corner in the numbers of a hull.
-         *
-         * @private
-         */
-        engine static const FIRST_CORNER:int = 4;
-
         private static const POINT:Vector.<Number> = new <Number>[0, 0, 0];
-
-        private static var sMiddle:Vector3D = new Vector3D();
 
         /** A point inside of the hull: the mean of the points of which it was made. */
         public var center:Vector3D = new Vector3D();
@@ -79,7 +70,9 @@ package starlogo.bounding
             {
                 throw new ArgumentError(problem);
             }
-            VertexBounds.requireWithin(VertexBounds.of(points).largest);
+            var bounds:VertexBounds = VertexBounds.of(points);
+            VertexBounds.requireWithin(bounds.largest);
+            checkSize(bounds.extent, "a hull");
             var count:int = points.length / 3;
             for (var i:int = 0; i < points.length; i += 3)
             {
@@ -95,8 +88,6 @@ package starlogo.bounding
                 relative[i + 2] = points[i + 2] - center.z;
             }
             setCorners(relative);
-            setBox();
-            checkSize(VertexBounds.of(this.points).largest, "a hull");
         }
 
         /** @inheritDoc */
@@ -174,7 +165,7 @@ package starlogo.bounding
             checkVector(center, "the centre of a hull");
             checkLength(radius, "the radius around a hull's corners");
             checkLength(measureRadius(), "the radius of a hull");
-            checkSize(VertexBounds.of(points).largest, "a hull");
+            checkSize(VertexBounds.of(points).extent, "a hull");
             return place(Placement.IDENTITY, new Hull(POINT));
         }
 
@@ -269,13 +260,14 @@ package starlogo.bounding
                 highZ = z > highZ ? z : highZ;
             }
             var size:Number = placement.size;
-            var middle:Vector3D = sMiddle;
-            placement.turn(center, middle);
+            var centerX:Number = center.x;
+            var centerY:Number = center.y;
+            var centerZ:Number = center.z;
             var outerMargin:Number = radius + Tolerances.ROUNDING * (highX - lowX + (highY - lowY) + (highZ - lowZ)
-                    + Math.abs(center.x) + Math.abs(center.y) + Math.abs(center.z));
-            out[0] = size * (middle.x + (lowX + highX) / 2);
-            out[1] = size * (middle.y + (lowY + highY) / 2);
-            out[2] = size * (middle.z + (lowZ + highZ) / 2);
+                    + Math.abs(centerX) + Math.abs(centerY) + Math.abs(centerZ));
+            out[0] = size * (r00 * centerX + r01 * centerY + r02 * centerZ + (lowX + highX) / 2);
+            out[1] = size * (r10 * centerX + r11 * centerY + r12 * centerZ + (lowY + highY) / 2);
+            out[2] = size * (r20 * centerX + r21 * centerY + r22 * centerZ + (lowZ + highZ) / 2);
             out[3] = size * ((highX - lowX) / 2 + outerMargin);
             out[4] = size * ((highY - lowY) / 2 + outerMargin);
             out[5] = size * ((highZ - lowZ) / 2 + outerMargin);
@@ -306,10 +298,20 @@ package starlogo.bounding
          */
         override engine function setNumbers(numbers:Vector.<Number>):void
         {
-            setCorners(numbers.slice(FIRST_CORNER));
             center.setTo(numbers[0], numbers[1], numbers[2]);
             radius = numbers[3];
-            setBox();
+            setCorners(numbers.slice(4));
+        }
+
+        /** @private Scales the corners about the centre. The radius stays. */
+        engine function scaleCorners(factor:Number):void
+        {
+            var scaled:Vector.<Number> = new Vector.<Number>(points.length);
+            for (var i:int = 0; i < points.length; i++)
+            {
+                scaled[i] = points[i] * factor;
+            }
+            setCorners(scaled);
         }
 
         // Returns the largest distance of a corner from the centre.
@@ -324,8 +326,8 @@ package starlogo.bounding
             return Math.sqrt(most);
         }
 
-        // Sets the corners, and finds the faces and edges. Corners that a ConvexHull drops are dropped until it keeps all. So a hull of the corners of
-        // another one is the same hull.
+        // Sets the corners, and finds the faces, the edges and the box, after the centre and the radius have been set. Corners that a ConvexHull drops are
+        // dropped until it keeps all. So a hull of the corners of another one is the same hull.
         private function setCorners(corners:Vector.<Number>):void
         {
             var hull:ConvexHull = new ConvexHull(corners);
@@ -336,6 +338,10 @@ package starlogo.bounding
             }
             points = corners;
             setTopology(HullTopology.of(hull));
+            var extents:Vector.<Number> = new Vector.<Number>(6, true);
+            rotatedBoxInto(Placement.IDENTITY, extents);
+            var by:Number = (Tolerances.OUTER - 1) * measureRadius();
+            _box.setNumbers(new <Number>[extents[0], extents[1], extents[2], 1, 0, 0, 0, 1, 0, 0, 0, 1, extents[3] + by, extents[4] + by, extents[5] + by]);
         }
 
         // Sets which corners make the faces, after the corners have changed. The half-spaces are then void.
@@ -346,20 +352,6 @@ package starlogo.bounding
             {
                 _halfSpaces.length = 0;
             }
-        }
-
-        private function setBox():void
-        {
-            var extents:Vector.<Number> = new Vector.<Number>(6, true);
-            rotatedBoxInto(Placement.IDENTITY, extents);
-            var by:Number = (Tolerances.OUTER - 1) * measureRadius();
-            _box.center.setTo(extents[0], extents[1], extents[2]);
-            _box.halfX = extents[3] + by;
-            _box.halfY = extents[4] + by;
-            _box.halfZ = extents[5] + by;
-            _box.axisX.setTo(1, 0, 0);
-            _box.axisY.setTo(0, 1, 0);
-            _box.axisZ.setTo(0, 0, 1);
         }
     }
 }

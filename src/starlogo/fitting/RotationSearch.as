@@ -27,12 +27,11 @@ package starlogo.fitting
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
 
-        // The state of the search: the next rotation about x and y, and the best rotation so far. Angles are in degrees.
         private var _stepXY:Number;
         private var _stepZ:Number;
-        private var _aboutX:Number = 0;
-        private var _aboutY:Number = 0;
-        private var _isForward:Boolean = false;
+
+        // The state of the search: the number of rotations about x and y that are done, and the best rotation so far.
+        private var _done:int = 0;
         private var _cosines:Vector.<Number> = new Vector.<Number>();
         private var _sines:Vector.<Number> = new Vector.<Number>();
         private var _corners:Vector.<int> = new Vector.<int>(6);
@@ -96,31 +95,35 @@ package starlogo.fitting
         // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.
         private function tryNext():Boolean
         {
-            rotateHull(_aboutX, _aboutY);
+            var perAxis:int = Math.ceil(90 / _stepXY);
+            var aboutX:Number = int(_done / perAxis) * _stepXY;
+            var aboutY:Number = _done % perAxis * _stepXY;
+            rotateHull(aboutX, aboutY);
             var corners:Vector.<int> = _corners;
             corners[4] = climb(corners[4], 1, 0, 1);
             corners[5] = climb(corners[5], 1, 0, -1);
             var thickness:Number = _rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2];
             // The order alternates, because the corners found last are then close to the next ones.
-            _isForward = !_isForward;
+            var isForward:Boolean = _done % 2 == 0;
             var count:int = _sines.length;
             for (var i:int = 0; i < count; i++)
             {
-                var multiple:int = _isForward ? i : count - 1 - i;
+                var multiple:int = isForward ? i : count - 1 - i;
                 var cosine:Number = _cosines[multiple];
                 var sine:Number = _sines[multiple];
                 var volume:Number = thickness * extentAlong(corners, 0, cosine, -sine) * extentAlong(corners, 2, sine, cosine);
                 if (volume < _least * (1 - Tolerances.FIT_TIE))
                 {
                     _least = volume;
-                    _best.setRotation(multiple * _stepZ, _aboutY, _aboutX);
+                    _best.setRotation(multiple * _stepZ, aboutY, aboutX);
                     if (volume <= _hull.volume * (1 + Tolerances.FIT_TIE))
                     {
                         return false;
                     }
                 }
             }
-            return goToNext();
+            _done++;
+            return _done < perAxis * perAxis;
         }
 
         // The smallest box of the rotations tried so far, around all vertices.
@@ -129,18 +132,6 @@ package starlogo.fitting
             var axes:Vector.<Number> = new Vector.<Number>(9);
             _best.writeRotation(axes, 0);
             return EnclosingStructures.box(session.vertices, axes);
-        }
-
-        // Goes to the next rotation about y, or about x. Returns false if there is none.
-        private function goToNext():Boolean
-        {
-            _aboutY += _stepXY;
-            if (!(_aboutY < 90))
-            {
-                _aboutY = 0;
-                _aboutX += _stepXY;
-            }
-            return _aboutX < 90;
         }
 
         // Rotates the hull about x, then about y.

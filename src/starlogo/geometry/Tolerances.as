@@ -62,12 +62,6 @@ package starlogo.geometry
         public static const PARALLEL:Number = 1e-28;
 
         /**
-         * How far a vertex may be outside of its convex hull, as a fraction of the vertices' extent: the sum of the grid's rounding and
-         * HULL_COPLANAR. Only tests use it. Smaller: tests of correct hulls fail. Larger: tests accept hulls that leave vertices outside.
-         */
-        public static const HULL:Number = 2e-7;
-
-        /**
          * A vertex above a triangle of the hull belongs to the triangle's plane up to this distance, in steps of the hull's grid (3e-8 of
          * the extent). Smaller than 1.8: a flat side that is not along the axes keeps dozens of vertices that are not its corners.
          * Larger: hulls are coarser.
@@ -249,10 +243,5 @@ package starlogo.geometry
          * that touch by PLACES may not be found. Larger: more agents are tested.
          */
         public static const EXTENTS_GAPS:Number = 100;
-
-        /** Not to be called, because tolerances are constants. */
-        public function Tolerances()
-        {
-        }
     }
 }

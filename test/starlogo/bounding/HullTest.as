@@ -7,6 +7,7 @@ package starlogo.bounding
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
+    import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.geometry.Placement;
     import starlogo.geometry.hull.ConvexHull;
     import support.PointSets;
@@ -284,6 +285,25 @@ package starlogo.bounding
                 assertEquals(hull.numbers().join(), read.numbers().join());
                 assertEquals(hull.faces.join(), read.faces.join());
                 assertEquals(hull.topology.edges.join(), read.topology.edges.join());
+            }
+        }
+
+        // The mean of points in one place is rounded: that is no size.
+        [Test]
+        public function pointsInOnePlaceAreOnePointHoweverNear():void
+        {
+            var random:SeededRandom = new SeededRandom(7109);
+            for (var i:int = 0; i < 60; i++)
+            {
+                var scale:Number = Math.pow(10, -50 - i % 20);
+                var point:Vector.<Number> = new <Number>[scale * random.between(-1, 1), scale * random.between(-1, 1), scale * random.between(-1, 1)];
+                var points:Vector.<Number> = point.concat();
+                for (var k:int = 0; k < 1 + i % 7; k++)
+                {
+                    points = points.concat(point);
+                }
+                assertEquals(3, Hull(new Hull(points).clone()).corners.length);
+                assertEquals(0, new MinimalCapsuleFitter().fit(points).volume);
             }
         }
 

@@ -217,6 +217,25 @@ package starlogo.fitting
             assertEquals(3, before.done);
         }
 
+        // Thirteen times 90 / 13, added up, is a little less than 90.
+        [Test]
+        public function rotationsAreMultiplesOfTheIncrement():void
+        {
+            var points:Vector.<Number> = PointSets.cloud(new SeededRandom(61), 40, 1, 0.5, 0.2);
+            assertEquals(13 * 13 - 1, countSteps(new OrientedBoxFitter(90 / 13), points) - countSteps(new OrientedBoxFitter(90), points));
+        }
+
+        private static function countSteps(fitter:Fitter, points:Vector.<Number>):int
+        {
+            var fit:Fit = fitter.fitting(new FitSession(points));
+            var count:int = 1;
+            while (fit.step())
+            {
+                count++;
+            }
+            return count;
+        }
+
         [Test]
         public function minimalCapsulesAreFoundInManySteps():void
         {

@@ -10,7 +10,7 @@ package starlogo.fitting.hull
     /**
      * The steps that make a hull of few corners, and scale it until it encloses every vertex of a session in double precision.
      *
-     * <p>A vertex may be outside of the corners' hull by Tolerances.HULL of its size. The hull is scaled about its centre. If it is flat, that
+     * <p>A vertex may be outside of the corners' hull by 2e-7 of its size. The hull is scaled about its centre. If it is flat, that
      * does not help against vertices beside its plane. So its margin covers these. It also covers vertices that are still outside after many
      * scalings.</p>
      *
@@ -98,23 +98,13 @@ package starlogo.fitting.hull
             }
             if (factor > 1)
             {
-                scaleBy(factor * (1 + LEAST_EXCESS * (1 << scalings)));
+                hull.scaleCorners(factor * (1 + LEAST_EXCESS * (1 << scalings)));
                 addRound(vertices, scalings + 1);
             }
             else if (vertices != _session.vertices)
             {
                 addRound(_session.vertices, scalings);
             }
-        }
-
-        private function scaleBy(factor:Number):void
-        {
-            var numbers:Vector.<Number> = hull.numbers();
-            for (var i:int = Hull.FIRST_CORNER; i < numbers.length; i++)
-            {
-                numbers[i] *= factor;
-            }
-            hull.setNumbers(numbers);
         }
     }
 }

@@ -51,6 +51,11 @@ package starlogo.fitting.minimal
             var directions:Vector.<Vector3D> = directionsFor(_session.hull);
             var volumes:Array = [];
             best = new Capsule(sphere.center, sphere.center, sphere.radius);
+            if (best.volume == 0)
+            {
+                // nothing is smaller than a point
+                return;
+            }
             slices(directions.length, 1, function(index:int, end:int):void
                 {
                     volumes.push(capsuleAlong(directions[index]).volume);

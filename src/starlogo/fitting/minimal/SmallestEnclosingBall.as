@@ -17,9 +17,7 @@ package starlogo.fitting.minimal
     public final class SmallestEnclosingBall
     {
         // The ball so far, relative to the first point, because rounding would lose digits far from the origin.
-        private var _originX:Number;
-        private var _originY:Number;
-        private var _originZ:Number;
+        private var _origin:Vector.<Number>;
         private var _ball:CircumscribedBall = CircumscribedBall.through(new <Number>[0, 0, 0]);
 
         /**
@@ -27,28 +25,26 @@ package starlogo.fitting.minimal
          */
         public function SmallestEnclosingBall(points:Vector.<Number>)
         {
-            _originX = points[0];
-            _originY = points[1];
-            _originZ = points[2];
+            _origin = points.slice(0, 3);
             enclose(points);
         }
 
         /** The centre. */
         public function get x():Number
         {
-            return _originX + _ball.x;
+            return _origin[0] + _ball.x;
         }
 
         /** @copy #x */
         public function get y():Number
         {
-            return _originY + _ball.y;
+            return _origin[1] + _ball.y;
         }
 
         /** @copy #x */
         public function get z():Number
         {
-            return _originZ + _ball.z;
+            return _origin[2] + _ball.z;
         }
 
         /** The radius. */
@@ -68,7 +64,7 @@ package starlogo.fitting.minimal
             while (grows)
             {
                 var i:int = EnclosingStructures.farthest(points, x, y, z);
-                var point:Vector.<Number> = new <Number>[points[i] - _originX, points[i + 1] - _originY, points[i + 2] - _originZ];
+                var point:Vector.<Number> = new <Number>[points[i] - _origin[0], points[i + 1] - _origin[1], points[i + 2] - _origin[2]];
                 grows = isLarger(EnclosingStructures.squaredDistance(point, 0, _ball.x, _ball.y, _ball.z)) && growTo(point);
             }
         }

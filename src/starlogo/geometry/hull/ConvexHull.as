@@ -12,7 +12,7 @@ package starlogo.geometry.hull
     /**
      * Finds the convex hull of vertices: its corners, edges, triangles and volume.
      *
-     * <p>Each vertex is inside the hull, or outside by at most <code>Tolerances.HULL</code> of the vertices' extent. Flat sides have
+     * <p>Each vertex is inside the hull, or outside by at most 2e-7 of the vertices' extent. Flat sides have
      * vertices at their corners only. Vertices that span no volume are allowed. The hull is a polygon for vertices in a plane, two points
      * for vertices on a line, and one point for vertices in one place.</p>
      *

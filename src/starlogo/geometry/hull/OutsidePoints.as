@@ -24,12 +24,10 @@ package starlogo.geometry.hull
         // a dummy face.
         private var _pending:Vector.<HullFace> = new Vector.<HullFace>(LEVELS, true);
 
-        // The current redistribution: the faces whose lists it takes, or null if there is none, and the index of the next one; the next point on the
-        // list of the one before, or -1; and the point that is left out.
-        private var _from:Vector.<HullFace> = null;
-        private var _nextFrom:int;
-        private var _point:int;
-        private var _except:int;
+        // How far the current redistribution is: the index of the next face whose list it takes, or -1 if there is no redistribution; and the next
+        // point on the list of the face before, or -1.
+        private var _nextFrom:int = -1;
+        private var _point:int = -1;
 
         /**
          * @param points x, y, z of every point
@@ -103,53 +101,47 @@ package starlogo.geometry.hull
         /** Whether lists are being redistributed. */
         public function get isRedistributing():Boolean
         {
-            return _from != null;
+            return _nextFrom >= 0;
         }
 
-        /**
-         * Begins to redistribute the lists of faces to other faces. The arguments are kept until that is done.
-         *
-         * @param from the faces whose lists are redistributed
-         * @param except a point to leave out
-         */
-        public function redistribute(from:Vector.<HullFace>, except:int):void
+        /** Begins to redistribute the lists of some faces to others. */
+        public function beginRedistribution():void
         {
-            _from = from;
             _nextFrom = 0;
-            _point = -1;
-            _except = except;
         }
 
         /**
          * Continues the redistribution.
          *
-         * @param to the faces that receive the points
+         * @param from the faces whose lists are redistributed; the same in all calls until the end
+         * @param to the faces that receive the points, the same in all calls. Their third corner is the new vertex, which is on no list any more
          * @param most the largest number of points to take
          * @return the number of points taken
          */
-        public function redistributeSome(to:Vector.<HullFace>, most:int):int
+        public function redistributeSome(from:Vector.<HullFace>, to:Vector.<HullFace>, most:int):int
         {
             var count:int = 0;
             var point:int = _point;
+            var vertex:int = to[0].c;
             while (count < most)
             {
                 if (point >= 0)
                 {
                     var next:int = _next[point];
-                    if (point != _except)
+                    if (point != vertex)
                     {
                         assign(point, to);
                     }
                     count++;
                     point = next;
                 }
-                else if (_nextFrom < _from.length)
+                else if (_nextFrom < from.length)
                 {
-                    point = _from[_nextFrom++].firstOutside;
+                    point = from[_nextFrom++].firstOutside;
                 }
                 else
                 {
-                    _from = null;
+                    _nextFrom = -1;
                     addPending(to);
                     break;
                 }

@@ -111,7 +111,7 @@ package starlogo.geometry.hull
                 if (_outside.isRedistributing)
                 {
                     var most:int = (TESTS_PER_STEP - testCount) / _created.length + 1;
-                    testCount += _outside.redistributeSome(_created, most) * _created.length;
+                    testCount += _outside.redistributeSome(_seen, _created, most) * _created.length;
                     continue;
                 }
                 var face:HullFace = _outside.nextFace();
@@ -134,7 +134,7 @@ package starlogo.geometry.hull
                 created.acrossBC = next;
                 next.acrossCA = created;
             }
-            _outside.redistribute(_seen, eye);
+            _outside.beginRedistribution();
         }
 
         // Fills _seen with the faces that the eye sees, and _created with a face from the eye to each edge around them.

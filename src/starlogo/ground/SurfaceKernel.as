@@ -61,7 +61,7 @@ package starlogo.ground
 
         /**
          * Finds the contact that leads the shape, which touches the triangle, out of the solid. It is the shortest way away from the triangle. If that
-         * leads into the solid, it is the way out in front of the triangle's plane.
+         * leads into the solid, or if the shape comes from the front of the triangle's plane, it is the way out in front of this plane.
          *
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param out receives the contact
@@ -70,6 +70,7 @@ package starlogo.ground
         {
             _kernel.findContact(_corners, 0, motion, out);
             leadOutside(motion, out);
+            turnToPlane(motion, out);
         }
 
         /**
@@ -132,6 +133,26 @@ package starlogo.ground
                 if (contact.along(_plane.normal) < -Tolerances.DIRECTION)
                 {
                     findBehind(motion, contact);
+                }
+            }
+        }
+
+        // Turns a contact to the plane's normal if the shape comes against the plane and is no deeper behind it. An edge of the shape may lie along an
+        // edge of the triangle. Then a face of the shape separates the two as well, but not the shape from the next triangle of the solid.
+        private function turnToPlane(motion:RelativeMotion, contact:ContactPoint):void
+        {
+            preparePlane();
+            var normal:Vector3D = _plane.normal;
+            var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
+            if (speed < 0)
+            {
+                var shape:ConvexShape = _kernel.shape;
+                shape.project(normal, _ofShape);
+                var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
+                    + motion.time * speed + _ofShape.least - shape.radius;
+                if (_plane.offset - front <= contact.depth + shape.margin)
+                {
+                    contact.setNormal(normal.x, normal.y, normal.z);
                 }
             }
         }

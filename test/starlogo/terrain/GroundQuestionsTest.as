@@ -356,6 +356,57 @@ package starlogo.terrain
             }
         }
 
+        // An edge of an agent that lies along an edge of two cells or triangles meets their common plane. Their edge is no edge of the ground.
+        [Test]
+        public function edgesAlongSeamsMeetThePlaneOfTheGround():void
+        {
+            var land:GreatLand = new GreatLand();
+            land.loadHulls = true;
+            land.addModel(BuiltInModel.cube());
+            land.addModel(keel());
+            for each (var slope:Number in [0, 0.25, -0.5])
+            {
+                var terrain:Terrain = new Terrain(9, 9, 1, -4, -4);
+                fillHeights(terrain, function(column:int, row:int):Number
+                    {
+                        return slope * (row - 4);
+                    });
+                for each (var name:String in EachCollider.NAMES)
+                {
+                    for (var i:int = 0; i < 24; i++)
+                    {
+                        var agent:Agent = agentAt(i % 2 == 0 ? "cube" : "keel", i % 3 == 0 ? 0.5 : 0, i % 3 == 1 ? 0.5 : 0, 4);
+                        agent.roll = i % 2 == 0 ? 45 : 0;
+                        agent.heading = 30 * Math.floor(i / 6);
+                        agent.heading = agent.heading == 60 ? 45 : agent.heading;
+                        agent.collideAs = i % 2 == 0 ? "box" : "hull";
+                        checkSeam(EachCollider.make(name, land), terrain, agent, slope, name + ", " + agent + ", slope " + slope + ", case " + i);
+                    }
+                }
+            }
+        }
+
+        private static function checkSeam(collider:Collider, terrain:Terrain, agent:Agent, slope:Number, what:String):void
+        {
+            var queries:AgentQueries = new AgentQueries(collider);
+            queries.terrain = terrain;
+            queries.update(new <Agent>[agent]);
+            var normal:Vector3D = queries.castAgent(agent, 0, 0, -8).normal;
+            assertTrue(what + ": " + normal, (normal.z - slope * normal.y) / Math.sqrt(1 + slope * slope) > 1 - 1e-9);
+            var options:WalkOptions = new WalkOptions();
+            options.fall = 8;
+            terrain.agent.isOneWay = true;
+            assertTrue(what + " stands", queries.walk(agent, 0, 0, options).stands);
+            terrain.agent.isOneWay = false;
+        }
+
+        // A wedge whose lowest edge is level, along x.
+        private static function keel():Model
+        {
+            return new Model("keel", new <Number>[-0.5, 0, 0, 0.5, 0, 0, -0.5, -0.4, 0.8, 0.5, -0.4, 0.8, -0.5, 0.4, 0.8, 0.5, 0.4, 0.8],
+                    new <uint>[0, 2, 3, 0, 3, 1, 0, 1, 5, 0, 5, 4, 2, 4, 5, 2, 5, 3, 0, 4, 2, 1, 3, 5], Model.AS_GIVEN);
+        }
+
         [Test]
         public function whatWalksOverAHoleFalls():void
         {

@@ -59,6 +59,33 @@ package support
                     new <uint>[0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 0, 2, 1, 0, 3, 2]);
         }
 
+        /** A wedge whose lowest edge is level, along x. */
+        public static function keel():Model
+        {
+            return new Model("keel", new <Number>[-0.5, 0, 0, 0.5, 0, 0, -0.5, -0.4, 0.8, 0.5, -0.4, 0.8, -0.5, 0.4, 0.8, 0.5, 0.4, 0.8],
+                    new <uint>[0, 2, 3, 0, 3, 1, 0, 1, 5, 0, 5, 4, 2, 4, 5, 2, 5, 3, 0, 4, 2, 1, 3, 5], Model.AS_GIVEN);
+        }
+
+        /** A floor of 8 by 8 squares of two triangles each, which rises along y. */
+        public static function floor(slope:Number):Model
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var y:int = -4; y <= 4; y++)
+            {
+                for (var x:int = -4; x <= 4; x++)
+                {
+                    var i:uint = vertices.length / 3;
+                    vertices.push(x, y, slope * y);
+                    if (x < 4 && y < 4)
+                    {
+                        triangles.push(i, i + 1, i + 10, i, i + 10, i + 9);
+                    }
+                }
+            }
+            return new Model("floor", vertices, triangles, Model.AS_GIVEN);
+        }
+
         /**
          * A model of cubes.
          *

@@ -102,5 +102,28 @@ package starlogo.convex
             }
             return 0;
         }
+
+        /**
+         * Turns a contact of a shape and the triangle to the plane's normal, if the shape comes against the plane and is no deeper behind it. An edge of
+         * the shape may lie along an edge of the triangle. Then a face of the shape separates the two as well, but not the shape from the next triangle
+         * of the surface.
+         *
+         * @param motion of the shape; the shape is where it is at the motion's time
+         * @param contact has the depth; receives the normal
+         */
+        public function turnContact(shape:ConvexShape, motion:RelativeMotion, contact:ContactPoint):void
+        {
+            var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
+            if (speed < 0)
+            {
+                shape.project(normal, _ofShape);
+                var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
+                    + motion.time * speed + _ofShape.least - shape.radius;
+                if (offset - front <= contact.depth + shape.margin)
+                {
+                    contact.setNormal(normal.x, normal.y, normal.z);
+                }
+            }
+        }
     }
 }

@@ -70,7 +70,8 @@ package starlogo.ground
         {
             _kernel.findContact(_corners, 0, motion, out);
             leadOutside(motion, out);
-            turnToPlane(motion, out);
+            preparePlane();
+            _plane.turnContact(_kernel.shape, motion, out);
         }
 
         /**
@@ -133,26 +134,6 @@ package starlogo.ground
                 if (contact.along(_plane.normal) < -Tolerances.DIRECTION)
                 {
                     findBehind(motion, contact);
-                }
-            }
-        }
-
-        // Turns a contact to the plane's normal if the shape comes against the plane and is no deeper behind it. An edge of the shape may lie along an
-        // edge of the triangle. Then a face of the shape separates the two as well, but not the shape from the next triangle of the solid.
-        private function turnToPlane(motion:RelativeMotion, contact:ContactPoint):void
-        {
-            preparePlane();
-            var normal:Vector3D = _plane.normal;
-            var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
-            if (speed < 0)
-            {
-                var shape:ConvexShape = _kernel.shape;
-                shape.project(normal, _ofShape);
-                var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
-                    + motion.time * speed + _ofShape.least - shape.radius;
-                if (_plane.offset - front <= contact.depth + shape.margin)
-                {
-                    contact.setNormal(normal.x, normal.y, normal.z);
                 }
             }
         }

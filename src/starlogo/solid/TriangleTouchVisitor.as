@@ -180,6 +180,8 @@ package starlogo.solid
         public function findContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
         {
             _kernel.findContact(_mesh.corners, 9 * slot, motion, out);
+            _plane.setTriangle(_mesh.corners, 9 * slot);
+            _plane.turnContact(_kernel.shape, motion, out);
         }
     }
 }

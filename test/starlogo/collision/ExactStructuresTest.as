@@ -15,7 +15,9 @@ package starlogo.collision
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.ShapeHit;
+    import starlogo.queries.WalkOptions;
     import support.Complaints;
+    import support.EachCollider;
     import support.Effort;
     import support.EveryTriangle;
     import support.FrameByFrame;
@@ -23,6 +25,7 @@ package starlogo.collision
     import support.SolidAngles;
     import support.SolidModels;
     import support.TransformedStructure;
+    import support.agentAt;
 
     use namespace engine;
 
@@ -112,6 +115,58 @@ package starlogo.collision
             {
                 checkContact(structure);
             }
+        }
+
+        // An edge of an agent that lies along an edge of two triangles meets their common plane. Their edge is no edge of the floor.
+        [Test]
+        public function edgesAlongSeamsMeetThePlaneOfTheFloor():void
+        {
+            for each (var slope:Number in [0, 0.25, -0.5])
+            {
+                var land:GreatLand = new GreatLand();
+                land.loadHulls = true;
+                for each (var model:Model in [BuiltInModel.cube(), SolidModels.keel(), SolidModels.floor(slope)])
+                {
+                    land.addModel(model);
+                }
+                for (var i:int = 0; i < 24; i++)
+                {
+                    var agent:Agent = agentAt(i % 2 == 0 ? "cube" : "keel", i % 3 == 0 ? 0.5 : 0, i % 3 == 1 ? 0.5 : 0, 4, "wolves");
+                    agent.roll = i % 2 == 0 ? 45 : 0;
+                    agent.heading = [0, 30, 45, 90][int(i / 6)];
+                    agent.collideAs = i % 2 == 0 ? "box" : "hull";
+                    checkSeam(EachCollider.make("combinations, exact", land), agent, slope, agent + ", slope " + slope + ", case " + i);
+                }
+            }
+        }
+
+        private static function checkSeam(collider:Collider, agent:Agent, slope:Number, what:String):void
+        {
+            var floor:Agent = agentAt("floor", 0, 0, 0);
+            floor.hierarchical = true;
+            var up:Vector3D = new Vector3D(0, -slope, 1);
+            up.normalize();
+            var queries:AgentQueries = new AgentQueries(collider);
+            queries.update(new <Agent>[floor, agent]);
+            var normal:Vector3D = queries.castAgent(agent, 0, 0, -8).normal;
+            assertTrue(what + ": " + normal, normal.dotProduct(up) > 1 - 1e-9);
+            var options:WalkOptions = new WalkOptions();
+            options.fall = 8;
+            floor.isOneWay = true;
+            assertTrue(what + " stands", queries.walk(agent, 0, 0, options).stands);
+
+            var collision:Collision = new Collision(collider);
+            collision.onCollision("wolves", "turtles", function(wolf:Agent, turtle:Agent, contact:Contact):void
+                {
+                    normal = contact.normal.clone();
+                });
+            agent.sweeps = true;
+            agent.jumpTo(agent.x, agent.y, 4);
+            collision.update(new <Agent>[agent, floor]);
+            normal = null;
+            agent.moveTo(agent.x, agent.y, -4);
+            collision.update(new <Agent>[agent, floor]);
+            assertTrue(what + " in a frame: " + normal, normal != null && normal.dotProduct(up) > 1 - 1e-9);
         }
 
         [Test(async, timeout="3600000")]

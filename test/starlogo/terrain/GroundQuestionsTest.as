@@ -28,6 +28,7 @@ package starlogo.terrain
     import support.GroundReference;
     import support.PlainDistance;
     import support.RandomGround;
+    import support.SolidModels;
     import support.agentAt;
     import support.assertThrows;
     import support.fillHeights;
@@ -363,7 +364,7 @@ package starlogo.terrain
             var land:GreatLand = new GreatLand();
             land.loadHulls = true;
             land.addModel(BuiltInModel.cube());
-            land.addModel(keel());
+            land.addModel(SolidModels.keel());
             for each (var slope:Number in [0, 0.25, -0.5])
             {
                 var terrain:Terrain = new Terrain(9, 9, 1, -4, -4);
@@ -398,13 +399,6 @@ package starlogo.terrain
             terrain.agent.isOneWay = true;
             assertTrue(what + " stands", queries.walk(agent, 0, 0, options).stands);
             terrain.agent.isOneWay = false;
-        }
-
-        // A wedge whose lowest edge is level, along x.
-        private static function keel():Model
-        {
-            return new Model("keel", new <Number>[-0.5, 0, 0, 0.5, 0, 0, -0.5, -0.4, 0.8, 0.5, -0.4, 0.8, -0.5, 0.4, 0.8, 0.5, 0.4, 0.8],
-                    new <uint>[0, 2, 3, 0, 3, 1, 0, 1, 5, 0, 5, 4, 2, 4, 5, 2, 5, 3, 0, 4, 2, 1, 3, 5], Model.AS_GIVEN);
         }
 
         [Test]

@@ -102,6 +102,7 @@ export function testsIn(text) {
 /**
  * The tests that a pattern names, in any case:
  *
+ * - "BoxTest" and "BoxTest.volume", with or without a package before them, take the class or the test of exactly this name alone, if there is one.
  * - "Box" takes the classes whose names contain it. If no class is "Box" or "BoxTest", it also takes the tests of the source files of that name,
  *   and the tests whose names contain it.
  * - "Box.as", with or without folders before it, takes "BoxTest" and the tests of the source file. "starlogo.bounding.Box" is "Box".
@@ -127,6 +128,12 @@ export function choose(pattern, classes, sources) {
 	return choice;
 }
 
+/** The tests of the classes that a pattern names before its last point, for one whose test there is not: all of their names with their classes. */
+export function testsBefore(pattern, classes) {
+	const found = choose(pattern.replace(/[.#][^.#,]*(?=,|$)/g, ''), classes, new Map()).tests;
+	return [...found.keys()].flatMap((name) => testsIn(classes.get(name)).map((test) => `${name}.${test}`));
+}
+
 function chooseOne(pattern, classes, sources, { tests, used, farther, named, pages, said }) {
 	const { wanted, test, isFile } = parse(pattern, [...classes.keys(), ...sources.keys()]);
 	const take = (reason, found) => {
@@ -141,17 +148,25 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, named, pag
 		take(`samples of ${page}`, [classOfSamples(page)].filter((name) => classes.has(name)));
 		return;
 	}
-	const takeTests = (names, part) => {
+	const takeTests = (names, reason, isTaken) => {
 		const known = (name) => tests.get(name) ?? [];
-		const named = names.filter((name) => tests.get(name) !== null).map((name) => [name, testsIn(classes.get(name)).filter((each) => each.toLowerCase().includes(part) && !known(name).includes(each))]);
+		const named = names.filter((name) => tests.get(name) !== null).map((name) => [name, testsIn(classes.get(name)).filter((each) => isTaken(name, each) && !known(name).includes(each))]);
 		const found = named.filter(([, list]) => list.length > 0);
-		if (found.length > 0) said.push(`tests named *${part}*: ${found.map(([name, list]) => `${simpleName(name)} (${list.join(', ')})`).join(', ')}`);
+		if (found.length > 0) said.push(`${reason}: ${found.map(([name, list]) => `${simpleName(name)} (${list.join(', ')})`).join(', ')}`);
 		for (const [name, list] of found) tests.set(name, [...known(name), ...list]);
 	};
+	const takeTestsWith = (names, part) => takeTests(names, `tests named *${part}*`, (name, each) => each.toLowerCase().includes(part));
+	const isExactly = (...names) => [names, [simpleName(names[0]), ...names.slice(1)]].some((each) => each.join('.').toLowerCase() === pattern.replace('#', '.').toLowerCase());
+	const exact = [...classes.keys()].filter((name) => isExactly(name) || testsIn(classes.get(name)).some((each) => isExactly(name, each)));
+	if (exact.length > 0) {
+		take('the class', exact.filter((name) => isExactly(name)));
+		takeTests(exact, 'the test', isExactly);
+		return;
+	}
 	const isOwn = (name) => [wanted, `${wanted}test`].includes(simpleName(name).toLowerCase());
 	const ofClass = [...classes.keys()].filter((name) => (isFile ? isOwn(name) : simpleName(name).toLowerCase().includes(wanted)));
 	if (test !== '') {
-		takeTests(ofClass, test);
+		takeTestsWith(ofClass, test);
 		return;
 	}
 	take(isFile ? 'its tests' : `classes named *${wanted}*`, ofClass);
@@ -176,7 +191,7 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, named, pag
 			named.push(source);
 		}
 	}
-	if (!isFile && !ofClass.some(isOwn)) takeTests([...classes.keys()], wanted);
+	if (!isFile && !ofClass.some(isOwn)) takeTestsWith([...classes.keys()], wanted);
 }
 
 /** The page that a pattern names, by its path in the project or its name in docs/; or null. */

@@ -8,7 +8,7 @@
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { choose } from './chosen.mjs';
+import { choose, testsBefore } from './chosen.mjs';
 
 const [out, folders, name = ''] = process.argv.slice(2);
 
@@ -24,7 +24,8 @@ const texts = new Map(all.map((each) => [each, readFileSync(files.get(each), 'ut
 const chosen = name === '' ? new Map(all.map((each) => [each, null])) : choose(name, texts, new Map()).tests;
 const classes = all.filter((each) => chosen.has(each));
 if (classes.length === 0) {
-	console.error(all.length === 0 ? `no file below ${folders} ends with Test.as` : `no class and no test matches -Dtest=${name}; there are ${all.join(', ')}`);
+	const near = testsBefore(name, texts);
+	console.error(all.length === 0 ? `no file below ${folders} ends with Test.as` : `no class and no test matches -Dtest=${name}; there are ${(near.length > 0 ? near : all).join(', ')}`);
 	process.exit(64);
 }
 

@@ -14,7 +14,7 @@
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
-import { choose, fartherTests, inNodeAlone, readTests, testsBeside, testsIn, testsOfPages } from './chosen.mjs';
+import { choose, fartherTests, inNodeAlone, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from './chosen.mjs';
 import { NOT_HERE } from './module/not-here.mjs';
 
 const simpleName = (name) => name.split('.').pop();
@@ -37,7 +37,8 @@ const choice = values.test === '' ? { tests: new Map([...classes.keys()].map((na
 const { tests, used, farther, said } = choice;
 const inAway3d = values.away3d || values.test === '' || choice.named.some((name) => !name.startsWith('starlogo.away3d.')) ? [] : [...choose(values.test, all, sources).tests].filter(([name]) => needsAway3d(name));
 if (tests.size + inAway3d.length + choice.pages.length === 0) {
-	console.error(`no test matches -Dtest=${values.test}: no class of tests, no test, no source file and no page has that name`);
+	const near = testsBefore(values.test, classes).slice(0, 100).join(', ');
+	console.error(`no test matches -Dtest=${values.test}: no class of tests, no test, no source file and no page has that name${near === '' ? '' : `; there are ${near}`}`);
 	process.exit(1);
 }
 const elsewhere = values.elsewhere === '' ? new Set() : inNodeAlone(values.elsewhere);

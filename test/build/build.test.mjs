@@ -148,7 +148,7 @@ test('tests that fail without a player are named, whatever Node prints', () => {
 	assert.deepEqual(failuresIn('▶ a.test.mjs\n  ✖ adds two (1.5ms)\n✔ adds three (0.2ms)\n✖ failing tests:\n\n✖ adds two (1.5ms)\n'), ['adds two']);
 });
 
-test('an option that no build file reads is refused, with the nearest', () => {
+test('an option that no build file reads is refused, with the nearest, and so is a target', () => {
 	const check = (...names) => {
 		const { status, stderr } = spawnSync(process.execPath, ['build/options.mjs', ...names], { cwd: root, encoding: 'utf8' });
 		return [status, stderr];
@@ -156,6 +156,7 @@ test('an option that no build file reads is refused, with the nearest', () => {
 	assert.deepEqual(check('figure'), [64, 'antw: there is no option -Dfigure; there is -Dfigures\n']);
 	assert.deepEqual(check('compar', 'xyzzy'), [64, 'antw: there is no option -Dcompar; there is -Dcompare\nantw: there is no option -Dxyzzy\n']);
 	assert.deepEqual(check('test', 'full', 'ant.logger.defaults'), [0, '']);
+	assert.deepEqual(check('--no-target', 'clienttest'), [64, 'antw: there is no target clienttest; there is client-test\n']);
 	// every option that a page names is one
 	const named = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).flatMap((file) => [...read(`docs/${file}`).matchAll(/[ `]-D([a-z]+)\b/g)].map(([, name]) => name));
 	assert.ok(named.length > 50);

@@ -1,7 +1,7 @@
 /** Tests of what -Dtest finds. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BROAD, choose, fartherTests, readTests, testsBeside, testsIn, testsOfPages } from '../chosen.mjs';
+import { BROAD, choose, fartherTests, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from '../chosen.mjs';
 
 const known = readTests();
 
@@ -28,6 +28,20 @@ test('a test is found by a part of its name, in any case, with or without its cl
 	assert.ok(ofAnyClass.length > 1 && ofAnyClass.every((name) => /\.\w*sphereBox/i.test(name)));
 	assert.ok(found('PierceBoxes').includes('IntersectsTest.findsSegmentsThatPierceBoxes'), 'no class and no source has this name');
 	assert.deepEqual(found('AgentTest.noSuchTest'), []);
+});
+
+test('a class or a test of exactly a name is taken alone, and where there is no such test those of the class are named', () => {
+	const texts = (...tests) => tests.map((name) => `[Test]\n public function ${name}\n`).join('');
+	const classes = new Map([['game.MeetTest', texts('two', 'twoMore')], ['game.TurtlesMeetTest', texts('two')], ['other.MeetTest', texts('two', 'three')]]);
+	const of = (pattern) => [...choose(pattern, classes, new Map()).tests].map(([name, list]) => [name, ...list ?? []].join(' '));
+	for (const pattern of ['meetTest.Two', 'MeetTest#two']) assert.deepEqual(of(pattern), ['game.MeetTest two', 'other.MeetTest two'], pattern);
+	assert.deepEqual(of('game.MeetTest.two'), ['game.MeetTest two']);
+	assert.deepEqual(of('other.MeetTest'), ['other.MeetTest']);
+	assert.deepEqual(of('MeetTest'), ['game.MeetTest', 'other.MeetTest']);
+	assert.deepEqual(of('MeetTest.tw'), ['game.MeetTest two twoMore', 'game.TurtlesMeetTest two', 'other.MeetTest two']);
+	assert.deepEqual(choose('MeetTest.twoMore', classes, new Map()).said, ['the test: MeetTest (twoMore)']);
+	assert.deepEqual(testsBefore('game.MeetTest.tow', classes), ['game.MeetTest.two', 'game.MeetTest.twoMore']);
+	assert.deepEqual(testsBefore('tow', classes), []);
 });
 
 test('the tests of a source are those that use it, in any case', () => {

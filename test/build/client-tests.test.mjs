@@ -58,10 +58,14 @@ test('a name chooses some of them', () => {
 test('a name with a point chooses tests of a class', () => {
 	const file = path.join(folder, 'tests/game/world/TurtleTest.as');
 	writeFileSync(file, ['swims', 'dives', 'divesDeep'].map((name) => `        [Test]\n        public function ${name}():void {}\n`).join(''));
-	assert.equal(run('src,tests', 'TurtleTest.dives,MainTest').status, 0);
+	assert.equal(run('src,tests', 'TurtleTest.dive,MainTest').status, 0);
 	assert.match(written(), /PICKED:Array = \["MainTest", "game\.world\.TurtleTest\.dives", "game\.world\.TurtleTest\.divesDeep"\]/);
 	assert.match(written(), /Request\.classes\(MainTest, game\.world\.TurtleTest\)\.filterWith\(/);
-	assert.equal(run('src,tests', 'turtletest.flies').status, 64);
+	assert.equal(run('src,tests', 'TurtleTest.dives').status, 0);
+	assert.match(written(), /PICKED:Array = \["game\.world\.TurtleTest\.dives"\]/);
+	const mistyped = run('src,tests', 'turtletest.flies');
+	assert.equal(mistyped.status, 64);
+	assert.match(mistyped.stderr, /there are game\.world\.TurtleTest\.swims, game\.world\.TurtleTest\.dives, game\.world\.TurtleTest\.divesDeep\n$/);
 	writeFileSync(file, '');
 });
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env node
 /**
  * Looks at what asdoc has written. Two links that it gets wrong are put right: to classes of a package below which there are others, and
- * to an index of symbols where there are none. Superclasses that are not documented go, and the date, so that the same sources give the same pages. The
- * script gets what pages need that are opened as files. Exit status: 1 where a link
+ * to an index of symbols where there are none. Superclasses that are not documented go, and the date, so that the same sources give the same pages. Defaults
+ * of parameters are those of the sources. The script gets what pages need that are opened as files. Exit status: 1 where a link
  * leads nowhere, a public name or a package is not described, or a member is shown that only the engine's packages share.
  *
  *   node test/docs/asdoc.mjs bin/asdoc
@@ -16,6 +16,22 @@ export function repaired(html) {
 	return html.replaceAll('starlogo:', 'starlogo/').replace(/<a href="all-index-Symbols\.html"[^>]*>(.*?)<\/a>/g, '$1')
 		.replace(/ <img [^>]*class="inheritArrow"> starlogo\.[\w.]+(?=<)/g, '')
 		.replace(/<br\/>\w+ \w+ \d+ \d{4}, [\d:]+ [AP]M \w+/g, '');
+}
+
+/**
+ * A class's page with the defaults of its source: where one is a name, such as Infinity, asdoc writes none in the signature and NaN at the parameter, and it
+ * writes strings without quotes.
+ */
+export function withDefaults(html, source) {
+	let page = html.replace(/( const \w+:String = )([^<"]*)(?=<\/code>)/g, '$1"$2"');
+	for (const [, name, parameters] of source.matchAll(/public (?:\w+ )*function (\w+)\(([^)]*)\)/g)) {
+		for (const [, parameter, preset] of parameters.matchAll(/(\w+:\w+) = ("[^"]*"|[A-Z][\w.]*)/g)) {
+			const [label, type] = parameter.split(':');
+			page = page.replace(new RegExp(`(\\b${name}(?:</a>)?\\([^)]*\\b${parameter})(?: = [^,)]*)?(?=[,)])`, 'g'), `$1 = ${preset}`)
+				.replace(new RegExp(`(<a name="${name}\\([^"]*"></a>(?:(?!<a name=)[^])*?<span class="label">${label}</span>:${type}</code> \\(default = <code>)[^<]*`), `$1${preset}`);
+		}
+	}
+	return page;
 }
 
 /**
@@ -77,7 +93,8 @@ function look(folder) {
 	const pages = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('.html'));
 	return pages.flatMap((file) => {
 		const at = path.join(folder, file);
-		const html = repaired(readFileSync(at, 'utf8'));
+		const source = path.join('src', file.replace(/html$/, 'as'));
+		const html = withDefaults(repaired(readFileSync(at, 'utf8')), existsSync(source) ? readFileSync(source, 'utf8') : '');
 		writeFileSync(at, html);
 		const broken = brokenIn(html, (to) => existsSync(path.join(path.dirname(at), decodeURI(to))));
 		return [...broken.map((to) => `${file}: no ${to}`), ...engineMembersIn(html).map((name) => `${file}: ${name} is the engine's own, so it needs @private`),

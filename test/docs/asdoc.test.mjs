@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { read, sourcesBelow } from '../structure/sources.mjs';
-import { brokenIn, engineMembersIn, repaired, undescribedIn } from './asdoc.mjs';
+import { brokenIn, engineMembersIn, repaired, undescribedIn, withDefaults } from './asdoc.mjs';
 
 const member = (name, description) => `<a href="#${name}()" class="signatureLink">${name}</a>()</div><div class="summaryTableDescription">${description}</div>`;
 const listed = (name, description) => `<td class="summaryTableSecondCol"><a href="${name}.html" onclick="x">${name}</a></td><td class="summaryTableLastCol">${description}&nbsp;</td>`;
@@ -33,6 +33,15 @@ test('no page has a member that only the engine\'s packages share', () => {
 
 test('no page says when it was written', () => {
 	assert.equal(repaired('<center><br/>Fri Nov 20 2026, 03:05 PM Z  </center><!--<br/>Fri Nov 20 2026, 03:05 PM Z  -->'), '<center>  </center><!--  -->');
+});
+
+test('defaults of parameters are those of the source', () => {
+	const source = 'public function near(radius:Number = Infinity, as:String = "box", out:Hit = null):void {} public static function far(radius:Number):void {}';
+	const page = (first, at, as) => `<a href="#near()">near</a>(radius:Number${first}, as:String = ${as}, out:<a href="Hit.html">Hit</a> = null):void <a name="near()"></a><a name="near(Number,String,Hit)"></a>`
+		+ `<code> public function near(radius:Number${first}, as:String = ${as}, out:Hit = null):void</code><span class="label">radius</span>:Number</code> (default = <code>${at}</code>)`
+		+ `<span class="label">as</span>:String</code> (default = <code>${as}</code>)<a name="far(Number)"></a><code> public static function far(radius:Number)</code><span class="label">radius</span>:Number</code>`
+		+ `<code>public static const BOX:String = ${as}</code>`;
+	assert.equal(withDefaults(page('', 'NaN', 'box'), source), page(' = Infinity', 'Infinity', '"box"'));
 });
 
 test('no ASDoc multiplies with an asterisk: asdoc takes it for the margin and drops it', () => {

@@ -8,7 +8,7 @@
  *   --mount /path=folder    a folder that the SWF can load from (may be repeated)
  *   --out folder            where the files go that the SWF hands over (default: bin)
  *   --stall seconds         how long the SWF may give no sign of life (default: 120)
- *   --seconds number        ends the run after so many seconds, with status 0 (default: it goes on until the SWF ends it)
+ *   --seconds number        ends the run after so many seconds, with status 0, and says so (default: it goes on until the SWF ends it)
  *   --screenshot file.png   a picture of the stage at the end: when the SWF is done, when it fails, after --seconds, at Ctrl+C
  *   --size 800x600          the stage in pixels
  *   --player avmshell       Adobe's VM instead of Ruffle, for a SWF compiled for it: AVMSHELL names the folder of its shell
@@ -22,6 +22,7 @@
 import { access, mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
+import { thereIs } from '../../build/nearest.mjs';
 import { play } from './player.mjs';
 import * as avmshell from './shell.mjs';
 
@@ -37,23 +38,32 @@ class RunError extends Error {
 	}
 }
 
+const OPTIONS = {
+	param: { type: 'string', multiple: true, default: [] },
+	mount: { type: 'string', multiple: true, default: [] },
+	out: { type: 'string', default: 'bin' },
+	stall: { type: 'string', default: '120' },
+	seconds: { type: 'string' },
+	screenshot: { type: 'string' },
+	size: { type: 'string', default: '800x600' },
+	player: { type: 'string', default: 'ruffle' },
+	start: { type: 'string', default: 'bin/avm/start.abc' },
+	'no-gc': { type: 'boolean', default: false },
+	parts: { type: 'string', default: '1' },
+};
+
+/** The options as they were given; a wrong one is refused, with the nearest. */
+function parsed() {
+	try {
+		return parseArgs({ allowPositionals: true, options: OPTIONS });
+	} catch (error) {
+		const [, unknown] = /^Unknown option '--?([^']+)'/.exec(error.message) ?? [];
+		throw new RunError(unknown ? `there is no option --${unknown}${thereIs(unknown, Object.keys(OPTIONS), '--')}` : error.message, USAGE);
+	}
+}
+
 function readArguments() {
-	const { values, positionals } = parseArgs({
-		allowPositionals: true,
-		options: {
-			param: { type: 'string', multiple: true, default: [] },
-			mount: { type: 'string', multiple: true, default: [] },
-			out: { type: 'string', default: 'bin' },
-			stall: { type: 'string', default: '120' },
-			seconds: { type: 'string' },
-			screenshot: { type: 'string' },
-			size: { type: 'string', default: '800x600' },
-			player: { type: 'string', default: 'ruffle' },
-			start: { type: 'string', default: 'bin/avm/start.abc' },
-			'no-gc': { type: 'boolean', default: false },
-			parts: { type: 'string', default: '1' },
-		},
-	});
+	const { values, positionals } = parsed();
 	if (positionals.length !== 1) {
 		throw new RunError('exactly one SWF must be given', USAGE);
 	}
@@ -168,6 +178,8 @@ async function run(options) {
 	const watch = setInterval(() => {
 		countFrames();
 		if (Date.now() - started > options.seconds * 1000) {
+			const since = Math.round((Date.now() - lastFrame) / 1000);
+			console.error(`headless: ended after ${options.seconds} s${player.frames && since >= 2 ? `, in the middle of one call: no frame in the last ${since} s` : ''}`);
 			end.resolve(0);
 		} else if (Date.now() - lastSign > options.stall * 1000) {
 			end.fail(`the SWF stalled: ${options.stall} s without a sign of life${player.frames ? stalled(frames - framesBefore, Math.round((Date.now() - lastFrame) / 1000), options.stall) : ''}`);
@@ -235,5 +247,5 @@ try {
 	process.exitCode = await runParts(readArguments());
 } catch (error) {
 	console.error(`headless: ${error instanceof RunError ? error.message : error.stack ?? error}`);
-	process.exitCode = error.status ?? (error.code?.startsWith?.('ERR_PARSE_ARGS') ? USAGE : FAILED);
+	process.exitCode = error.status ?? FAILED;
 }

@@ -61,11 +61,15 @@ test('Ctrl+C and --seconds end a SWF that goes on, with a picture', { skip }, as
 	assert.deepEqual(await once(interrupted, 'exit'), [130, null]);
 	assert.ok(existsSync(picture), 'the picture of Ctrl+C');
 	rmSync(picture);
-	assert.equal(spawnSync(process.execPath, [...options, '--seconds', '2']).status, 0);
+	const ended = spawnSync(process.execPath, [...options, '--seconds', '2'], { encoding: 'utf8' });
+	assert.deepEqual([ended.status, ended.stderr], [0, 'headless: ended after 2 s\n']);
 	assert.ok(existsSync(picture), 'the picture of --seconds');
 	const refused = spawnSync(process.execPath, [...options, '--seconds', 'soon'], { encoding: 'utf8' });
 	assert.equal(refused.status, 64);
 	assert.match(refused.stderr, /--seconds must be a number greater than 0: soon/);
+	const looping = run(swf('looping.swf', LOOP), 30, '--seconds', '4');
+	assert.equal(looping.status, 0);
+	assert.match(looping.stderr, /^headless: ended after 4 s, in the middle of one call: no frame in the last \d+ s\n$/);
 });
 
 test('a part that fails does not stop the others', { skip }, () => {
@@ -84,4 +88,10 @@ test('the last test that a client\'s SWF has begun is the one that did not end',
 	const waiting = spawnSync(process.execPath, [path.join(root, 'test/client-tests-run.mjs'), swf('waiting-client.swf', traced('  1/1 game.MeetTest.waits')), '5', path.join(folder, 'others.txt')], { encoding: 'utf8' });
 	assert.match(waiting.stdout, /^FAILED game\.MeetTest\.waits: did not end within 5 s, but \d+ frames: it (?!.*Host)/m);
 	assert.equal(readFileSync(counts, 'utf8'), '2 passed, 1 failed, 0 ignored, 2 not run');
+});
+
+test('a wrong option is refused, with the nearest', () => {
+	assert.deepEqual(run('a.swf', 1, '--secnds', '3'), { status: 64, stderr: 'headless: there is no option --secnds; there is --seconds\n' });
+	assert.deepEqual(run('a.swf', 1, '--xyzzy'), { status: 64, stderr: 'headless: there is no option --xyzzy\n' });
+	assert.match(run('a.swf', 1, '--out').stderr, /^headless: [^\n]*argument missing\n$/);
 });

@@ -1,16 +1,16 @@
-import { COLLIDERS, FIGURES, isNoisy } from './figures.mjs';
+import { COLLIDERS, DISTURBED, FIGURES, isNoisy } from './figures.mjs';
 import { ratio, time } from './format.mjs';
 import { key } from './statistics.mjs';
 
 const WIDTH = 112;
 
-/** All figures as text, in lines of at most 112 characters. */
-export function tables(entries) {
+/** All figures as text, in lines of at most 112 characters. If something else was running, what was too slow may not be. */
+export function tables(entries, wasDisturbed = false) {
 	const parts = [];
 	for (const figure of FIGURES) {
 		const own = entries.filter((entry) => entry.figure === figure.id);
 		if (own.length > 0) {
-			const more = figure.more ? [figure.more.title, '', table(figure.more.head(own), figure.more.rows(own), 1), ''] : [];
+			const more = figure.more ? [figure.more.title + (wasDisturbed ? DISTURBED : ''), '', table(figure.more.head(own), figure.more.rows(own), 1), ''] : [];
 			parts.push([figure.title, '', table(figure.head(own), figure.rows(own), figure.text ?? 1), '', ...more, wrap(figure.note)].join('\n'));
 		}
 	}
@@ -54,7 +54,7 @@ const GAMES = ['crowds', 'scattered'];
 const MODELS = ['fits', 'access', 'hierarchies'];
 
 /**
- * Names the entries that are too noisy, with a command for each figure that measures them again; or an empty text.
+ * Names the entries that are left out, with a command for each figure that measures them again; or an empty text.
  *
  * @param {object[]} entries of a run
  * @param {string} commit what was measured; with changes that are not committed its runs share no report
@@ -67,7 +67,7 @@ export function repeats(entries, commit = '') {
 	const commands = FIGURES.map(({ id }) => [id, noisy.filter((entry) => entry.figure === id)]).filter(([, found]) => found.length > 0)
 		.map(([id, found]) => `    ./antw timing -Dfigures=${id}${choice(id, found)} -Drepetitions=11`);
 	const where = commit.endsWith('-dirty') ? 'in a report of their own, as the clone has changes that are not committed. They replace the report that is there' : 'for the same report';
-	return ['Too noisy:', ...noisy.map((entry) => `    ${key(entry)}`), `To measure them again, ${where}:`, ...commands].join('\n');
+	return ['Left out, as too noisy or contradictory:', ...noisy.map((entry) => `    ${key(entry)}`), `To measure them again, ${where}:`, ...commands].join('\n');
 }
 
 // The options that measure no more of a figure than these entries.

@@ -165,6 +165,9 @@ function most(games) {
 	return fails === Infinity ? `at least ${holds}` : `${holds}, not ${fails}`;
 }
 
+/** What the title of this table adds if something else was running. */
+export const DISTURBED = ' (something else was running: it may be more)';
+
 /** A second table of games. */
 const HOLDING = {
 	title: '25 frames a second: the most agents whose frames take at most 40 ms',

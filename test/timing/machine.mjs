@@ -25,6 +25,11 @@ export function isBusy({ start, end }, cores) {
 	return start > cores / 2 || end > cores;
 }
 
+/** Whether something else was running in a report's run. */
+export function wasDisturbed({ load, machine }) {
+	return Boolean(load) && isBusy(load, machine.cores);
+}
+
 /** The load at the start and the end of a run, in words. */
 export function loadText({ start, end }, cores) {
 	const others = isBusy({ start, end }, cores) ? '. Something else was running, so times may be too long, and many too noisy' : '';

@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
-import { FIGURES, bySubject, faster } from './figures.mjs';
+import { DISTURBED, FIGURES, bySubject, faster } from './figures.mjs';
 import { inWords, ratio, time } from './format.mjs';
-import { isBusy, loadText } from './machine.mjs';
+import { loadText, wasDisturbed } from './machine.mjs';
 
 const library = new URL('../../node_modules/chart.js/dist/chart.umd.min.js', import.meta.url);
 const own = (name) => readFile(new URL(name, import.meta.url), 'utf8');
@@ -27,13 +27,13 @@ export async function page(report) {
 <p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on <span class="whole">${date}</span> UTC. In bars blue is this engine,
 amber the thesis's algorithms as it describes them in the same player, grey the thesis's own numbers of 2015.</p>
 <p>${takenIn(report.versions)}${report.module ? ` ${escape(moduleText(report.module))}` : ''}</p>
-${report.load && isBusy(report.load, report.machine.cores) ? `<p class="warning">${escape(loadText(report.load, report.machine.cores))}</p>` : ''}
+${wasDisturbed(report) ? `<p class="warning">${escape(loadText(report.load, report.machine.cores))}</p>` : ''}
 ${report.isComplete === false ? '<p class="warning">The run ended early. The report has what was measured before.</p>' : ''}
 ${leftOut(report.entries)}
 <dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${value}</dd></div>`).join('')}</dl>
 </header>
 <main>
-${FIGURES.map((figure) => section(figure, report.entries, charts)).join('\n')}
+${FIGURES.map((figure) => section(figure, report, charts)).join('\n')}
 </main>
 <footer>
 <p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up. “×” is a multiple of the sphere-sphere test, measured in turns
@@ -71,8 +71,8 @@ function takenIn({ player, beside }) {
 	return `All times but the thesis's were taken in ${escape(player ?? 'an unknown player')}${beside ? ', but for one colour.' : '.'}${slow}${green}`;
 }
 
-function section(figure, entries, charts) {
-	const mine = entries.filter((entry) => entry.figure === figure.id);
+function section(figure, report, charts) {
+	const mine = report.entries.filter((entry) => entry.figure === figure.id);
 	if (mine.length === 0) {
 		return '';
 	}
@@ -85,7 +85,7 @@ function section(figure, entries, charts) {
 ${picture}
 ${isMarked ? '<p class="note crosses">× stands for a number that was left out.</p>' : ''}
 <div class="scroll">${table(figure.head(mine), figure.rows(mine), figure.text)}</div>
-${figure.more ? `<h3>${escape(figure.more.title)}</h3>\n<div class="scroll">${table(figure.more.head(mine), figure.more.rows(mine))}</div>` : ''}
+${figure.more ? `<h3>${escape(figure.more.title + (wasDisturbed(report) ? DISTURBED : ''))}</h3>\n<div class="scroll">${table(figure.more.head(mine), figure.more.rows(mine))}</div>` : ''}
 <p class="note">${escape(figure.note.replace(/^\* /, 'Bold: '))}</p>
 </section>`;
 }

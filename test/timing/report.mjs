@@ -17,7 +17,7 @@ import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { growth } from './figures.mjs';
-import { load, loadText, machine, versions, wasBusy } from './machine.mjs';
+import { load, loadText, machine, versions, wasBusy, wasDisturbed } from './machine.mjs';
 import { moduleText, page } from './page.mjs';
 import { olderReportOrEnd } from './older.mjs';
 import { changes, merged, withoutContradictions } from './statistics.mjs';
@@ -58,8 +58,8 @@ const report = {
 await writeFile(file('report.json'), JSON.stringify(report, null, 1) + '\n');
 await writeFile(file('report.csv'), csv(report.entries));
 await writeFile(file('report.html'), await page(report));
-await writeFile(file('timing.txt'), tables(report.entries) + '\n');
-console.log(`\n${tables(taken)}\n`);
+await writeFile(file('timing.txt'), tables(report.entries, wasDisturbed(report)) + '\n');
+console.log(`\n${tables(taken, wasDisturbed(report))}\n`);
 console.log(`Taken in ${report.versions.player}${beside ? `; the columns and rows named JIT in ${beside.player}` : ''}.`);
 if (report.module) {
 	console.log(moduleText(report.module));

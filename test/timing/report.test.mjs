@@ -117,6 +117,8 @@ test('the games that keep 25 frames a second are named by their colliders', asyn
 	assert.deepEqual(holding(games), [['mix', 'at least 1000', '100, not 1000', 'fewer than 100', '']]);
 	const text = tables(games);
 	assert.match(text, /^25 frames a second: .*40 ms\n\ngame +bins +tightest fit +hierarchical\n─+\nmix +at least 1000 +100, not 1000 +fewer than 100\n/m);
+	assert.match(tables(games, true), /40 ms \(something else was running: it may be more\)\n/);
+	assert.match(await page({ ...EMPTY, machine: { cores: 2 }, load: { start: 2, end: 2 }, entries: games }), /<h3>25 .*40 ms \(something else was running: it may be more\)<\/h3>/);
 	assert.match(await page({ ...EMPTY, entries: games }), /<h3>25 frames a second: .*40 ms<\/h3>\n.*<table>.*>game<.*>bins</);
 });
 
@@ -300,6 +302,7 @@ test('what is noisy is named, with a command that repeats it', () => {
 	assert.match(repeats(entries), /crowds \/ 100 bears \/ BinCollider\n.*\n {4}\.\/antw timing -Dfigures=crowds -Dagents=100 -Dcolliders=BinCollider -Drepetitions=11$/);
 	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'noisy' })]), /-Dfigures=fits -Dmodels=bear /);
 	assert.match(repeats([timed('fits', 'cube', 'game.UprightFitter', null, { refused: 'noisy' })]), /-Dmodels=cube -Dsources=FOLDER -Dfitters=game\.UprightFitter -Drep/);
+	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'contradictory' })]), /^Left out, as too noisy or contradictory:\n/);
 	assert.equal(repeats(entries.filter((entry) => !entry.refused)), '');
 });
 

@@ -258,8 +258,8 @@ package starlogo.queries
         {
             if (!_isRead)
             {
-                throw new IllegalOperationError("questions need an update(agents) of their own, not of the Collision: call that of the AgentQueries or "
-                        + "SeenAgents before its first question, and then once a frame");
+                throw new IllegalOperationError("nothing to ask about yet: call update(agents) of this AgentQueries or SeenAgents before its first question, "
+                        + "and then once a frame. That of the Collision does not count");
             }
             if (tree.isStale)
             {

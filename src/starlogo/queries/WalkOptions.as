@@ -24,7 +24,11 @@ package starlogo.queries
         {
         }
 
-        /** The greatest height of a step that it climbs, in patches. 0 for none. @throws RangeError if it is negative, above 1e9 or not a number */
+        /**
+         * The greatest height of a step that it climbs, in patches. 0.25 at first; 0 for none.
+         *
+         * @throws RangeError if it is negative, above 1e9 or not a number
+         */
         public function get stepHeight():Number
         {
             return _stepHeight;
@@ -36,8 +40,8 @@ package starlogo.queries
         }
 
         /**
-         * The steepest slope that it can stand on and climb, in degrees, from 0 to less than 90. With 0 it can stand only on level ground.
-         * A steeper surface is a wall.
+         * The steepest slope that it can stand on and climb, in degrees, from 0 to less than 90; 45 at first. With 0 it can stand only
+         * on level ground. A steeper surface is a wall.
          *
          * @throws RangeError if it is negative, 90 or more, or not a number
          */
@@ -56,9 +60,9 @@ package starlogo.queries
         }
 
         /**
-         * The greatest depth of the ground below it, in patches, at which it stays on the ground. So it can go downhill and down steps. After a
-         * way up, for example over the upper end of a ramp, the depth below where this way began counts. If the ground is deeper, it falls.
-         * With 0 it stays only on ground that it touches.
+         * The greatest depth of the ground below it, in patches, at which it stays on the ground; 0.25 at first. So it can go downhill and down
+         * steps. After a way up, for example over the upper end of a ramp, the depth below where this way began counts. If the ground is deeper,
+         * it falls. With 0 it stays only on ground that it touches.
          *
          * @throws RangeError if it is negative, above 1e9 or not a number
          */
@@ -73,8 +77,8 @@ package starlogo.queries
         }
 
         /**
-         * How far the agent falls in one walk if it does not stand on anything, in patches. With Infinity it lands at once; if
-         * there is nothing below it, it stays where it is. With 0 it does not fall, so that a game can have gravity of its own.
+         * How far the agent falls in one walk if it does not stand on anything, in patches; 0.5 at first. With Infinity it lands at
+         * once; if there is nothing below it, it stays where it is. With 0 it does not fall, so that a game can have gravity of its own.
          *
          * @throws RangeError if it is negative, not a number, or above 1e9 but not Infinity
          */

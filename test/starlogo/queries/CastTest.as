@@ -382,8 +382,8 @@ package starlogo.queries
             assertThrows(ArgumentError, /null/, queries.canSee, _agents[0], null);
             assertThrows(ArgumentError, /no model/, queries.canSee, _agents[0], new Agent("nothing"));
             var early:AgentQueries = new AgentQueries(new HierarchicalCollider(sGreatLand));
-            assertThrows(IllegalOperationError, /need an update\(agents\) of their own.* AgentQueries or SeenAgents before its first question/, early.cast, zero, up);
-            assertThrows(IllegalOperationError, /need an update\(agents\) of their own/, early.near, _agents[0], 1);
+            assertThrows(IllegalOperationError, /call update\(agents\) of this AgentQueries or SeenAgents before its first question.* Collision does not count/, early.cast, zero, up);
+            assertThrows(IllegalOperationError, /call update\(agents\) of this AgentQueries or SeenAgents/, early.near, _agents[0], 1);
             early.update(new <Agent>[]);
             assertNull("there is none", early.cast(zero, up));
         }

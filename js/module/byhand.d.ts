@@ -41,6 +41,15 @@ export type WalkOptionsInit<A extends Agent = Agent> = {
 	readonly [K in keyof WalkOptions]?: (K extends "filter" ? AgentFilterInit<A> | null : WalkOptions[K]) | undefined;
 };
 
+/** The agents of a game, for their class or for the classes of its breeds: `{ heroes: Hero; coins: Coin }`. */
+export type AgentsOf<B> = B extends Agent ? B : Extract<B[keyof B], Agent>;
+
+/** The names that handlers take for breeds: those that have classes and the engine's own, or any if it is not known which there are. */
+export type BreedOf<B> = B extends Agent ? string : (keyof B & string) | "*" | "*terrain" | "*edge";
+
+/** The agents of a breed, or of any breed. */
+export type AgentOf<B, N> = B extends Agent ? B : N extends keyof B ? Extract<B[N], Agent> : N extends "*" ? AgentsOf<B> : Agent;
+
 /** What is called with an event, which may be of a class of its own. */
 export type Listener = { listen(event: Event): void }["listen"];
 

@@ -12,9 +12,12 @@ const BY_HAND = readFileSync(join(ROOT, "js/module/byhand.d.ts"), "utf8");
 /** TypeScript types that ActionScript's types do not express, by the names of parameters and members. */
 const BY_NAME = new Map([
 	["accepts", '{ accept(agent: Agent): boolean }["accept"] | null'], // a method's parameter may be a subclass of Agent
+	["ANY_BREED", '"*"'],
+	["EDGE", '"*edge"'],
+	["TERRAIN", '"*terrain"'],
 	["buffers", "Record<string, Bytes>"],
-	["collisionOrShapes", "Collision<A> | CollisionSystem | LevelShapes"],
-	["collisionOrSystem", "Collision<A> | CollisionSystem"],
+	["collisionOrShapes", "Collision<object, A> | CollisionSystem | LevelShapes"],
+	["collisionOrSystem", "Collision<object, A> | CollisionSystem"],
 	["scaling", "Scaling"],
 	["structureNames", "string[]"],
 	["systemNames", "string[]"],
@@ -28,9 +31,13 @@ const LISTED = /"\w+"(?:, "\w+")* or "\w+"/;
 /** What the documentation says of a handler. Its types are the two agents', which may be of different classes. */
 const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
 
-/** The type parameters of methods: the agents of a list, those of a handler, the agent of a footing, and what a question finds. */
+/** The type parameters of a class for a client's agents, and of one with handlers, which may know a class for each breed. */
+const OF_AGENTS = "<A extends Agent = Agent>";
+const OF_BREEDS = "<B extends Agent | { [K in keyof B]: Agent } = Agent, A extends Agent = AgentsOf<B>>";
+
+/** The type parameters of methods: the agents of a list, the breeds and agents of a handler, the agent of a footing, and what a question finds. */
 const PICKING = "<A extends Agent>";
-const HANDLING = "<C extends A, D extends A>";
+const HANDLING = "<C extends AgentOf<B, N>, D extends AgentOf<B, M>, N extends BreedOf<B> = BreedOf<B>, M extends BreedOf<B> = BreedOf<B>>";
 const FILLING = "<O extends Agent = A>";
 const FINDING = "<F extends A = A>";
 
@@ -76,7 +83,8 @@ class Writer {
 		const bases = type.bases.filter((name) => this.#exported.has(name) || name === "Error").map((name) => (this.#isGeneric(this.#exported.get(name)) ? `${name}<A>` : name));
 		const interfaces = type.interfaces.filter((name) => this.#exported.has(name));
 		const heritage = (bases.length > 0 ? ` extends ${bases.join(", ")}` : "") + (interfaces.length > 0 ? ` implements ${interfaces.join(", ")}` : "");
-		const parameters = this.#isGeneric(type) ? "<A extends Agent = Agent>" : "";
+		const hasHandlers = type.members.some((member) => HANDLER.test(docOf(type, member, this.#exported)));
+		const parameters = this.#isGeneric(type) ? (hasHandlers ? OF_BREEDS : OF_AGENTS) : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
 		if (ADDED[type.qname]) members.push(ADDED[type.qname].declaration);
 		return `${this.#eventsText(type)}${docComment(type.doc, "")}${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
@@ -207,6 +215,7 @@ class Writer {
 		return member.parameters.map((parameter) => {
 			const { name, type, value, isRest } = parameter;
 			if (isRest) return `...${name}: string[]`;
+			if (generic === HANDLING && type === "String") return `${name}: ${name === "breed" ? "N" : "M"}`;
 			if (generic === FINDING && name === "out") return `out?: ${this.#foundType(type)} | null`;
 			const text = this.#parameterType(parameter, this.#said(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;

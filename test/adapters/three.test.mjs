@@ -210,6 +210,10 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		const group = new THREE.Group();
 		group.name = "hall";
 		assert.throws(() => levelFromObject("any", group), /^ModelError: model "any": no vertices: Group "hall" has no meshes with triangles yet$/);
+		const floor = new THREE.Mesh(new THREE.BufferGeometry());
+		floor.name = "floor";
+		assert.throws(() => levelFromObject("any", floor), /^ModelError: model "any": no vertices: Mesh "floor": its geometry has no positions$/);
+		assert.throws(() => modelFromObject("any", floor.geometry), /^ModelError: model "any": no vertices: the geometry has no positions$/);
 		assert.throws(() => toScene(undefined), /^ArgumentError: toScene: x, y and z must be numbers/);
 	});
 

@@ -14,6 +14,7 @@ package docs
         protected var wolf:Agent = new Agent("sphere", "wolves");
         protected var friend:Agent = new Agent("sphere", "wolves");
 
+        protected var delta:Number = 0.02;
         protected var contact:Contact = new Contact();
 
         private var _howls:int = 0;

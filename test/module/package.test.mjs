@@ -481,6 +481,38 @@ test("while a game is developed, settings that a constructor does not take, leve
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
 
+test("while a game is developed, walks that stop before what has a handler with the walker are warned of, once, unless the two meet otherwise", () => {
+	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, Collision, GreatLand, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const land = new GreatLand();
+		for (const model of [BuiltInModel.sphere(), BuiltInModel.capsule(0.3, 1.8, "hero"), BuiltInModel.box(1, 1, 3, "wall")]) land.addModel(model);
+		const game = new Collision(new TightestFitCollider(land));
+		const queries = new AgentQueries(game);
+		let calls = 0;
+		for (const breed of ["coins", "doors", "foes"]) game.onCollisionStart("heroes", breed, () => calls++);
+		game.onCollision("coins", Collision.ANY_BREED, () => 0);
+		const play = (shape, breed, filter, frames = 30) => {
+			const [hero, other] = [new Agent("hero", "heroes"), new Agent(shape, breed)];
+			other.moveTo(1.5, 0, 0.5);
+			for (let i = 0; i < frames; i++) {
+				queries.update([hero, other]);
+				queries.walk(hero, 0.1, 0, { stepHeight: 0.3, fall: 0, filter });
+				if (breed === "foes" && i === 12) other.moveTo(hero.x + 0.7, 0, 0.5);
+				game.update([hero, other]);
+			}
+			return said.length + " " + calls;
+		};
+		const steps = [play("wall", "walls"), play("sphere", "coins", { exceptBreeds: ["coins"] }), play("sphere", "foes"), play("sphere", "doors", null, 9), play("wall", "doors"), play("wall", "doors")];
+		console.log(JSON.stringify({ said, steps }));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const { said, steps } = run("starlogo-collision.js");
+	// no handlers, left out, met after a while, not stopped for long, and stopped
+	assert.deepEqual(steps, ["0 0", "0 1", "0 2", "0 2", "1 2", "1 2"]);
+	assert.match(said[0], /a walk of "heroes" stops before "doors" and does not touch them, so the handlers of the two never run\..* leave them out: .*\{ filter: \{ exceptBreeds: \["doors"\] \} \}/);
+	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+});
+
 test("it runs in Node", async () => {
 	const sampleModule = await import(pathToFileURL(bundle("sample.node.js", { external: ["starlogo-collision"] })));
 	check(await use(sampleModule, `${server.url}assets`, bear, new Uint8Array(bytes)));

@@ -221,3 +221,33 @@ land.addModel(BuiltInModel.cube());
 const exact = new HierarchicalCollider(land);
 exact.exact = true;
 exact.maxDepth = 4;
+mixed.onCollision<Hero, Coin>("heroes", "coins", (hero, coin) => (hero.life += coin.worth));
+const ofAny: Collision = mixed;
+ofAny.onCollision(breeds[0]!, Collision.ANY_BREED, (a, b) => a.size - b.size);
+// breeds that have classes
+const typed = new Collision<{ heroes: Hero; coins: Coin }>(bins);
+typed.onCollisionStart("heroes", "coins", (hero, coin, contact) => {
+	is<Same<typeof hero, Hero>>();
+	is<Same<typeof coin, Coin>>();
+	is<Same<typeof contact, Contact>>();
+});
+typed.onCollision("coins", Collision.ANY_BREED, (coin, other) => (is<Same<typeof other, Hero | Coin>>(), coin.worth));
+typed.onCollision("heroes", Collision.TERRAIN, (hero, ground) => (is<Same<typeof ground, Agent>>(), hero.life));
+typed.onCollisionEnd("coins", "heroes", (coin, hero) => coin.worth + hero.life);
+typed.onCollision("heroes", "coins", (hero: Agent, coin: Coin) => coin.worth);
+typed.update([new Hero("cube"), new Coin("sphere")]);
+const typedQueries = new AgentQueries(typed);
+is<Same<typeof typedQueries, AgentQueries<Hero | Coin>>>();
+// @ts-expect-error there is no such breed
+typed.onCollision("heros", "coins", () => 0);
+// @ts-expect-error the coin is no hero
+typed.onCollision("heroes", "coins", (hero, coin: Hero) => 0);
+// @ts-expect-error other agents than the game's
+typed.update([new Agent("cube")]);
+typed.onCollision("heroes", "coins", (hero: Hero, coin) => hero.life + coin.worth);
+// @ts-expect-error no agent
+new Collision<{ heroes: Date }>(bins);
+interface Breeds {
+	heroes: Hero;
+}
+new Collision<Breeds>(bins).onCollision("heroes", "heroes", (a, b) => a.life - b.life);

@@ -37,7 +37,7 @@ export function levelFromObject(name, object, options = {}) {
 }
 
 function modelOf(name, source, { vertices, triangles, parts, meshes, materials }, origin, scaling) {
-	if (vertices.length === 0) throw new ModelError(name, "", `no vertices: ${source.isObject3D ? `${textOf(source)} "${source.name}" has no meshes with triangles yet` : "the geometry has no triangles"}`);
+	if (vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
 	const model = new Model(name, vertices, triangles, scaling);
 	if (source.isObject3D) {
 		model.setMeshes(meshes.numbers, meshes.names);
@@ -45,6 +45,13 @@ function modelOf(name, source, { vertices, triangles, parts, meshes, materials }
 	}
 	origins.set(model, { ...origin, parts, isGeometry: !source.isObject3D, posed: null });
 	return model;
+}
+
+function whatIsMissing(source) {
+	const { attributes } = source.geometry ?? source;
+	const what = source.isObject3D ? `${textOf(source)} "${source.name}"` : "the geometry";
+	if (attributes && !attributes.position) return `${source.isObject3D ? `${what}: its geometry` : what} has no positions`;
+	return `${what} has no ${source.isObject3D ? "meshes with triangles yet" : "triangles"}`;
 }
 
 /**

@@ -5,6 +5,7 @@ const $MOST_LOOKED_AT = 1000;
 const $MOST_LOOKED_AT_AGAIN = 100;
 const $LONG_SILENCE = 300;
 const $LONG_FALL = 200;
+const $MANY_STOPS = 10;
 const $MANY_ANGLES = 30;
 const $END = 4; // CollisionHandler.END
 const $STRUCTURE = "structure"; // what a cast structure is called: see Body.readStructure
@@ -15,6 +16,8 @@ const $framesOf = /* @__PURE__ */ new WeakMap();
 const $silentFrames = /* @__PURE__ */ new WeakMap();
 const $updates = /* @__PURE__ */ new WeakMap();
 const $falls = /* @__PURE__ */ new WeakMap();
+const $walks = /* @__PURE__ */ new Map();
+const $stops = /* @__PURE__ */ new Map();
 const $angles = { count: 0, least: 0, most: 0 };
 let $anglesToSee = 20000;
 let $frames = 0;
@@ -198,6 +201,40 @@ export function $warnOfFall(agent, dx, dy) {
 	fall.last = agent.z;
 	if (fall.walks !== $LONG_FALL) return;
 	$warn(`${agent} has fallen in ${$LONG_FALL} walks, from z = ${$rounded(fall.from)} to ${$rounded(agent.z)}: nothing stops it. If it should stand, its ground has to be in the list of update(), as large as it should be (a model is one unit wide, unless it is Model.AS_GIVEN), and upright (a file's up axis may be "y"); a level that is one model has to be hierarchical`, "fall");
+}
+
+/** Keeps a walk until the next frame of a Collision, which looks at what has stopped it. Of many agents only the first are looked at. */
+export function $warnOfWalk(queries, agent, dx, dy, options) {
+	if (typeof agent?.z !== "number" || $walks.size >= $MOST_LOOKED_AT_AGAIN) return;
+	$walks.set(agent, { queries, dx, dy, filter: options?.filter, x: agent.x, y: agent.y });
+}
+
+/**
+ * Warns of agents that have stopped many walks, if handlers are for the breeds of the two, and these have never met: who walks should go through
+ * coins, because it touches nothing that stops it.
+ */
+export function $warnOfStops(collision) {
+	const { interests, _pairIndices: met } = collision._handlers;
+	for (const [agent, { queries, dx, dy, filter, x, y }] of $walks) {
+		if (Math.hypot(agent.x - x, agent.y - y) >= 0.5 * Math.hypot(dx, dy)) continue;
+		const other = $stopperOf(queries, agent, dx, dy, filter);
+		const [breed, otherBreed] = [agent.$breedNumber, other?.$breedNumber];
+		if (!other || !interests.$has(breed, otherBreed) || met.find(breed, otherBreed) >= 0 || met.find(otherBreed, breed) >= 0) continue;
+		const [name, otherName] = [agent.breed, other.breed].map((each) => JSON.stringify(each));
+		const stops = ($stops.get(name + otherName) ?? 0) + 1;
+		$stops.set(name + otherName, stops);
+		if (stops === $MANY_STOPS) $warn(`a walk of ${name} stops before ${otherName} and does not touch them, so the handlers of the two never run. If it should go through them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } })`);
+	}
+	$walks.clear();
+}
+
+/** The agent that stops another one on a way from where it is. A walk that was refused is no concern of the Collision's. */
+function $stopperOf(queries, agent, dx, dy, filter) {
+	try {
+		return queries.castAgent(agent, dx, dy, 0, filter)?.agent;
+	} catch {
+		return undefined;
+	}
 }
 
 /** Warns of a slope that is probably in radians. */

@@ -217,7 +217,12 @@ export function $warnOfStops(collision) {
 	const { interests, _pairIndices: met } = collision._handlers;
 	for (const [agent, { queries, dx, dy, filter, x, y }] of $walks) {
 		if (Math.hypot(agent.x - x, agent.y - y) >= 0.5 * Math.hypot(dx, dy)) continue;
-		const other = $stopperOf(queries, agent, dx, dy, filter);
+		let other;
+		try {
+			other = queries.castAgent(agent, dx, dy, 0, filter)?.agent;
+		} catch {
+			// a walk that was refused is no concern of the Collision's
+		}
 		const [breed, otherBreed] = [agent.$breedNumber, other?.$breedNumber];
 		if (!other || !interests.$has(breed, otherBreed) || met.find(breed, otherBreed) >= 0 || met.find(otherBreed, breed) >= 0) continue;
 		const [name, otherName] = [agent.breed, other.breed].map((each) => JSON.stringify(each));
@@ -226,15 +231,6 @@ export function $warnOfStops(collision) {
 		if (stops === $MANY_STOPS) $warn(`a walk of ${name} stops before ${otherName} and does not touch them, so the handlers of the two never run. If it should go through them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } })`);
 	}
 	$walks.clear();
-}
-
-/** The agent that stops another one on a way from where it is. A walk that was refused is no concern of the Collision's. */
-function $stopperOf(queries, agent, dx, dy, filter) {
-	try {
-		return queries.castAgent(agent, dx, dy, 0, filter)?.agent;
-	} catch {
-		return undefined;
-	}
 }
 
 /** Warns of a slope that is probably in radians. */

@@ -41,6 +41,15 @@ test('the tests of a source are those that use it, in any case', () => {
 	assert.ok(found('ModelLoader.as').includes('FormatsLoadingTest'), 'by a file beside the test, as if the test used it itself');
 });
 
+test('a path, and a name with its package, mean one source of several of that name', () => {
+	const sources = new Map(['a.b.Low', 'a.c.Low', 'standin.flash.Low', 'Low'].map((name) => [name, 'public class Low']));
+	const named = (pattern) => choose(pattern, new Map(), sources).named;
+	assert.equal(named('Low.as').length, 4);
+	for (const pattern of ['src/a/b/Low.as', './src/A/b/low.as', 'src\\a\\b\\Low.as', 'b/Low.as', '/home/x/src/a/b/Low.as']) assert.deepEqual(named(pattern).filter((name) => name !== 'Low'), ['a.b.Low'], pattern);
+	assert.ok(named('js/standins/common/flash/Low.as').includes('standin.flash.Low'));
+	assert.ok(!named('a.b.Low').includes('a.c.Low'));
+});
+
 test('a class with tests of its own name has these, and with .as those of what uses it too', () => {
 	assert.ok(found('Box').every((name) => /Box/.test(name)));
 	assert.ok(found('Box').includes('BoxTest'));

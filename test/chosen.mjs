@@ -1,6 +1,7 @@
 /** Which tests -Dtest names: by a class of tests, by a test, by the source file that they test, or by the page whose samples they are. */
 import { existsSync } from 'node:fs';
 import path from 'node:path';
+import { $changesBetween } from '../js/standins/module/warnings.mjs';
 import { SAMPLES_IN_JAVASCRIPT, classOfSamples, fencesIn } from './docs/samples.mjs';
 import { definitionIn, filesBelow, packageOf, read, root, sourcesBelow, usesIn } from './structure/sources.mjs';
 
@@ -178,6 +179,16 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, named, pag
 		}
 	}
 	if (!isFile && !ofClass.some(isOwn)) takeTests([...classes.keys()], wanted);
+}
+
+/** What a pattern may mean that finds nothing: the classes, sources and pages whose names contain its own, or else the nearest as with misspelt options. */
+export function nearestNames(pattern, classes, sources) {
+	const wanted = simpleName(pattern.split(/[\\/]/).pop().replace(/\.(as|md)$/i, '')).toLowerCase();
+	const names = [...new Set([...[...sources.keys(), ...classes.keys()].map(simpleName), ...filesBelow('docs', '.md').map((file) => path.basename(file))])];
+	const farAway = (name) => $changesBetween(wanted, name.toLowerCase().replace(/\.md$/, ''));
+	const containing = names.filter((name) => name.toLowerCase().includes(wanted));
+	const near = containing.length > 0 ? containing : names.filter((name) => farAway(name) <= Math.max(1, wanted.length / 3));
+	return near.sort((a, b) => farAway(a) - farAway(b)).slice(0, 5);
 }
 
 /** The page that a pattern names, by its path in the project or its name in docs/; or null. */

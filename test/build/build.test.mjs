@@ -51,6 +51,9 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 	const twice = ['/c/A.as(3): col: 5 Error: one', '    x++;', '/c/A.as(9): col: 5 Error: two', '    x++;'];
 	const ofParts = ['BUILD FAILED', '/a/build.xml:2: The following error occurred while executing this line:', '/a/build.xml:9: mxmlc:', ...twice, '/a/build.xml:9: mxmlc:', ...twice, '', 'Total time: 8 seconds'];
 	assert.equal(runAnt(ofParts, 1).stdout.split('seconds\n')[1], `\nmxmlc:\n${twice.join('\n')}\n`);
+	const other = ['/c/A.as(3): col: 7 one', 'x++;'];
+	const ofCompilers = [...ofParts.slice(0, 2), ...[twice, other].flatMap((said, i) => [`/a/build.xml:9: mxmlc${['', ' (Royale)'][i]}:`, ...said]), '', 'Total time: 8 seconds'];
+	assert.equal(runAnt(ofCompilers, 1).stdout.split('seconds\n')[1], `\nmxmlc:\n${twice.join('\n')}\n`);
 	const good = runAnt(['BUILD SUCCESSFUL', 'Total time: 8 seconds'], 0);
 	assert.equal(good.status, 0);
 	assert.equal(good.stdout, 'BUILD SUCCESSFUL\nTotal time: 8 seconds\n');

@@ -1,7 +1,7 @@
 /** Tests of what -Dtest finds. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BROAD, choose, fartherTests, readTests, testsBeside, testsIn, testsOfPages } from '../chosen.mjs';
+import { BROAD, choose, fartherTests, nearestNames, readTests, testsBeside, testsIn, testsOfPages } from '../chosen.mjs';
 
 const known = readTests();
 
@@ -67,6 +67,14 @@ test('a page is found by its path or its name, with the tests of its samples', (
 	assert.deepEqual(choose('noSuchPage.md', classes, known.sources).pages, []);
 	assert.deepEqual(testsOfPages(['CONTRIBUTING.md', 'docs/terms.md']), []);
 	assert.deepEqual(testsOfPages(['docs/queries.md']), ['test/docs/samples.test.mjs']);
+});
+
+test('for a name that nothing has the nearest are told', () => {
+	const near = (pattern) => nearestNames(pattern, known.classes, known.sources);
+	for (const name of ['NaiveSphereFitter', 'RitterSphereFitter']) assert.ok(near('SphereFitter').includes(name), name);
+	assert.equal(near('src/starlogo/fitting/CapsulFiter.as')[0], 'CapsuleFitter');
+	assert.ok(near('docs/terain.md').includes('terrain.md'));
+	assert.deepEqual(near('xyzzyPlughQuux'), []);
 });
 
 test('several names are all taken', () => {

@@ -145,6 +145,9 @@ test('every part of the build asks that way', () => {
 test('tests that fail without a player are named, whatever Node prints', () => {
 	const tap = 'TAP version 13\n# Subtest: a.test.mjs\n    not ok 2 - adds two\n      ---\n    ok 3 - adds three\nnot ok 1 - a.test.mjs\nnot ok 2 - later # TODO\n';
 	assert.deepEqual(failuresIn(tap), ['adds two', 'a.test.mjs']);
+	const said = (error) => `not ok 1 - adds two\n  ---\n  duration_ms: 1\n  location: 'a:1:2'\n  error: ${error}\n  ...\n`;
+	assert.deepEqual(failuresIn(said('|-\n    docs/a.md:3: no\n    more')), ['adds two: docs/a.md:3: no']);
+	assert.deepEqual([failuresIn(said("'1 is not 2'")), failuresIn(said("'2 subtests failed'"))], [['adds two: 1 is not 2'], ['adds two']]);
 	const failure = 'not ok 2 - adds two\n  ---\n  error: |-\n    1, not 2\n  ...';
 	assert.equal(saidOf(`TAP version 13\nok 1 - adds one\n  ---\n  duration_ms: 1\n  ...\n${failure}\nok 3 - adds three\n  ---\n  ...\n1..3\n`), failure);
 	assert.equal(saidOf('TAP version 13\n'), 'TAP version 13\n');

@@ -1,6 +1,7 @@
 /** Which tests -Dtest names: by a class of tests, by a test, by the source file that they test, or by the page whose samples they are. */
 import { existsSync } from 'node:fs';
 import path from 'node:path';
+import { $changesBetween } from '../js/standins/module/warnings.mjs';
 import { SAMPLES_IN_JAVASCRIPT, classOfSamples, fencesIn } from './docs/samples.mjs';
 import { definitionIn, filesBelow, packageOf, read, root, sourcesBelow, usesIn } from './structure/sources.mjs';
 
@@ -105,7 +106,8 @@ export function testsIn(text) {
  * - "BoxTest" and "BoxTest.volume", with or without a package before them, take the class or the test of exactly this name alone, if there is one.
  * - "Box" takes the classes whose names contain it. If no class is "Box" or "BoxTest", it also takes the tests of the source files of that name,
  *   and the tests whose names contain it.
- * - "Box.as", with or without folders before it, takes "BoxTest" and the tests of the source file. "starlogo.bounding.Box" is "Box".
+ * - "Box.as", with or without folders before it, takes "BoxTest" and the tests of the source file: with folders of that file alone.
+ *   "starlogo.bounding.Box" is "Box" of this package.
  * - "docs/terrain.md", with or without the folder, takes the page's samples.
  * - "BoxTest.volume" takes the tests whose names contain "volume", of the classes whose names contain "BoxTest"; ".volume" takes them of all classes.
  * - Commas stand between several of these.
@@ -135,7 +137,7 @@ export function testsBefore(pattern, classes) {
 }
 
 function chooseOne(pattern, classes, sources, { tests, used, farther, named, pages, said }) {
-	const { wanted, test, isFile } = parse(pattern, [...classes.keys(), ...sources.keys()]);
+	const { wanted, test, isFile, isNamed } = parse(pattern, [...classes.keys(), ...sources.keys()]);
 	const take = (reason, found) => {
 		const added = found.filter((name) => tests.get(name) !== null);
 		for (const name of added) tests.set(name, null);
@@ -171,7 +173,7 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, named, pag
 	}
 	take(isFile ? 'its tests' : `classes named *${wanted}*`, ofClass);
 	if (isFile || !ofClass.some(isOwn)) {
-		for (const source of [...sources.keys()].filter((name) => simpleName(name).toLowerCase() === wanted)) {
+		for (const source of [...sources.keys()].filter(isNamed)) {
 			const nearest = nearestTests(source, classes, sources);
 			const areMany = countOf(nearest, classes) > MANY;
 			for (const name of take(`classes that use ${source}, directly or through other files`, nearest)) {
@@ -194,20 +196,41 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, named, pag
 	if (!isFile && !ofClass.some(isOwn)) takeTestsWith([...classes.keys()], wanted);
 }
 
+/** What a pattern may mean that finds nothing: the classes, sources and pages whose names contain its own, or else the nearest as with misspelt options. */
+export function nearestNames(pattern, classes, sources) {
+	const wanted = simpleName(pattern.split(/[\\/]/).pop().replace(/\.(as|md)$/i, '')).toLowerCase();
+	const names = [...new Set([...[...sources.keys(), ...classes.keys()].map(simpleName), ...filesBelow('docs', '.md').map((file) => path.basename(file))])];
+	const farAway = (name) => $changesBetween(wanted, name.toLowerCase().replace(/\.md$/, ''));
+	const containing = names.filter((name) => name.toLowerCase().includes(wanted));
+	const near = containing.length > 0 ? containing : names.filter((name) => farAway(name) <= Math.max(1, wanted.length / 3));
+	return near.sort((a, b) => farAway(a) - farAway(b)).slice(0, 5);
+}
+
 /** The page that a pattern names, by its path in the project or its name in docs/; or null. */
 function pageNamed(pattern) {
 	const file = pattern.replaceAll('\\', '/');
 	return /\.md$/.test(file) ? [file, `docs/${file}`].find((each) => existsSync(path.join(root, each))) ?? null : null;
 }
 
-/** What a pattern asks for, in small letters: a part of a class's name or a source's name, and a part of a test's name. */
+/** What a pattern asks for, in small letters: a part of a class's name or a source's name, and a part of a test's name. isNamed tells whether it names a source. */
 function parse(pattern, names) {
 	const isFile = /\.as$/i.test(pattern);
-	const path = isFile ? pattern.slice(0, -3).split(/[\\/]/).pop() : pattern;
+	const path = isFile ? pattern.slice(0, -3).split(/[\\/]/).filter((part) => !/^\.*$/.test(part)).join('.') : pattern;
 	const isQualified = (name) => name.includes('.') && names.some((each) => each.toLowerCase() === name.toLowerCase());
 	const [, start, end] = /^(.*?)(?:[.#]([^.#]*))?$/.exec(path);
-	const [wanted, test = ''] = isFile || isQualified(path) ? [simpleName(path)] : isQualified(start) ? [simpleName(start), end] : path.split(/[.#]/);
-	return { wanted: wanted.toLowerCase(), test: test.toLowerCase(), isFile };
+	const [whole, test = ''] = isFile || isQualified(path) ? [path] : isQualified(start) ? [start, end] : path.split(/[.#]/);
+	const [wanted, ...packages] = partsOf(whole);
+	// a path has folders above the packages, or only the last of these
+	const isNamed = (name) => {
+		const [own, ...above] = partsOf(name.replace(/^standin\./, ''));
+		return own === wanted && packages.every((part, i) => i >= above.length || above[i] === part);
+	};
+	return { wanted, test: test.toLowerCase(), isFile, isNamed };
+}
+
+/** The parts of a qualified name, the last one first, in small letters. */
+function partsOf(name) {
+	return name.toLowerCase().split('.').reverse();
 }
 
 /** The test classes that use a source, by as few files between as there can be. */

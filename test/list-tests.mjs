@@ -8,13 +8,13 @@
  * the documentation are test classes too. With --away3d those that need Away3D are listed, without it all others. FILE lists what Node runs in place
  * of the player: of that, only what the pattern names itself is taken. What is left to Node is left in the properties; if all is, they have none. What
  * Node runs after that, as far as the time goes, is then: the tests farther from a source, the nearest first, those that take long last. beside has the
- * files of tests without a player that check the source, and of the names of the sources and pages. module is there if such tests need the npm package. away3d is the number of tests that need Away3D, of those that the pattern names and those of a source of the adapters.
+ * files of tests without a player that check the source, and of the names of the sources. pages names the pages if they have samples in JavaScript. away3d is the number of tests that need Away3D, of those that the pattern names and those of a source of the adapters.
  * Files that would be the same keep their times.
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
-import { choose, fartherTests, inNodeAlone, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from './chosen.mjs';
+import { choose, fartherTests, inNodeAlone, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from './chosen.mjs';
 import { NOT_HERE } from './module/not-here.mjs';
 
 const simpleName = (name) => name.split('.').pop();
@@ -37,8 +37,10 @@ const choice = values.test === '' ? { tests: new Map([...classes.keys()].map((na
 const { tests, used, farther, said } = choice;
 const inAway3d = values.away3d || values.test === '' || choice.named.some((name) => !name.startsWith('starlogo.away3d.')) ? [] : [...choose(values.test, all, sources).tests].filter(([name]) => needsAway3d(name));
 if (tests.size + inAway3d.length + choice.pages.length === 0) {
-	const near = testsBefore(values.test, classes).slice(0, 100).join(', ');
-	console.error(`no test matches -Dtest=${values.test}: no class of tests, no test, no source file and no page has that name${near === '' ? '' : `; there are ${near}`}`);
+	const ofClass = testsBefore(values.test, classes).slice(0, 100);
+	const near = ofClass.length > 0 ? ofClass : values.test.split(',').flatMap((part) => nearestNames(part.trim(), all, sources));
+	// antw says such a line last, and not the status of this program
+	console.log(`FAILED -Dtest=${values.test} names nothing: no class of tests, no test, no source file and no page${near.length > 0 ? `; there are ${near.join(', ')}` : ''}`);
 	process.exit(1);
 }
 const elsewhere = values.elsewhere === '' ? new Set() : inNodeAlone(values.elsewhere);
@@ -48,9 +50,9 @@ const inNode = [...tests.keys()].filter((name) => !farther.has(name)).flatMap((n
 if (inNode.length > 0) console.log(`in Node only: ${inNode.join(', ')}`);
 if (inAway3d.length > 0) console.log(`with Away3D: ${inAway3d.map(([name]) => simpleName(name)).join(', ')}`);
 const then = values.elsewhere === '' ? [] : fartherTests(choice, classes, sources).filter(([name]) => !left.has(name)).map(([name, test]) => `${simpleName(name)}.${test}`);
+const beside = values.elsewhere === '' ? [] : testsBeside(choice.named);
 const ofPages = testsOfPages(choice.pages);
-const beside = [...values.elsewhere === '' ? [] : testsBeside(choice.named), ...ofPages];
-if (beside.length > 0) console.log(`in Node, without a class: ${beside.join(', ')}`);
+if (beside.length + ofPages.length > 0) console.log(`in Node, without a class: ${[...beside, ...ofPages].join(', ')}`);
 
 const names = [...left.keys()];
 write('AllTests.as', `package
@@ -66,7 +68,7 @@ ${names.map((name) => `    import ${name};`).join('\n')}
 }
 `);
 const picked = [...left].flatMap(([name, list]) => list?.map((test) => `${name}.${test}`) ?? [name]);
-write('tests.properties', `picked=${values.test === '' ? '' : picked.join(',')}\nallocations=${picked.filter((name) => /AllocationTest\b/.test(name)).join(',')}\n${inNode.length + then.length + beside.length > 0 ? `left=${inNode.join(',')}\nthen=${then.join(',')}\nbeside=${beside.join(',')}\nof=${[...choice.named, ...choice.pages].join(',')}\n` : ''}${ofPages.length > 0 ? 'module=true\n' : ''}${left.size === 0 ? 'none=true\n' : ''}${inAway3d.length > 0 ? `away3d=${inAway3d.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0)}\n` : ''}`);
+write('tests.properties', `picked=${values.test === '' ? '' : picked.join(',')}\nallocations=${picked.filter((name) => /AllocationTest\b/.test(name)).join(',')}\n${inNode.length + then.length + beside.length > 0 ? `left=${inNode.join(',')}\nthen=${then.join(',')}\nbeside=${beside.join(',')}\nof=${choice.named.join(',')}\n` : ''}${ofPages.length > 0 ? `pages=${choice.pages.join(',')}\n` : ''}${left.size === 0 ? 'none=true\n' : ''}${inAway3d.length > 0 ? `away3d=${inAway3d.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0)}\n` : ''}`);
 
 /** The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther on. */
 function withoutElsewhere() {

@@ -3,9 +3,9 @@
  * Runs the tests that need no player (every *.test.mjs below test/), and writes their counts. Prints what a failed one says. Exit
  * status: 1 if one failed.
  *
- *   node test/node-tests.mjs bin/test-reports/summary-node.txt node | structure | pages
+ *   node test/node-tests.mjs bin/test-reports/summary-node.txt node | structure | pages | samples
  *
- * With "structure" those of test/structure, and otherwise all others. With "pages" those alone that open pages, in the browser that TEST_BROWSER names; where that is not installed they are skipped, and counted.
+ * With "structure" those of test/structure, and otherwise all others. With "samples" the documentation's samples in JavaScript, of the pages that OF names. With "pages" those alone that open pages, in the browser that TEST_BROWSER names; where that is not installed they are skipped, and counted.
  *
  * Each file has a process of its own, but those that open pages: a few processes have a share of them each, with one browser, whose pages they use one after
  * the other.
@@ -15,6 +15,7 @@ import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { SAMPLES_IN_JAVASCRIPT } from './docs/samples.mjs';
 import { failuresIn, saidOf } from './failures.mjs';
 import { missing } from './headless/browsers.mjs';
 import { filesBelow, root } from './structure/sources.mjs';
@@ -44,7 +45,8 @@ function sharesOf(tests) {
 }
 
 const [summary, which] = process.argv.slice(2);
-const tests = filesBelow('test', '.test.mjs').filter((file) => file.startsWith('test/structure/') === (which === 'structure')).map((file) => path.join(root, file)).sort((a, b) => statSync(b).size - statSync(a).size);
+const isWanted = (file) => (which === 'samples' ? file === SAMPLES_IN_JAVASCRIPT : file.startsWith('test/structure/') === (which === 'structure'));
+const tests = filesBelow('test', '.test.mjs').filter(isWanted).map((file) => path.join(root, file)).sort((a, b) => statSync(b).size - statSync(a).size);
 const pages = tests.filter(opensPages);
 // what opens pages takes longest, and begins first
 const files = [...sharesOf(pages), ...which === 'pages' ? [] : tests.filter((file) => !pages.includes(file))];
@@ -62,6 +64,6 @@ if (failed > 0) {
 	for (const name of failuresIn(run.stdout)) console.log(`FAILED ${name}`);
 }
 const counts = `${passed} passed, ${failed} failed, ${count(run.stdout, 'skipped')} skipped`;
-console.log(`tests without a player${which === 'structure' ? ' (test/structure)' : ''}: ${counts}`);
+console.log(`tests without a player${{ structure: ' (test/structure)', samples: ' (samples in JavaScript)' }[which] ?? ''}: ${counts}`);
 writeFileSync(summary, `${counts}\n`);
 process.exitCode = failed > 0 ? 1 : 0;

@@ -14,16 +14,15 @@ const FILES = ["language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs", "
  * Translates the compiler's output in a folder.
  *
  * @param roots the names of the classes to take, with all that they use; the folder may have others. If there are none, all
- * @param changed a folder with files that were compiled later, and replace those of the first
  */
-export function translate(folder, signatures, { externals = {}, hasAllStatics = false, roots = null, changed = null } = {}) {
-	const sources = new Map([folder, changed].filter((each) => each !== null).flatMap((each) => namesIn(each).map((file) => [file, join(each, file)])));
-	const all = [...sources.keys()].sort().map((file) => ({ file, source: readFileSync(sources.get(file), "utf8") }));
+export function translate(folder, signatures, { externals = {}, hasAllStatics = false, roots = null } = {}) {
+	const all = namesIn(folder).sort().map((file) => ({ file, source: readFileSync(join(folder, file), "utf8") }));
 	const files = roots === null ? all : reachable(all, roots);
 	return new Program(files, { ...EXTERNALS, ...externals }, signatures, hasAllStatics);
 }
 
-function namesIn(folder) {
+/** The files of classes in a compiler's output. */
+export function namesIn(folder) {
 	return readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b|\bChangedIn_\w*\.js$/.test(file));
 }
 

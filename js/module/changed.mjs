@@ -3,31 +3,38 @@
  * Finds which classes of the tests' translation are out of date: those whose sources changed, and if one looks different from outside, all that use it,
  * directly or by others.
  *
- * node js/module/changed.mjs TRANSPILED OUT
+ * node js/module/changed.mjs TRANSPILED OUT [--keep]
  *
  * TRANSPILED is a translation of all classes, with its sources noted. OUT gets a main class for the compiler, and changed.properties: whole, if all classes
- * have to be compiled; otherwise classes, those to compile, if there are any. If all have to be, TRANSPILED is marked as not done.
+ * have to be compiled; otherwise classes, those to compile, if there are any. If all have to be, TRANSPILED is marked as not done. With --keep the classes
+ * in OUT have been compiled, and TRANSPILED gets them: the next run finds only what changed since.
  */
-import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
-import { compiledFile, moduleRoots, testRoots } from "./names.mjs";
+import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { namesIn } from "./assemble.mjs";
+import { compiledFile, compiledFolder, moduleRoots, testRoots } from "./names.mjs";
 import { writeRoots } from "./roots.mjs";
 import { outdated, readSources } from "./sources.mjs";
 
 /** With more classes than these, compiling all takes about as long. */
 const MOST = 200;
 
-const [transpiled, out] = process.argv.slice(2);
+const [transpiled, out, keeps] = process.argv.slice(2);
 const done = join(transpiled, "done");
 const noted = join(transpiled, "roots/sources.json");
+const found = join(out, "sources.json");
 
-rmSync(out, { recursive: true, force: true });
-mkdirSync(out, { recursive: true });
-writeFileSync(join(out, "changed.properties"), properties());
+if (keeps) keep();
+else {
+	rmSync(out, { recursive: true, force: true });
+	mkdirSync(out, { recursive: true });
+	writeFileSync(join(out, "changed.properties"), properties());
+}
 
 function properties() {
 	const isTranslated = (qname) => existsSync(compiledFile(transpiled, qname));
-	const classes = existsSync(done) && existsSync(noted) ? outdated(JSON.parse(readFileSync(noted, "utf8")), readSources(), isTranslated, new Set([...moduleRoots(), ...testRoots()])) : null;
+	const now = readSources();
+	const classes = existsSync(done) && existsSync(noted) ? outdated(JSON.parse(readFileSync(noted, "utf8")), now, isTranslated, new Set([...moduleRoots(), ...testRoots()])) : null;
 	if (classes === null || classes.length > MOST) {
 		rmSync(done, { force: true });
 		return "whole=true\n";
@@ -35,8 +42,21 @@ function properties() {
 	if (classes.length === 0) return "";
 	writeRoots(join(out, "roots"), namesOfPackages(classes));
 	writeFileSync(join(out, "classes.json"), JSON.stringify(classes));
+	writeFileSync(found, JSON.stringify(now));
 	console.log(`translated anew: ${classes.length <= 8 ? classes.join(", ") : `${classes.length} classes`}`);
 	return `classes=${classes.join(",")}\n`;
+}
+
+/** Copies the files of all classes that were compiled, then the note of their sources: a copy that was ended is made again. */
+function keep() {
+	const missing = JSON.parse(readFileSync(join(out, "classes.json"), "utf8")).filter((qname) => !existsSync(compiledFile(out, qname)));
+	if (missing.length > 0) throw new Error(`not compiled: ${missing.join(", ")}`);
+	for (const file of namesIn(compiledFolder(out))) {
+		const to = join(compiledFolder(transpiled), file);
+		mkdirSync(dirname(to), { recursive: true });
+		copyFileSync(join(compiledFolder(out), file), to);
+	}
+	copyFileSync(found, noted);
 }
 
 /**

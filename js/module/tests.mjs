@@ -2,17 +2,13 @@
 /**
  * Writes the engine and its FlexUnit tests as one module, which test/module/run.mjs runs.
  *
- * node js/module/tests.mjs TRANSPILED OUT [CHANGED]
- *
- * CHANGED is what changed.mjs found, compiled: its files replace those of TRANSPILED.
+ * node js/module/tests.mjs TRANSPILED OUT
  */
-import { existsSync, readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { writeFileSync } from "node:fs";
 import { standinsText, translate } from "./assemble.mjs";
-import { compiledFile, compiledFolder, publicSignatures } from "./names.mjs";
+import { publicSignatures } from "./names.mjs";
 
-const [transpiled, out, folder = null] = process.argv.slice(2);
-const changed = folder && compiledFolder(folder);
+const [transpiled, out] = process.argv.slice(2);
 const flexunit = new URL("../../test/module/flexunit.mjs", import.meta.url).href;
 const ASSERTS = ["Equals", "StrictlyEquals", "True", "False", "Null", "NotNull"];
 const externals = {
@@ -26,11 +22,7 @@ const externals = {
 	"standin.Network.fetch": "fetchFixture",
 };
 
-if (folder) {
-	const missing = JSON.parse(readFileSync(join(folder, "classes.json"), "utf8")).filter((name) => !existsSync(compiledFile(folder, name)));
-	if (missing.length > 0) throw new Error(`not compiled: ${missing.join(", ")}`);
-}
-const program = translate(transpiled, publicSignatures(), { externals, hasAllStatics: true, changed });
+const program = translate(transpiled, publicSignatures(), { externals, hasAllStatics: true });
 const text = program.text();
 const classes = program.names.filter((qname) => program.testsOf(qname).length > 0)
 	.map((qname) => `{ name: "${qname}", type: ${program.shortName(qname)}, metadata: ${JSON.stringify(program.testsOf(qname))} }`);

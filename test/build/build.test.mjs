@@ -51,6 +51,9 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 	const twice = ['/c/A.as(3): col: 5 Error: one', '    x++;', '/c/A.as(9): col: 5 Error: two', '    x++;'];
 	const ofParts = ['BUILD FAILED', '/a/build.xml:2: The following error occurred while executing this line:', '/a/build.xml:9: mxmlc:', ...twice, '/a/build.xml:9: mxmlc:', ...twice, '', 'Total time: 8 seconds'];
 	assert.equal(runAnt(ofParts, 1).stdout.split('seconds\n')[1], `\nmxmlc:\n${twice.join('\n')}\n`);
+	const other = ['/c/A.as(3): col: 7 one', 'x++;'];
+	const ofCompilers = [...ofParts.slice(0, 2), ...[twice, other].flatMap((said, i) => [`/a/build.xml:9: mxmlc${['', ' (Royale)'][i]}:`, ...said]), '', 'Total time: 8 seconds'];
+	assert.equal(runAnt(ofCompilers, 1).stdout.split('seconds\n')[1], `\nmxmlc:\n${twice.join('\n')}\n`);
 	const good = runAnt(['BUILD SUCCESSFUL', 'Total time: 8 seconds'], 0);
 	assert.equal(good.status, 0);
 	assert.equal(good.stdout, 'BUILD SUCCESSFUL\nTotal time: 8 seconds\n');
@@ -142,6 +145,9 @@ test('every part of the build asks that way', () => {
 test('tests that fail without a player are named, whatever Node prints', () => {
 	const tap = 'TAP version 13\n# Subtest: a.test.mjs\n    not ok 2 - adds two\n      ---\n    ok 3 - adds three\nnot ok 1 - a.test.mjs\nnot ok 2 - later # TODO\n';
 	assert.deepEqual(failuresIn(tap), ['adds two', 'a.test.mjs']);
+	const said = (error) => `not ok 1 - adds two\n  ---\n  duration_ms: 1\n  location: 'a:1:2'\n  error: ${error}\n  ...\n`;
+	assert.deepEqual(failuresIn(said('|-\n    docs/a.md:3: no\n    more')), ['adds two: docs/a.md:3: no']);
+	assert.deepEqual([failuresIn(said("'1 is not 2'")), failuresIn(said("'2 subtests failed'"))], [['adds two: 1 is not 2'], ['adds two']]);
 	const failure = 'not ok 2 - adds two\n  ---\n  error: |-\n    1, not 2\n  ...';
 	assert.equal(saidOf(`TAP version 13\nok 1 - adds one\n  ---\n  duration_ms: 1\n  ...\n${failure}\nok 3 - adds three\n  ---\n  ...\n1..3\n`), failure);
 	assert.equal(saidOf('TAP version 13\n'), 'TAP version 13\n');

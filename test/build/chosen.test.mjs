@@ -1,7 +1,7 @@
 /** Tests of what -Dtest finds. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BROAD, choose, fartherTests, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from '../chosen.mjs';
+import { BROAD, choose, fartherTests, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from '../chosen.mjs';
 
 const known = readTests();
 
@@ -55,6 +55,15 @@ test('the tests of a source are those that use it, in any case', () => {
 	assert.ok(found('ModelLoader.as').includes('FormatsLoadingTest'), 'by a file beside the test, as if the test used it itself');
 });
 
+test('a path, and a name with its package, mean one source of several of that name', () => {
+	const sources = new Map(['a.b.Low', 'a.c.Low', 'standin.flash.Low', 'Low'].map((name) => [name, 'public class Low']));
+	const named = (pattern) => choose(pattern, new Map(), sources).named;
+	assert.equal(named('Low.as').length, 4);
+	for (const pattern of ['src/a/b/Low.as', './src/A/b/low.as', 'src\\a\\b\\Low.as', 'b/Low.as', '/home/x/src/a/b/Low.as']) assert.deepEqual(named(pattern).filter((name) => name !== 'Low'), ['a.b.Low'], pattern);
+	assert.ok(named('js/standins/common/flash/Low.as').includes('standin.flash.Low'));
+	assert.ok(!named('a.b.Low').includes('a.c.Low'));
+});
+
 test('a class with tests of its own name has these, and with .as those of what uses it too', () => {
 	assert.ok(found('Box').every((name) => /Box/.test(name)));
 	assert.ok(found('Box').includes('BoxTest'));
@@ -72,6 +81,14 @@ test('a page is found by its path or its name, with the tests of its samples', (
 	assert.deepEqual(choose('noSuchPage.md', classes, known.sources).pages, []);
 	assert.deepEqual(testsOfPages(['CONTRIBUTING.md', 'docs/terms.md']), []);
 	assert.deepEqual(testsOfPages(['docs/queries.md']), ['test/docs/samples.test.mjs']);
+});
+
+test('for a name that nothing has the nearest are told', () => {
+	const near = (pattern) => nearestNames(pattern, known.classes, known.sources);
+	for (const name of ['NaiveSphereFitter', 'RitterSphereFitter']) assert.ok(near('SphereFitter').includes(name), name);
+	assert.equal(near('src/starlogo/fitting/CapsulFiter.as')[0], 'CapsuleFitter');
+	assert.ok(near('docs/terain.md').includes('terrain.md'));
+	assert.deepEqual(near('xyzzyPlughQuux'), []);
 });
 
 test('several names are all taken', () => {

@@ -19,6 +19,13 @@ mkdirSync(path.join(folder, 'node_modules'), { recursive: true });
 cpSync(path.join(root, 'bin/module'), path.join(folder, 'node_modules/starlogo-collision'), { recursive: true });
 symlinkSync(path.join(root, 'js/module/node_modules/three'), path.join(folder, 'node_modules/three'));
 
+/** What Node says of an error, below a line with its place in a page and its message. */
+function whatFailed(said) {
+	const [place] = /[\w./-]+\.md:\d+/.exec(said) ?? [];
+	const [message] = /^\w*Error\b.*/m.exec(said) ?? [];
+	return place && message ? `${place}: ${message}\n${said}` : said;
+}
+
 /** Runs the samples of a page in Node, and then its check. */
 function run(each) {
 	const file = path.join(folder, `${each.slug}.mjs`);
@@ -28,7 +35,7 @@ function run(each) {
 ${prelude ? `import { check } from "${pathToFileURL(path.join(root, prelude))}";\nawait check(samples);` : ''}
 `);
 	const { status, stdout, stderr } = spawnSync(process.execPath, [path.join(folder, `${each.slug}.run.mjs`)], { encoding: 'utf8' });
-	if (status !== 0) throw new Error(withPagesNamed(stderr));
+	if (status !== 0) throw new Error(whatFailed(withPagesNamed(stderr)));
 	return stdout;
 }
 
@@ -47,7 +54,7 @@ test('a broken sample in JavaScript fails', () => {
 
 test('an error in a sample names the page, and the line there', () => {
 	const imported = 'import { Agent } from "starlogo-collision";';
-	assert.throws(() => run(page(`${imported}\nconst first = new Agent("bear");`, `${imported}\n\nfirst.turn(30);`)), ({ message }) => /\ba\.md:13:7\n/.test(message) && !/a\.mjs/.test(message));
+	assert.throws(() => run(page(`${imported}\nconst first = new Agent("bear");`, `${imported}\n\nfirst.turn(30);`)), ({ message }) => /^a\.md:13: TypeError: first\.turn is not a function\n[^]*\ba\.md:13:7\n/.test(message) && !/a\.mjs/.test(message));
 	const mine = 'package game\n{\n    public class Mine\n    {\n        var x:int;\n    }\n}';
 	for (const [file, text] of testClasses([page('var a:Agent = null;\n', 'var b:int;\nimport game.Mine;\nvar mine:Mine = null;', mine)])) {
 		mkdirSync(path.join(folder, path.dirname(file)), { recursive: true });

@@ -15,7 +15,8 @@ import { appendFileSync, mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
-import { choose, fartherTests, readTests, testsBeside, testsOfPages } from "../chosen.mjs";
+import { choose, fartherTests, nearestNames, readTests, testsBeside, testsOfPages } from "../chosen.mjs";
+import { failuresIn, saidOf } from "../failures.mjs";
 import { countLines } from "./coverage.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
@@ -84,7 +85,10 @@ function chosen() {
 	const choice = choose(options.test, known.classes, known.sources);
 	const { tests: found, farther: far, said } = choice;
 	const ofPages = testsOfPages(choice.pages);
-	if (found.size + ofPages.length === 0) console.log(`no test matches ${options.test}: no class of tests, no test, no source file and no page with samples in JavaScript has that name`);
+	if (found.size + ofPages.length === 0) {
+		const near = nearestNames(options.test, known.classes, known.sources);
+		console.log(`no test matches ${options.test}: no class of tests, no test, no source file and no page with samples in JavaScript has that name${near.length > 0 ? `; there is ${near.join(', ')}` : ''}`);
+	}
 	for (const line of said) console.log(line);
 	const near = tests.CLASSES.filter(({ name }) => found.has(name) && (options.full || !far.has(name)));
 	const then = options.full ? [] : fartherTests(choice, known.classes, known.sources);
@@ -102,11 +106,11 @@ if (failed === 0) await runFarther();
 
 /** Runs a file of tests without a player on the module that is tested. */
 function runBeside(file) {
-	const { status, stdout, stderr } = spawnSync(process.execPath, ["--test", file], { encoding: "utf8", maxBuffer: 1e9, env: { ...process.env, ENGINE: path.resolve(positionals[0]), OF: of.join(",") } });
+	const { status, stdout, stderr } = spawnSync(process.execPath, ["--test", "--test-reporter=tap", file], { encoding: "utf8", maxBuffer: 1e9, env: { ...process.env, ENGINE: path.resolve(positionals[0]), OF: of.join(",") } });
 	if (status === 0) passed++;
 	else {
 		failed++;
-		console.log(`FAILED ${file}${ofSources()}:\n${stdout}${stderr}`);
+		console.log(`FAILED ${file}${ofSources()}: ${failuresIn(stdout).join("; ")}\n${saidOf(stdout)}${stderr}`);
 		if (options.first) process.exit(1);
 	}
 }

@@ -28,7 +28,7 @@ function missing(names, files, known) {
 	return files.flatMap((file) => names.filter((name) => !isIn(file, name)).map((name) => `${file}: ${name}`)).filter((each) => !known.includes(each));
 }
 
-test('every fitter stands in the files of "A fitter in the engine"', () => {
+test('every fitter stands in the files of docs/adding-a-fitter.md, "A fitter in the engine"', () => {
 	const fitters = classesOf('src/starlogo/fitting', ['Fitter']);
 	assert.ok(fitters.includes('HullFitter') && fitters.includes('CapsuleFitter') && fitters.length > 9);
 	// HullFitterTest compares hulls, ReferenceFitsTest the smallest capsules
@@ -36,13 +36,13 @@ test('every fitter stands in the files of "A fitter in the engine"', () => {
 	assert.deepEqual(missing(fitters, filesOf('docs/adding-a-fitter.md', 'A fitter in the engine'), known), []);
 });
 
-test('every structure stands in the files of "A structure of the engine"', () => {
+test('every structure stands in the files of docs/adding-a-structure.md, "A structure of the engine"', () => {
 	const structures = classesOf('src/starlogo/bounding', ['BoundingStructure']);
 	for (const known of ['Box', 'Capsule', 'Cylinder', 'Hull', 'Sphere']) assert.ok(structures.includes(known), known);
 	assert.deepEqual(missing(structures, filesOf('docs/adding-a-structure.md', 'A structure of the engine'), []), []);
 });
 
-test('every question stands in the files of "A question"', () => {
+test('every question stands in the files of docs/adding.md, "A question"', () => {
 	const source = read('src/starlogo/queries/AgentQueries.as');
 	const older = [...source.matchAll(/An older name of <code>(\w+)\(\)<\/code>\. \*\/\s+public function (\w+)/g)].map(([, name, before]) => [before, name]);
 	assert.ok(older.length > 1);
@@ -55,7 +55,7 @@ test('every question stands in the files of "A question"', () => {
 	assert.deepEqual(missing(questions, filesOf('docs/adding.md', 'A question'), known).filter((each) => !isAsked(each)), []);
 });
 
-test('every format stands in the files of "A format"', () => {
+test('every format stands in the files of docs/adding.md, "A format"', () => {
 	const makesReader = /\bpublic static function of\([^)]*\):ModelReader\b/;
 	const readers = sourcesBelow('src/starlogo/models').filter((file) => makesReader.test(codeOf(read(file)))).map(simpleName);
 	for (const known of ['ColladaReader', 'CookedReader', 'GltfReader', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);

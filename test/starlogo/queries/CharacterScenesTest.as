@@ -316,7 +316,7 @@ package starlogo.queries
         private function addCharacter(x:Number, y:Number, z:Number, radius:Number = RADIUS):Agent
         {
             var fitters:Vector.<Fitter> = _land.boundingStructures.fitters;
-            _land.boundingStructures.fitters = new <Fitter>[new UprightCapsuleFitter(radius, LENGTH)];
+            _land.boundingStructures.fitters = new <Fitter>[new OneCapsuleFitter(radius, LENGTH)];
             var agent:Agent = add("character " + radius, new Model("a", new <Number>[0, 0, 0, 0, 0, 2 * radius + LENGTH], null, Model.AS_GIVEN), x, y, z);
             _land.boundingStructures.fitters = fitters;
             return agent;

@@ -7,7 +7,7 @@ package starlogo.queries
     import starlogo.fitting.Fitter;
 
     /** Gives every model the same upright capsule, which stands on the model's origin. */
-    internal final class UprightCapsuleFitter extends Fitter
+    internal final class OneCapsuleFitter extends Fitter
     {
         private var _radius:Number;
         private var _length:Number;
@@ -16,7 +16,7 @@ package starlogo.queries
          * @param radius of the capsule
          * @param length of its segment
          */
-        public function UprightCapsuleFitter(radius:Number, length:Number)
+        public function OneCapsuleFitter(radius:Number, length:Number)
         {
             super("upright capsule " + radius + " " + length);
             _radius = radius;

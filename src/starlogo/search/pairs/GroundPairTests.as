@@ -37,6 +37,7 @@ package starlogo.search.pairs
         private var _farthest:SupportPoint = new SupportPoint();
         private var _inwards:Vector3D = new Vector3D();
         private var _separation:GroundExitSearch;
+        private var _apart:ApartContact = new ApartContact();
 
         // Decides quickly about bodies that are clearly above or in the ground, by their extents; and about the others.
         private var _extents:GroundBox = new GroundBox();
@@ -156,6 +157,12 @@ package starlogo.search.pairs
                 }
             }
             return count;
+        }
+
+        /** @inheritDoc */
+        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
+        {
+            _apart.find(this, a, b, out);
         }
 
         /** @inheritDoc */

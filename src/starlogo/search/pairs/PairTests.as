@@ -9,7 +9,6 @@ package starlogo.search.pairs
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.search.Body;
-    import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.OverlapMiddle;
 
     use namespace engine;
@@ -24,9 +23,6 @@ package starlogo.search.pairs
      */
     public class PairTests
     {
-        // The distance of two that are apart.
-        private var _closest:ClosestPoints = new ClosestPoints();
-
         /** Whether two bodies touch. The answer must be the same in either order, to the last bit. */
         public function areTouching(a:Body, b:Body):Boolean
         {
@@ -133,16 +129,7 @@ package starlogo.search.pairs
          */
         public function separateApart(a:Body, b:Body, out:ContactPoint):void
         {
-            if (NarrowPhase.isReversed(a, b))
-            {
-                findClosest(b, a, false, _closest);
-                _closest.swap();
-            }
-            else
-            {
-                findClosest(a, b, false, _closest);
-            }
-            _closest.writeContact(out);
+            throw new IllegalOperationError(this + " does not implement separateApart");
         }
     }
 }

@@ -22,6 +22,7 @@ package starlogo.search.pairs
     {
         // The number of tests since takeCounts(), by the kinds of the first and the second structure.
         private var _testCounts:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
+        private var _apart:ApartContact = new ApartContact();
 
         /** Gives these tests to a narrow phase that does not have them. So a game of spheres alone does not load their code. */
         public static function addTo(narrowPhase:NarrowPhase):void
@@ -84,6 +85,12 @@ package starlogo.search.pairs
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             PairTable.findContact(a.worldStructure(), b.worldStructure(), motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
+        {
+            _apart.find(this, a, b, out);
         }
 
         /** @inheritDoc */

@@ -42,6 +42,7 @@ package starlogo.search.pairs
 
         private var _reversed:RelativeMotion = new RelativeMotion();
         private var _separation:TreeExitSearch;
+        private var _apart:ApartContact = new ApartContact();
 
         // The second body in the first one's space, for the contact of the structures around them.
         private var _pose:RelativePose = new RelativePose();
@@ -111,6 +112,12 @@ package starlogo.search.pairs
             _pose.relate(a.placement, b.placement);
             PairTable.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
             RelativePose.moveContactToWorld(out, a.placement, RelativeMotion.NONE);
+        }
+
+        /** @inheritDoc */
+        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
+        {
+            _apart.find(this, a, b, out);
         }
 
         /** @inheritDoc */

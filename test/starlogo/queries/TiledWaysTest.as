@@ -129,6 +129,34 @@ package starlogo.queries
                 });
         }
 
+        /** A corner meets the edge between two tiles at a flat angle to its own side, so rounding hides the touch at the computed place. */
+        [Test]
+        public function aCornerGoesNoDeeperThanItsTouch():void
+        {
+            eachSystem(function(isBins:Boolean):void
+                {
+                    if (isBins)
+                    {
+                        return;
+                    }
+                    var mover:Agent = put("cube", 0, 0, 0, 30);
+                    mover.size = 0.2;
+                    for each (var place:Array in [[0, 0.2, 0], [0.1, 0.2, 0], [0.2, 0, 0.1]])
+                    {
+                        var tile:Agent = agentAt("cube", place[0], place[1], place[2]);
+                        tile.size = 0.1;
+                        add(tile);
+                    }
+                    for each (var from:Number in [0, 0.001])
+                    {
+                        mover.moveTo(from, from, 0);
+                        step(mover, [0.05, 0.05, 0], 1, false);
+                        expect(mover.x > 0.0133, "too short", mover, [from]);
+                        expectShallow(mover);
+                    }
+                });
+        }
+
         [Test]
         public function inCorridorsAsWide():void
         {

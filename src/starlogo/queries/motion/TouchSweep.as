@@ -13,9 +13,10 @@ package starlogo.queries.motion
      */
     public final class TouchSweep
     {
-        // The number of places that are tried in order to find one at which the two touch. A sweep may end some 30 gaps before a triangle of
-        // the ground.
-        private static const STEPS_INTO_TOUCH:int = 64;
+        // The number of places that are tried in order to find one at which the two touch, and after how many the steps between them double. A sweep
+        // may end some 30 gaps before a triangle of the ground, and farther before an edge that the body meets at a flat angle.
+        private static const STEPS_INTO_TOUCH:int = 80;
+        private static const EQUAL_STEPS:int = 64;
 
         private var _sweep:CoreSweep = new CoreSweep();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
@@ -72,15 +73,16 @@ package starlogo.queries.motion
             {
                 return;
             }
-            var half:Number = halfGapAt(result.place, body.extentWith(body.bodyOf(result.row)));
-            result.contact.push(result.place, half);
+            var step:Number = halfGapAt(result.place, body.extentWith(body.bodyOf(result.row)));
+            result.contact.push(result.place, step);
             for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
             {
                 if (body.touches(result.row, result.place))
                 {
                     return;
                 }
-                result.contact.push(result.place, -half);
+                result.contact.push(result.place, -step);
+                step = i < EQUAL_STEPS ? step : 2 * step;
             }
             result.place.copyFrom(result.corePlace);
         }

@@ -27,7 +27,7 @@ const ANSWERED = new Set(["ByteArray", "String"]);
 /** What methods call first while a game is developed. addModel looks at its object's properties, because settings are often made just before. */
 const WARNINGS = new Map([
 	["starlogo.GreatLand.addModel", ["$warnOfUnknownProperties(this, true);"]],
-	["starlogo.collision.Collision.update", ["$warnOfSilence(this, agents);", "$warnOfStops(this);", "$warnOfLaterProperties(this, agents);"]],
+	["starlogo.collision.Collision.update", ["$warnOfSilence(this, agents);", "if ($walks.size > 0) $warnOfStops(this);", "$warnOfLaterProperties(this, agents);"]],
 	["starlogo.queries.AgentQueries.update", ["$warnOfStale(this, agents, null);", "$warnOfLaterProperties(this, agents);"]],
 	...["refresh", "moveUntilTouch", "slide"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, agent);"]]),
 	["starlogo.queries.AgentQueries.walk", ["$warnOfStale(this, null, agent);", "$warnOfFall(agent, dx, dy);", "$warnOfWalk(this, agent, dx, dy, options);"]],

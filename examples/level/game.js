@@ -93,14 +93,18 @@ export class Game {
 		this.#collision.update(this.agents);
 	}
 
-	/** Where a camera behind the player can be: no wall is between them, and none touches it. */
+	/**
+	 * Where a camera behind the player can be, and where it looks: no wall is between them, and none touches it. It looks over the player's head at
+	 * what is in front.
+	 */
 	cameraPlace() {
 		const { player } = this;
 		const eye = new Vector3D(player.x, player.y, player.z + 1.6);
 		const angle = radians(player.heading);
-		const [dx, dy, dz] = [-5 * Math.cos(angle), -5 * Math.sin(angle), 0.9];
+		const [frontX, frontY] = [Math.cos(angle), Math.sin(angle)];
+		const [dx, dy, dz] = [-5.5 * frontX, -5.5 * frontY, 1.6];
 		const free = this.#queries.castShape(new Sphere(eye, 0.25), dx, dy, dz, this.#solid)?.time ?? 1;
-		return { eye, camera: new Vector3D(eye.x + free * dx, eye.y + free * dy, eye.z + free * dz), free };
+		return { camera: new Vector3D(eye.x + free * dx, eye.y + free * dy, eye.z + free * dz), aim: new Vector3D(eye.x + 4 * frontX, eye.y + 4 * frontY, eye.z) };
 	}
 
 	/** The height and the normal of the ground below a walker, where its shadow is; null if there is none. */

@@ -12,13 +12,13 @@ renderer.shadowMap.autoUpdate = false; // the level and the sun stand still
 document.body.prepend(renderer.domElement);
 const scene = new THREE.Scene();
 scene.fog = new THREE.Fog(0xd3e7f5, 25, 75);
-const sun = new THREE.DirectionalLight(0xfff3dd, 2.6);
+const sun = new THREE.DirectionalLight(0xfff3dd, 2.2);
 sun.position.set(-10, 34, 34);
 sun.castShadow = true;
 sun.shadow.mapSize.set(2048, 2048);
 Object.assign(sun.shadow.camera, { left: -36, right: 36, top: 36, bottom: -36, far: 110 });
 sun.shadow.normalBias = 0.06;
-scene.add(sun, new THREE.HemisphereLight(0xdcebff, 0x7d8a62, 1.7));
+scene.add(sun, new THREE.HemisphereLight(0xdcebff, 0xa9b08c, 2.5));
 const camera = new THREE.PerspectiveCamera(50, 1, 0.05, 120);
 const fit = () => {
 	renderer.setSize(innerWidth, innerHeight);
@@ -97,7 +97,7 @@ renderer.setAnimationLoop(() => {
 	balls.count = game.bullets.length;
 	balls.instanceMatrix.needsUpdate = true;
 	toScene(view.camera, camera.position);
-	camera.lookAt(toScene(view.eye));
+	camera.lookAt(toScene(view.aim));
 	renderer.render(scene, camera);
 	document.querySelector("output").textContent = `${engineMs.toFixed(2)} ms a frame for ${walkers.length} who walk, ${count(game.bullets.length, "bullet")} and the camera; `
 		+ `${count(game.shots, "shot")}, ${count(game.hits, "hit")}`;

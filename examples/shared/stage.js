@@ -1,7 +1,7 @@
 /** Draws an example on a canvas, in patches. It also moves agents, follows the pointer and calls each frame. It finds no collisions. */
 import { Pictures } from "./pictures.js";
 
-export const red = 0xe4572e, orange = 0xf3a712, yellow = 0xf7d154, green = 0x4caf6e, blue = 0x3f88c5, purple = 0x8f5fbf, grey = 0xa3adb8, white = 0xffffff;
+export const red = 0xe4572e, orange = 0xf3a712, yellow = 0xf7d154, green = 0x4caf6e, blue = 0x3f88c5, purple = 0x8f5fbf, brown = 0xb08a5e, grey = 0xa3adb8, white = 0xffffff;
 
 const FRAMES_A_SECOND = 60;
 const radians = (degrees) => (degrees * Math.PI) / 180;
@@ -9,6 +9,8 @@ const degrees = (y, x) => (Math.atan2(y, x) * 180) / Math.PI;
 /** The colours of hills, from hollows to tops, a patch and a half apart, and the heights between lines. */
 const HEIGHT_COLOURS = [[58, 128, 132], [84, 158, 112], [140, 190, 104], [214, 200, 128], [250, 244, 228]];
 const CONTOUR = 0.5;
+/** The colour of shadows, and how dark they are. */
+const [SHADOW, DARKNESS] = ["#0a1e1e", 0.24];
 /** The place between two corners that has a height. */
 const between = (low, high, height) => {
 	const part = (height - low.height) / (high.height - low.height || 1);
@@ -23,6 +25,7 @@ export class Stage {
 	pointer = { x: 0, y: 0, isDown: false };
 
 	#context = null;
+	#lights;
 	#pictures;
 	#isGuided = true;
 	#frame = 0;
@@ -50,7 +53,15 @@ export class Stage {
 		this.bar.className = "bar";
 		this.bar.append(this.output);
 		document.querySelector(".picture").replaceChildren(this.canvas, this.bar);
-		if (!isEmpty) this.#context = this.canvas.getContext("2d");
+		this.canvas.classList.toggle("side", isSideView);
+		if (!isEmpty) {
+			this.#context = this.canvas.getContext("2d");
+			// what falls from the upper left on things of radius 1
+			this.#lights = { sphere: this.#context.createRadialGradient(-0.35, 0.4, 0, -0.15, 0.2, 1.4), cube: this.#context.createLinearGradient(-1, 1, 1, -1) };
+			for (const light of Object.values(this.#lights)) {
+				for (const [at, shade] of [[0, "rgb(255 255 255 / 42%)"], [0.5, "rgb(255 255 255 / 0%)"], [1, "rgb(0 0 0 / 26%)"]]) light.addColorStop(at, shade);
+			}
+		}
 		this.#listen(hasKeys);
 	}
 
@@ -151,31 +162,24 @@ export class Stage {
 	// drawing: places are in patches
 
 	/**
-	 * Draws agents: balls, cubes, and the models that were added. With `faces` balls have eyes. With `isEndless` opposite edges are joined. Above a
-	 * `ground` they have shadows, which are the farther away the higher they are.
+	 * Draws agents with their shadows: balls, cubes, and the models that were added. With `faces` balls have eyes. With `isEndless` opposite edges are
+	 * joined. Above a `ground` the shadows are the farther away the higher the agents are.
 	 */
 	draw(agents, { faces = false, alpha = 1, isEndless = false, ground = null } = {}) {
 		const context = this.#context;
-		for (const { x, y, z, size } of ground ? agents : []) {
-			const height = Math.max(0, z - ground.heightAt(x, y));
-			context.beginPath();
-			context.arc(x + 0.08 + 0.5 * height, y - 0.08 - 0.5 * height, size / 2, 0, 7);
-			context.fillStyle = "rgb(10 30 30 / 30%)";
-			context.fill();
-		}
-		context.globalAlpha = alpha;
 		const rounds = isEndless ? [-1, 0, 1] : [0];
 		for (const right of rounds) for (const up of rounds) {
 			context.save();
 			context.translate(right * this.width, up * this.height);
+			context.globalAlpha = DARKNESS * alpha;
 			for (const agent of agents) {
-				if (this.#pictures.has(agent.shape)) this.#drawModel(agent);
-				else if (agent.shape === "cube") this.#drawCube(agent);
-				else this.#drawBall(agent, faces);
+				const height = ground ? Math.max(0, agent.z - ground.heightAt(agent.x, agent.y)) : 0;
+				this.#drawAgent(agent, 0.12 + 0.5 * height, true, false);
 			}
+			context.globalAlpha = alpha;
+			for (const agent of agents) this.#drawAgent(agent, 0, false, faces);
 			context.restore();
 		}
-		context.globalAlpha = 1;
 	}
 
 	/** Draws very many agents, as small squares. */
@@ -335,18 +339,37 @@ export class Stage {
 		context.stroke();
 	}
 
-	#drawBall(agent, hasFace) {
+	/** Draws an agent or its shadow, so far to the lower right. */
+	#drawAgent(agent, away, isShadow, hasFace) {
 		const context = this.#context;
-		const radius = agent.size / 2;
-		const y = this.#up(agent) + (this.isSideView ? radius : 0);
-		context.beginPath();
-		context.arc(agent.x, y, radius, 0, 7);
-		context.fillStyle = css(agent.color);
-		context.fill();
-		context.strokeStyle = "rgb(0 0 0 / 28%)";
-		context.lineWidth = Math.min(0.08, radius / 5);
-		context.stroke();
-		if (hasFace) this.#drawFace(agent, radius);
+		const { shape, size } = agent;
+		const colour = isShadow ? SHADOW : css(agent.color);
+		const isModel = this.#pictures.has(shape);
+		context.save();
+		context.translate(agent.x + away, this.#up(agent) - away + (this.isSideView && !isModel ? size / 2 : 0));
+		const upright = context.getTransform();
+		if (!this.isSideView && (isModel || shape === "cube")) context.rotate(radians(agent.heading));
+		if (isModel) {
+			context.scale(size * 3, -size * 3);
+			context.drawImage(this.#pictures.of(shape, colour, Math.ceil(size * this.scale)), -0.5, -0.5, 1, 1);
+		} else {
+			context.beginPath();
+			if (shape === "cube") context.rect(-size / 2, -size / 2, size, size);
+			else context.arc(0, 0, size / 2, 0, 7);
+			context.fillStyle = colour;
+			context.fill();
+			if (!isShadow) {
+				context.strokeStyle = "rgb(0 0 0 / 28%)";
+				context.lineWidth = Math.min(0.06, size / 10);
+				context.stroke();
+				context.setTransform(upright);
+				context.scale(size / 2, size / 2);
+				context.fillStyle = this.#lights[shape];
+				context.fill();
+			}
+		}
+		context.restore();
+		if (hasFace) this.#drawFace(agent, size / 2);
 	}
 
 	#drawFace({ x, y, heading }, radius) {
@@ -360,31 +383,6 @@ export class Stage {
 				context.fill();
 			}
 		}
-	}
-
-	#drawCube(agent) {
-		const context = this.#context;
-		const { x, size } = agent;
-		context.save();
-		context.translate(x, this.#up(agent) + (this.isSideView ? size / 2 : 0));
-		context.rotate(this.isSideView ? 0 : radians(agent.heading));
-		context.fillStyle = css(agent.color);
-		context.fillRect(-size / 2, -size / 2, size, size);
-		context.strokeStyle = "rgb(0 0 0 / 28%)";
-		context.lineWidth = 0.06;
-		context.strokeRect(-size / 2 + 0.03, -size / 2 + 0.03, size - 0.06, size - 0.06);
-		context.restore();
-	}
-
-	#drawModel(agent) {
-		const context = this.#context;
-		const picture = this.#pictures.of(agent.shape, css(agent.color), Math.ceil(agent.size * this.scale));
-		context.save();
-		context.translate(agent.x, this.#up(agent));
-		context.rotate(this.isSideView ? 0 : radians(agent.heading));
-		context.scale(agent.size * 3, -agent.size * 3);
-		context.drawImage(picture, -0.5, -0.5, 1, 1);
-		context.restore();
 	}
 
 	#listen(hasKeys) {

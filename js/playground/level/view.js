@@ -165,10 +165,10 @@ class LevelView {
 	draw() {
 		const { game, stage } = this;
 		if (!stage.renderer) return;
-		const { camera, eye } = game.cameraPlace();
+		const { camera, aim } = game.cameraPlace();
 		this.shadows.follow(game);
 		stage.showAgents(game.agents.filter((agent) => agent !== game.level), this.models);
-		stage.lookFrom(camera, eye);
+		stage.lookFrom(camera, aim);
 	}
 
 	#show() {

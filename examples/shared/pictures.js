@@ -1,4 +1,7 @@
-/** Pictures of models from above or from the side: the triangles that face the viewer, from the farthest to the nearest. */
+/** The colour of shadows: nothing shines on them. */
+export const SHADOW = "#0a1e1e";
+
+/** Pictures of balls, and of models from above or from the side: the triangles that face the viewer, from the farthest to the nearest. */
 export class Pictures {
 	#faces = new Map();
 	#drawn = new Map();
@@ -17,30 +20,26 @@ export class Pictures {
 			const light = nearOf(corners, this.isSideView);
 			if (light > 0) faces.push({ corners: corners.map(([x, y, z]) => [x, this.isSideView ? z : y]), light, near: Math.max(...corners.map(near)) });
 		}
-		this.#faces.set(name, faces.sort((a, b) => a.near - b.near));
+		faces.sort((a, b) => a.near - b.near);
+		this.#faces.set(name, { faces, reach: Math.max(...faces.flatMap(({ corners }) => corners.flat().map(Math.abs))) });
 	}
 
 	has(shape) {
 		return this.#faces.has(shape);
 	}
 
-	/** A model's picture, drawn once. It is three times as wide as the model, because models may be taller than they are wide. */
+	/** A picture of a ball or a model that is so many pixels wide, drawn once. It is larger, because models may be taller than they are wide. */
 	of(shape, colour, pixels) {
 		const key = `${shape} ${colour} ${pixels}`;
 		if (!this.#drawn.has(key)) {
-			const picture = new OffscreenCanvas(3 * pixels, 3 * pixels);
+			const { faces, reach } = this.#faces.get(shape) ?? { reach: 0.5 };
+			const width = Math.ceil(2 * reach * pixels) + 4;
+			const picture = new OffscreenCanvas(width, width);
 			const context = picture.getContext("2d");
-			context.setTransform(pixels, 0, 0, -pixels, 1.5 * pixels, 1.5 * pixels);
-			context.lineWidth = 1 / pixels;
-			for (const { corners, light } of this.#faces.get(shape)) {
-				// steep faces are darker. A line of the same colour closes the seam to the next face
-				context.fillStyle = context.strokeStyle = `color-mix(in srgb, ${colour} ${Math.round(45 + 55 * light)}%, #1c2a30)`;
-				context.beginPath();
-				for (const [x, y] of corners) context.lineTo(x, y);
-				context.closePath();
-				context.fill();
-				context.stroke();
-			}
+			context.setTransform(pixels, 0, 0, -pixels, width / 2, width / 2);
+			context.lineWidth = Math.min(0.06, 1 / pixels);
+			if (faces) drawFaces(context, faces, colour);
+			else drawBall(context, colour);
 			this.#drawn.set(key, picture);
 		}
 		return this.#drawn.get(key);
@@ -50,6 +49,33 @@ export class Pictures {
 	clear() {
 		this.#drawn.clear();
 	}
+}
+
+function drawFaces(context, faces, colour) {
+	for (const { corners, light } of faces) {
+		// steep faces are darker. A line of the same colour closes the seam to the next face
+		context.fillStyle = context.strokeStyle = `color-mix(in srgb, ${colour} ${Math.round(45 + 55 * light)}%, #1c2a30)`;
+		context.beginPath();
+		for (const [x, y] of corners) context.lineTo(x, y);
+		context.closePath();
+		context.fill();
+		context.stroke();
+	}
+}
+
+/** Draws a ball with light from the upper left. */
+function drawBall(context, colour) {
+	context.arc(0, 0, 0.5, 0, 7);
+	context.fillStyle = colour;
+	context.fill();
+	if (colour === SHADOW) return;
+	context.fillStyle = context.createRadialGradient(-0.18, 0.2, 0, -0.08, 0.1, 0.7);
+	context.fillStyle.addColorStop(0, "rgb(255 255 255 / 42%)");
+	context.fillStyle.addColorStop(0.5, "rgb(255 255 255 / 0%)");
+	context.fillStyle.addColorStop(1, "rgb(0 0 0 / 26%)");
+	context.fill();
+	context.strokeStyle = "rgb(0 0 0 / 40%)";
+	context.stroke();
 }
 
 /** How much a triangle faces the viewer: 1 fully, less than 0 if it faces away. */

@@ -1,5 +1,5 @@
 /** Draws an example on a canvas, in patches. It also moves agents, follows the pointer and calls each frame. It finds no collisions. */
-import { Pictures } from "./pictures.js";
+import { Pictures, SHADOW } from "./pictures.js";
 
 export const red = 0xe4572e, orange = 0xf3a712, yellow = 0xf7d154, green = 0x4caf6e, blue = 0x3f88c5, purple = 0x8f5fbf, brown = 0xb08a5e, grey = 0xa3adb8, white = 0xffffff;
 
@@ -9,8 +9,8 @@ const degrees = (y, x) => (Math.atan2(y, x) * 180) / Math.PI;
 /** The colours of hills, from hollows to tops, a patch and a half apart, and the heights between lines. */
 const HEIGHT_COLOURS = [[58, 128, 132], [84, 158, 112], [140, 190, 104], [214, 200, 128], [250, 244, 228]];
 const CONTOUR = 0.5;
-/** The colour of shadows, and how dark they are. */
-const [SHADOW, DARKNESS] = ["#0a1e1e", 0.24];
+/** How dark shadows are. */
+const DARKNESS = 0.24;
 /** The place between two corners that has a height. */
 const between = (low, high, height) => {
 	const part = (height - low.height) / (high.height - low.height || 1);
@@ -25,7 +25,6 @@ export class Stage {
 	pointer = { x: 0, y: 0, isDown: false };
 
 	#context = null;
-	#lights;
 	#pictures;
 	#isGuided = true;
 	#frame = 0;
@@ -54,14 +53,7 @@ export class Stage {
 		this.bar.append(this.output);
 		document.querySelector(".picture").replaceChildren(this.canvas, this.bar);
 		this.canvas.classList.toggle("side", isSideView);
-		if (!isEmpty) {
-			this.#context = this.canvas.getContext("2d");
-			// what falls from the upper left on things of radius 1
-			this.#lights = { sphere: this.#context.createRadialGradient(-0.35, 0.4, 0, -0.15, 0.2, 1.4), cube: this.#context.createLinearGradient(-1, 1, 1, -1) };
-			for (const light of Object.values(this.#lights)) {
-				for (const [at, shade] of [[0, "rgb(255 255 255 / 42%)"], [0.5, "rgb(255 255 255 / 0%)"], [1, "rgb(0 0 0 / 26%)"]]) light.addColorStop(at, shade);
-			}
-		}
+		if (!isEmpty) this.#context = this.canvas.getContext("2d");
 		this.#listen(hasKeys);
 	}
 
@@ -174,10 +166,13 @@ export class Stage {
 			context.globalAlpha = DARKNESS * alpha;
 			for (const agent of agents) {
 				const height = ground ? Math.max(0, agent.z - ground.heightAt(agent.x, agent.y)) : 0;
-				this.#drawAgent(agent, 0.12 + 0.5 * height, true, false);
+				this.#drawAgent(agent, SHADOW, 0.12 + 0.5 * height);
 			}
 			context.globalAlpha = alpha;
-			for (const agent of agents) this.#drawAgent(agent, 0, false, faces);
+			for (const agent of agents) {
+				this.#drawAgent(agent, css(agent.color));
+				if (faces) this.#drawFace(agent, agent.size / 2);
+			}
 			context.restore();
 		}
 	}
@@ -340,36 +335,34 @@ export class Stage {
 	}
 
 	/** Draws an agent or its shadow, so far to the lower right. */
-	#drawAgent(agent, away, isShadow, hasFace) {
+	#drawAgent(agent, colour, away = 0) {
 		const context = this.#context;
 		const { shape, size } = agent;
-		const colour = isShadow ? SHADOW : css(agent.color);
-		const isModel = this.#pictures.has(shape);
 		context.save();
-		context.translate(agent.x + away, this.#up(agent) - away + (this.isSideView && !isModel ? size / 2 : 0));
-		const upright = context.getTransform();
-		if (!this.isSideView && (isModel || shape === "cube")) context.rotate(radians(agent.heading));
-		if (isModel) {
-			context.scale(size * 3, -size * 3);
-			context.drawImage(this.#pictures.of(shape, colour, Math.ceil(size * this.scale)), -0.5, -0.5, 1, 1);
-		} else {
-			context.beginPath();
-			if (shape === "cube") context.rect(-size / 2, -size / 2, size, size);
-			else context.arc(0, 0, size / 2, 0, 7);
-			context.fillStyle = colour;
-			context.fill();
-			if (!isShadow) {
-				context.strokeStyle = "rgb(0 0 0 / 28%)";
-				context.lineWidth = Math.min(0.06, size / 10);
-				context.stroke();
-				context.setTransform(upright);
-				context.scale(size / 2, size / 2);
-				context.fillStyle = this.#lights[shape];
-				context.fill();
-			}
+		// the place of a ball or cube that is seen from the side is below it
+		context.translate(agent.x + away, this.#up(agent) - away + (this.isSideView && !this.#pictures.has(shape) ? size / 2 : 0));
+		if (!this.isSideView && shape !== "sphere") context.rotate(radians(agent.heading));
+		if (shape === "cube") this.#drawCube(size, colour);
+		else {
+			const pixels = Math.ceil(size * this.scale);
+			const picture = this.#pictures.of(shape, colour, pixels);
+			const width = (size * picture.width) / pixels;
+			context.scale(1, -1);
+			context.drawImage(picture, -width / 2, -width / 2, width, width);
 		}
 		context.restore();
-		if (hasFace) this.#drawFace(agent, size / 2);
+	}
+
+	#drawCube(size, colour) {
+		const context = this.#context;
+		context.fillStyle = colour;
+		context.fillRect(-size / 2, -size / 2, size, size);
+		if (colour === SHADOW) return;
+		context.strokeStyle = "rgb(0 0 0 / 28%)";
+		context.lineWidth = 0.06;
+		context.strokeRect(-size / 2 + 0.03, -size / 2 + 0.03, size - 0.06, size - 0.06);
+		context.fillStyle = "rgb(255 255 255 / 18%)"; // its top, within bevelled edges
+		context.fillRect(-0.38 * size, -0.38 * size, 0.76 * size, 0.76 * size);
 	}
 
 	#drawFace({ x, y, heading }, radius) {

@@ -6,10 +6,10 @@
  *
  * OUT gets AllTests.as and tests.properties: picked, what is run if it is not all, and allocations, the tests of allocations among them. The samples of
  * the documentation are test classes too. With --away3d those that need Away3D are listed, without it all others. FILE lists what Node runs in place
- * of the player: of that, only what the pattern names itself is taken. What is left to Node is left in the properties; if all is, they have none. With
- * --node all is left to Node. What
- * Node runs after that, as far as the time goes, is then: the tests farther from a source, the nearest first, those that take long last. beside has the
- * files of tests without a player that check the source, and of the names of the sources. pages names the pages if they have samples in JavaScript. away3d is the number of tests that need Away3D, of those that the pattern names and those of a source of the adapters.
+ * of the player: of that, only what the pattern names itself is taken. What is left to Node is left in the properties; if all is, as with --node, they
+ * have none. What Node runs after that, as far as the time goes, is then: the tests farther from a source, the nearest first, those that take long last.
+ * beside has the files of tests without a player that check the source, and of the names of the sources. pages names the pages if they have samples in
+ * JavaScript. away3d is the number of tests that need Away3D, of those that the pattern names and those of a source of the adapters.
  * Files that would be the same keep their times.
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';

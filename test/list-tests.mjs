@@ -2,13 +2,14 @@
 /**
  * Writes what the tests' SWF runs: a class that lists the test classes, and which of them, or of their tests, -Dtest names.
  *
- *   node test/list-tests.mjs OUT [--test PATTERN] [--samples FOLDER] [--away3d] [--elsewhere FILE]
+ *   node test/list-tests.mjs OUT [--test PATTERN] [--samples FOLDER] [--away3d] [--node] [--elsewhere FILE]
  *
  * OUT gets AllTests.as and tests.properties: picked, what is run if it is not all, and allocations, the tests of allocations among them. The samples of
  * the documentation are test classes too. With --away3d those that need Away3D are listed, without it all others. FILE lists what Node runs in place
- * of the player: of that, only what the pattern names itself is taken. What is left to Node is left in the properties; if all is, they have none. What
- * Node runs after that, as far as the time goes, is then: the tests farther from a source, the nearest first, those that take long last. beside has the
- * files of tests without a player that check the source, and of the names of the sources. pages names the pages if they have samples in JavaScript. away3d is the number of tests that need Away3D, of those that the pattern names and those of a source of the adapters.
+ * of the player: of that, only what the pattern names itself is taken. What is left to Node is left in the properties; if all is, as with --node, they
+ * have none. What Node runs after that, as far as the time goes, is then: the tests farther from a source, the nearest first, those that take long last.
+ * beside has the files of tests without a player that check the source, and of the names of the sources. pages names the pages if they have samples in
+ * JavaScript. away3d is the number of tests that need Away3D, of those that the pattern names and those of a source of the adapters.
  * Files that would be the same keep their times.
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -21,7 +22,7 @@ const simpleName = (name) => name.split('.').pop();
 
 const { values, positionals: [out] } = parseArgs({
 	allowPositionals: true,
-	options: { test: { type: 'string', default: '' }, samples: { type: 'string', default: '' }, away3d: { type: 'boolean', default: false }, elsewhere: { type: 'string', default: '' } },
+	options: { test: { type: 'string', default: '' }, samples: { type: 'string', default: '' }, away3d: { type: 'boolean', default: false }, node: { type: 'boolean', default: false }, elsewhere: { type: 'string', default: '' } },
 });
 
 const { classes: all, sources } = readTests();
@@ -35,8 +36,9 @@ const classes = new Map([...all].filter(([name]) => needsAway3d(name) === values
 
 const choice = values.test === '' ? { tests: new Map([...classes.keys()].map((name) => [name, null])), used: new Set(), farther: new Set(), named: [], pages: [], said: [] } : choose(values.test, classes, sources);
 const { tests, used, farther, said } = choice;
-const inAway3d = values.away3d || values.test === '' || choice.named.some((name) => !name.startsWith('starlogo.away3d.')) ? [] : [...choose(values.test, all, sources).tests].filter(([name]) => needsAway3d(name));
-if (tests.size + inAway3d.length + choice.pages.length === 0) {
+const inAway3d = values.away3d || values.node || values.test === '' || choice.named.some((name) => !name.startsWith('starlogo.away3d.')) ? [] : [...choose(values.test, all, sources).tests].filter(([name]) => needsAway3d(name));
+const ofPages = testsOfPages(choice.pages);
+if (tests.size + inAway3d.length + (values.node ? ofPages : choice.pages).length === 0) {
 	const ofClass = testsBefore(values.test, classes).slice(0, 100);
 	const near = ofClass.length > 0 ? ofClass : values.test.split(',').flatMap((part) => nearestNames(part.trim(), all, sources));
 	// antw says such a line last, and not the status of this program
@@ -44,14 +46,13 @@ if (tests.size + inAway3d.length + choice.pages.length === 0) {
 	process.exit(1);
 }
 const elsewhere = values.elsewhere === '' ? new Set() : inNodeAlone(values.elsewhere);
-const left = withoutElsewhere();
+const left = values.node ? new Map() : withoutElsewhere();
 for (const line of said) console.log(line);
-const inNode = [...tests.keys()].filter((name) => !farther.has(name)).flatMap((name) => leftToNode(name));
-if (inNode.length > 0) console.log(`in Node only: ${inNode.join(', ')}`);
+const inNode = [...tests.keys()].filter((name) => values.elsewhere === '' || !farther.has(name)).flatMap((name) => leftToNode(name));
+if (inNode.length > 0 && !values.node) console.log(`in Node only: ${inNode.join(', ')}`);
 if (inAway3d.length > 0) console.log(`with Away3D: ${inAway3d.map(([name]) => simpleName(name)).join(', ')}`);
 const then = values.elsewhere === '' ? [] : fartherTests(choice, classes, sources).filter(([name]) => !left.has(name)).map(([name, test]) => `${simpleName(name)}.${test}`);
 const beside = values.elsewhere === '' ? [] : testsBeside(choice.named);
-const ofPages = testsOfPages(choice.pages);
 if (beside.length + ofPages.length > 0) console.log(`in Node, without a class: ${[...beside, ...ofPages].join(', ')}`);
 
 const names = [...left.keys()];
@@ -85,8 +86,8 @@ function withoutElsewhere() {
 /** What Node runs of a class in place of the player: the class, or some of its tests, without packages. */
 function leftToNode(name) {
 	if (left.has(name) && left.get(name) === tests.get(name)) return [];
-	const simple = simpleName(name);
-	return left.has(name) ? testsIn(classes.get(name)).filter((test) => !left.get(name).includes(test)).map((test) => `${simple}.${test}`) : [simple];
+	const wanted = tests.get(name) ?? (left.has(name) ? testsIn(classes.get(name)) : null);
+	return wanted?.filter((test) => !left.get(name)?.includes(test)).map((test) => `${simpleName(name)}.${test}`) ?? [simpleName(name)];
 }
 
 function write(name, text) {

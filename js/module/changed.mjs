@@ -7,14 +7,14 @@
  *
  * TRANSPILED is a translation of all classes, with its sources noted. OUT gets a main class for the compiler, and changed.properties: whole, if all classes
  * have to be compiled; otherwise classes, those to compile, if there are any. If all have to be, TRANSPILED is marked as not done. With --keep the classes
- * in OUT have been compiled, and TRANSPILED gets them: the next run finds only what changed since.
+ * in OUT have been compiled, and TRANSPILED gets them in place of its own, without those that are gone: the next run finds only what changed since.
  */
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { namesIn } from "./assemble.mjs";
 import { compiledFile, compiledFolder, moduleRoots, testRoots } from "./names.mjs";
 import { writeRoots } from "./roots.mjs";
-import { outdated, readSources } from "./sources.mjs";
+import { gone, outdated, readSources } from "./sources.mjs";
 
 /** With more classes than these, compiling all takes about as long. */
 const MOST = 200;
@@ -39,7 +39,10 @@ function properties() {
 		rmSync(done, { force: true });
 		return "whole=true\n";
 	}
-	if (classes.length === 0) return "";
+	if (classes.length === 0) {
+		note(now);
+		return "";
+	}
 	writeRoots(join(out, "roots"), namesOfPackages(classes));
 	writeFileSync(join(out, "classes.json"), JSON.stringify(classes));
 	writeFileSync(found, JSON.stringify(now));
@@ -47,7 +50,7 @@ function properties() {
 	return `classes=${classes.join(",")}\n`;
 }
 
-/** Copies the files of all classes that were compiled, then the note of their sources: a copy that was ended is made again. */
+/** Copies the files of all classes that were compiled. */
 function keep() {
 	const missing = JSON.parse(readFileSync(join(out, "classes.json"), "utf8")).filter((qname) => !existsSync(compiledFile(out, qname)));
 	if (missing.length > 0) throw new Error(`not compiled: ${missing.join(", ")}`);
@@ -56,7 +59,13 @@ function keep() {
 		mkdirSync(dirname(to), { recursive: true });
 		copyFileSync(join(compiledFolder(out), file), to);
 	}
-	copyFileSync(found, noted);
+	note(JSON.parse(readFileSync(found, "utf8")));
+}
+
+/** Deletes the files of classes that are gone, then notes the sources: if this is ended before, it is done again. */
+function note(now) {
+	for (const qname of gone(JSON.parse(readFileSync(noted, "utf8")), now)) rmSync(compiledFile(transpiled, qname), { force: true });
+	writeFileSync(noted, JSON.stringify(now));
 }
 
 /**

@@ -35,6 +35,11 @@ export function readSources() {
 	return { settings: hashOf(SETTINGS.map((file) => readFileSync(join(ROOT, file), "utf8")).join()), files, included };
 }
 
+/** The classes whose sources are not there any more, or have other names. */
+export function gone(before, now) {
+	return Object.keys(before.files).filter((qname) => !(qname in now.files));
+}
+
 /**
  * The classes whose JavaScript may differ from an earlier translation's.
  *
@@ -47,19 +52,24 @@ export function readSources() {
  */
 export function outdated(before, now, isTranslated, roots, read = (file) => readFileSync(join(ROOT, file), "utf8")) {
 	if (before.settings !== now.settings) return null;
-	if (Object.keys(before.files).some((qname) => !(qname in now.files) && isTranslated(qname))) return null;
 	const words = new Map();
 	const wordsOf = (qname) => words.get(qname) ?? words.set(qname, new Set(read(now.files[qname].file).match(/\w+/g))).get(qname);
 	const names = Object.keys(now.files);
 	const isOther = (qname, what) => before.files[qname]?.[what] !== now.files[qname][what];
-	const texts = Object.keys(now.included).filter((file) => before.included[file] !== now.included[file]).map((file) => file.split(/[\\/]/).pop());
+	const texts = Object.keys({ ...before.included, ...now.included }).filter((file) => before.included[file] !== now.included[file]).map((file) => file.split(/[\\/]/).pop());
 	const changed = new Set(names.filter((qname) => isOther(qname, "hash") || isOther(qname, "file")));
 	if (texts.length > 0) for (const qname of names.filter((each) => includes(read(now.files[each].file)))) changed.add(qname);
-	// what uses a source names it, or names one that uses it. A word that is another's name too counts
-	let open = [...changed].filter((qname) => isOther(qname, "outline") || isOther(qname, "file"));
+	// what uses a source names it. A word that is another's name too counts
+	const users = (used) => {
+		const own = used.map((qname) => qname.split(".").pop());
+		return names.filter((qname) => own.some((name) => wordsOf(qname).has(name)));
+	};
+	const isNew = (qname) => !(qname in before.files);
+	let open = [...changed].filter((qname) => !isNew(qname) && (isOther(qname, "outline") || isOther(qname, "file")));
+	// if others can see in a class that it uses a new one, or no longer one that is gone, it looks different itself
+	for (const qname of users([...names.filter(isNew), ...gone(before, now)])) changed.add(qname);
 	for (const found = new Set(open); open.length > 0; ) {
-		const own = open.map((qname) => qname.split(".").pop());
-		open = names.filter((qname) => !found.has(qname) && own.some((name) => wordsOf(qname).has(name)));
+		open = users(open).filter((qname) => !found.has(qname));
 		for (const qname of open) changed.add(qname) && found.add(qname);
 	}
 	return [...changed].filter((qname) => isTranslated(qname) || roots.has(qname));

@@ -108,7 +108,7 @@ test('a second run in the folder is refused until the first has ended, or is a s
 	assert.equal(runAnt([], 0).status, 0);
 });
 
-test('what is made is made again after any edit of its sources: in the same second, or while it is made', () => {
+test('what is made is made again after any edit of its sources: in the same second, or while it is made, or one that deletes a source', () => {
 	const project = path.join(home, 'made.xml');
 	writeFileSync(project, `<project default="make" basedir="." xmlns:unless="ant:unless">
 		<property name="stamps" value="stamps"/>
@@ -136,6 +136,9 @@ test('what is made is made again after any edit of its sources: in the same seco
 	writeFileSync(at('other.txt'), 'two');
 	assert.ok(!isMade('-Dbroken=true'));
 	assert.ok(isMade(), 'after one that failed');
+	rmSync(at('other.txt'));
+	assert.ok(isMade(), 'a source is gone');
+	assert.ok(!isMade(), 'nothing changed since');
 });
 
 test('every part of the build asks that way', () => {

@@ -1,7 +1,12 @@
 /** Tests of what -Dtest finds. */
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
 import { test } from 'node:test';
 import { BROAD, choose, fartherTests, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from '../chosen.mjs';
+import { root } from '../structure/sources.mjs';
 
 const known = readTests();
 
@@ -206,4 +211,21 @@ test('tests without a player run with the sources of the packages that they say 
 	for (const name of ['starlogo.ab.Low', 'starlogo.b.High', 'starlogo.z.Low']) assert.deepEqual(found(name), [], name);
 	assert.deepEqual(testsBeside(['starlogo.search.table.AgentTable']), ['test/fuzz/kept.test.mjs']);
 	assert.deepEqual(testsBeside(['starlogo.models.gltf.GltfAccessor']), ['test/module/gltf.test.mjs']);
+});
+
+test('all of a choice can be left to Node: classes and tests by their names, a page by its samples in JavaScript', () => {
+	const out = mkdtempSync(path.join(tmpdir(), 'chosen-'));
+	const list = (pattern, ...options) => {
+		const { status } = spawnSync(process.execPath, ['test/list-tests.mjs', out, `--test=${pattern}`, '--node', ...options], { cwd: root });
+		return status === 0 ? Object.fromEntries(readFileSync(path.join(out, 'tests.properties'), 'utf8').trim().split('\n').map((line) => line.split('='))) : null;
+	};
+	const { left, then, beside, of, pages } = list('src/starlogo/search/KeptPairs.as', '--elsewhere=test/headless/in-node.txt');
+	assert.ok(left.split(',').includes('KeptPairsTest') && then.includes('SoakTest.'));
+	assert.deepEqual([beside, of, pages], ['test/fuzz/kept.test.mjs', 'starlogo.search.KeptPairs', undefined]);
+	assert.equal(list('BoxTest.rotatesAboutTheOrigin').left, 'BoxTest.rotatesAboutTheOrigin');
+	const page = list('terrain.md');
+	assert.deepEqual([page.left, page.pages], [undefined, 'docs/terrain.md']);
+	assert.equal(list('terms.md'), null);
+	assert.equal(list('noSuchTest'), null);
+	rmSync(out, { recursive: true });
 });

@@ -1,9 +1,13 @@
 /** Tests of what is compiled anew for a quick run in Node. */
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
 import { test } from 'node:test';
 import { outlineOf } from '../../js/module/outline.mjs';
 import { outdated, readSources } from '../../js/module/sources.mjs';
-import { read, sourcesBelow } from '../structure/sources.mjs';
+import { read, root, sourcesBelow } from '../structure/sources.mjs';
 
 const CLASS = `package a
 {
@@ -95,8 +99,32 @@ test('classes whose sources changed are outdated, and if they look different fro
 	assert.equal(outdatedWith({ 'e.Unused': 'public' }), '');
 	assert.equal(outdatedWith({}, { one: 'changed' }), 'a.Low');
 	assert.equal(outdatedWith({}, { two: 'changed' }), 'a.Low,d.Beside');
+});
+
+test('of a class that is gone, is new or has another name, those that name it are outdated, and others only if they can see that', () => {
 	assert.equal(outdatedWith({ 'e.Unused': null }), '');
-	assert.equal(outdatedWith({ 'c.Higher': null }), null, 'a class that is gone');
+	assert.equal(outdatedWith({ 'c.Higher': null }), '');
+	assert.equal(outdatedWith({ 'a.Low': null }), 'b.High');
+	assert.equal(outdatedWith({ 'a.Low': null, 'a.Lower': 'low', 'b.High': 'uses Lower' }), 'b.High');
+	assert.equal(outdatedWith({ 'a.Low': null, 'a.Lower': 'low', 'b.High': 'public uses Lower' }), 'b.High,c.Higher');
+	assert.equal(outdatedWith({ 'a.More': 'more', 'a.Low': 'low with More' }), 'a.Low');
+});
+
+test('a translation loses the classes that are gone, when all that was outdated is made', () => {
+	const folder = mkdtempSync(path.join(tmpdir(), 'changed-'));
+	const sources = readSources();
+	const put = (name, text) => {
+		mkdirSync(path.dirname(path.join(folder, name)), { recursive: true });
+		writeFileSync(path.join(folder, name), text);
+	};
+	put('tests/done', '');
+	put('tests/out/bin/js-debug/a/GoneTest.js', '');
+	put('tests/roots/sources.json', JSON.stringify({ ...sources, files: { ...sources.files, 'a.GoneTest': {} } }));
+	execFileSync(process.execPath, ['js/module/changed.mjs', path.join(folder, 'tests'), path.join(folder, 'changed')], { cwd: root });
+	assert.equal(readFileSync(path.join(folder, 'changed/changed.properties'), 'utf8'), '');
+	assert.ok(!existsSync(path.join(folder, 'tests/out/bin/js-debug/a/GoneTest.js')));
+	assert.deepEqual(JSON.parse(readFileSync(path.join(folder, 'tests/roots/sources.json'), 'utf8')), sources);
+	rmSync(folder, { recursive: true });
 });
 
 test('all classes are outdated if the compiler is called in another way', () => {

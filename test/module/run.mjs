@@ -2,11 +2,11 @@
 /**
  * Runs the FlexUnit classes on the ES module's code, in Node.
  *
- *   node test/module/run.mjs TESTS [--test PATTERN] [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--beside FILE,...] [--of SOURCE,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
+ *   node test/module/run.mjs TESTS [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--beside FILE,...] [--of SOURCE,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
  *
  * TESTS is what the build made of the engine and the tests together. With --order these run alone, in that order; with --first it ends when one fails.
- * If none fails, those of --then run, or those farther from the source that PATTERN names, until one fails or they have taken their time. Before these the
- * files of --beside run, each as node --test with TESTS as their engine. --of says of which sources and pages all these are tests.
+ * If none fails, those of --then run, until one fails or they have taken their time. Before these the files of --beside run, each as node --test with
+ * TESTS as their engine. --of says of which sources all these are tests.
  * With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines of TESTS that it
  * runs. The first line has those that run when TESTS is loaded.
  */
@@ -15,7 +15,6 @@ import { appendFileSync, mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
-import { choose, fartherTests, nearestNames, readTests, testsBeside, testsOfPages } from "../chosen.mjs";
 import { failuresIn, saidOf } from "../failures.mjs";
 import { countLines } from "./coverage.mjs";
 import { mount } from "./fixtures.mjs";
@@ -24,7 +23,7 @@ import { watch } from "./watch.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
-	options: { test: { type: "string", default: "" }, order: { type: "string", default: "" }, then: { type: "string", default: "" }, beside: { type: "string", default: "" }, of: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" }, coverage: { type: "string" } },
+	options: { order: { type: "string", default: "" }, then: { type: "string", default: "" }, beside: { type: "string", default: "" }, of: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" }, coverage: { type: "string" } },
 });
 
 const linesRun = options.coverage ? countLines(positionals[0]) : () => [];
@@ -65,7 +64,7 @@ const simpleName = ({ name }) => name.split(".").pop();
 const isOrdered = [options.order, options.then, options.beside].some((list) => list !== "");
 const wordsIn = (list) => list.split(",").filter((text) => text !== "");
 const namesIn = (list) => wordsIn(list).map((text) => text.split("."));
-const { classes, farther, beside, of } = isOrdered ? { classes: inOrder(namesIn(options.order)), farther: inOrder(namesIn(options.then)), beside: wordsIn(options.beside), of: wordsIn(options.of) } : options.test !== "" ? chosen() : { classes: inOrder(tests.CLASSES.map((each) => [each.name])), farther: [], beside: [], of: [] };
+const { classes, farther, beside, of } = isOrdered ? { classes: inOrder(namesIn(options.order)), farther: inOrder(namesIn(options.then)), beside: wordsIn(options.beside), of: wordsIn(options.of) } : { classes: inOrder(tests.CLASSES.map((each) => [each.name])), farther: [], beside: [], of: [] };
 
 /** Some classes and tests, by the class's name with or without its package. A class whose tests follow one another is begun once. */
 function inOrder(names) {
@@ -77,27 +76,6 @@ function inOrder(names) {
 		}
 	}
 	return found.map((each) => ({ ...each, isRun: (name) => each.wanted.includes(null) || each.wanted.includes(name) }));
-}
-
-/** What --test names. */
-function chosen() {
-	const known = readTests();
-	const choice = choose(options.test, known.classes, known.sources);
-	const { tests: found, farther: far, said } = choice;
-	const ofPages = testsOfPages(choice.pages);
-	if (found.size + ofPages.length === 0) {
-		const near = nearestNames(options.test, known.classes, known.sources);
-		console.log(`no test matches ${options.test}: no class of tests, no test, no source file and no page with samples in JavaScript has that name${near.length > 0 ? `; there is ${near.join(', ')}` : ''}`);
-	}
-	for (const line of said) console.log(line);
-	const near = tests.CLASSES.filter(({ name }) => found.has(name) && (options.full || !far.has(name)));
-	const then = options.full ? [] : fartherTests(choice, known.classes, known.sources);
-	return {
-		classes: near.map((each) => ({ ...each, isRun: (test) => found.get(each.name)?.includes(test) ?? true })),
-		farther: inOrder(then),
-		beside: [...options.full ? [] : testsBeside(choice.named), ...ofPages],
-		of: [...choice.named, ...choice.pages],
-	};
 }
 
 for (const each of classes) await runClass(each, () => true);
@@ -196,7 +174,7 @@ async function run(type, test, methods) {
 // an error that no test has caught comes in a turn of its own
 await new Promise((resolve) => setTimeout(resolve));
 
-if (options.test === "" && !isOrdered && only.size > 0) {
+if (!isOrdered && only.size > 0) {
 	failed++;
 	console.log(`FAILED: no such test, though not-here.mjs lists it: ${[...only].join(", ")}`);
 }

@@ -132,6 +132,34 @@ package starlogo.libraries
         }
 
         [Test]
+        public function theUnitOfAModelsSourceIsPositive():void
+        {
+            var mirror:Model = new ObjModel("mirror", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n", new ModelTransform(null, new Vector3D(-1, 1, 1)));
+            for each (var unit:Number in [2, 0, -1, Infinity, NaN])
+            {
+                var bytes:ByteArray = rewritten(mirror, function(index:int, section:ByteArray):ByteArray
+                    {
+                        if (index == CookedFile.MODEL)
+                        {
+                            // after five VarInts of a byte, and the matrix and the offset: twelve numbers
+                            section.position = 5 + 12 * 8;
+                            section.writeDouble(unit);
+                            section.position = 0;
+                        }
+                        return section;
+                    });
+                if (unit == 2)
+                {
+                    assertEquals(unit, CookedModel.fromBytes("mirror", bytes).source.unit);
+                }
+                else
+                {
+                    assertThrows(ModelError, "place in its source", CookedModel.fromBytes, "mirror", bytes);
+                }
+            }
+        }
+
+        [Test]
         public function everySettingThatMattersCounts():void
         {
             var model:Model = bear();

@@ -34,5 +34,25 @@ package starlogo.queries.motion
             assertEquals(-1, result.floorRow);
             assertEquals(false, result.metWall);
         }
+
+        [Test]
+        public function aLevelSlideStaysLevelInADeepOverlap():void
+        {
+            var seen:SeenAgents = new SeenAgents(new TightestFitCollider(landOf(BuiltInModel.sphere())));
+            var slider:Slider = new Slider();
+            var agent:Agent = agentAt("sphere", 1.2, 0, 0);
+            var rock:Agent = agentAt("sphere", 2, 0.1, -0.9);
+            rock.size = 2;
+            seen.update(new <Agent>[agent, rock]);
+            var body:MovingBody = new MovingBody(seen);
+            body.readAgent(agent);
+            body.findRowsWithin(1, 0, 0, agent, null);
+            for each (var limits:SlideLimits in [SlideLimits.NONE, SlideLimits.LEVEL])
+            {
+                var result:SlideResult = new SlideResult();
+                slider.slide(body, body.rows, new Vector3D(1.2, 0, 0), new Vector3D(0.5, 0, 0), limits, result);
+                assertEquals(limits === SlideLimits.LEVEL, Math.abs(result.place.z) < 1e-9);
+            }
+        }
     }
 }

@@ -136,7 +136,7 @@ package starlogo.queries
         {
             eachSystem(function(isBins:Boolean):void
                 {
-                    for (var i:int = Effort.choose(30, 300); i > 0 && !isBins; i--)
+                    for (var i:int = Effort.choose(30, 300, 4); i > 0 && !isBins; i--)
                     {
                         var mover:Agent = put("tip", 0, 0, 0, _random.between(0, 360));
                         mover.collideAs = Agent.HULL;

@@ -145,6 +145,7 @@ package starlogo.queries
         [Test]
         public function outOfAValleyAndAlongIt():void
         {
+            var ways:Array = [[0.1, 0], [0, 0.1], [-0.3, 0.1]].slice(Effort.choose(0, 0, 2));
             _options.fall = 0;
             for each (var name:String in EachCollider.ALL_NAMES)
             {
@@ -158,7 +159,7 @@ package starlogo.queries
                         });
                     for each (var shape:String in WALKERS)
                     {
-                        for each (var way:Array in [[0.1, 0], [0, 0.1], [-0.3, 0.1]])
+                        for each (var way:Array in ways)
                         {
                             var walker:Agent = walkerAt(shape, -0.5, 0, 9);
                             var queries:AgentQueries = queriesOf(name, new <Agent>[walker]);

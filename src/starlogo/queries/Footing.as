@@ -17,8 +17,7 @@ package starlogo.queries
 
         /**
          * How far it has come on the ground plane, as a part of the way, from 0 to 1. A fall does not count. Rounding can make it a little less than 1
-         * on a free way. Where a climb begins, the rest of that walk turns along the slope, which makes it shorter on the ground plane. So what stops
-         * the agent is told by a small part, such as less than a half, in two walks in turn.
+         * on a free way. So what stops the agent is told by a small part, such as less than a half, in two walks in turn.
          */
         public var part:Number = 1;
 

@@ -49,6 +49,7 @@ package starlogo.queries
                 land.addModel(stretched("plate", 1, 1, 0.001));
                 land.addModel(stretched("sheet", 1, 1, 0));
                 land.addModel(stretched("board", 0.001, 1, 1));
+                land.addModel(tip());
                 sLands.push(land);
             }
         }
@@ -125,6 +126,30 @@ package starlogo.queries
                             expect(mover.y > place[0] + 0.99 * place[1], "stuck", mover, place);
                             expectShallow(mover);
                         }
+                    }
+                });
+        }
+
+        /** The lowest corner of what leans over comes down exactly on the border of tiles, which may be one-way. It is stopped as by one tile. */
+        [Test]
+        public function aTipBetweenTiles():void
+        {
+            eachSystem(function(isBins:Boolean):void
+                {
+                    for (var i:int = Effort.choose(30, 300, 4); i > 0 && !isBins; i--)
+                    {
+                        var mover:Agent = put("tip", 0, 0, 0, _random.between(0, 360));
+                        mover.collideAs = Agent.HULL;
+                        floor(3, 1);
+                        for each (var tile:Agent in _agents)
+                        {
+                            tile.isOneWay = i % 4 < 2;
+                        }
+                        var way:Array = [_random.pick([0, _random.between(-0.3, 0.3)]), _random.pick([0, _random.between(-0.3, 0.3)]), -1];
+                        var before:Number = _random.between(0.05, 0.4);
+                        mover.moveTo(0.5 - before * way[0], _random.pick([0.5, _random.between(-0.5, 1.5)]) - before * way[1], before);
+                        step(mover, way, 1, i % 2 == 0);
+                        expect(Math.abs(mover.z) < HAIR, "not on the tiles", mover, way);
                     }
                 });
         }
@@ -363,6 +388,13 @@ package starlogo.queries
                     expect(depth <= sunk + HAIR, "deep", mover, [depth]);
                 }
             }
+        }
+
+        // A tetrahedron that stands on its corner at the origin and leans over.
+        private static function tip():Model
+        {
+            return new Model("tip", new <Number>[0, 0, 0, 1.4, 0.1, 1, 0.7, 0.35, 1.1, 0.8, -0.4, 0.9], new <uint>[0, 2, 1, 0, 3, 2, 0, 1, 3, 1, 2, 3],
+                    Model.AS_GIVEN);
         }
 
         private static function stretched(name:String, x:Number, y:Number, z:Number):Model

@@ -122,11 +122,17 @@ package starlogo.queries.motion
             return same;
         }
 
-        /** Makes the rest of the motion level. */
+        /** Makes the rest of the motion level. The next <code>project()</code> heeds it. */
         public function makeHorizontal():void
         {
-            motion.z = _cornerMotion.z = 0;
-            length = motion.length;
+            _cornerMotion.z = 0;
+        }
+
+        /** Makes the rest of the motion so steep that it does not cross a plane. Its way on the ground plane stays. As above. */
+        public function climb(plane:ContactPoint):void
+        {
+            var rise:Number = -(plane.normalX * _cornerMotion.x + plane.normalY * _cornerMotion.y) / plane.normalZ;
+            _cornerMotion.z = Math.max(rise, _cornerMotion.z);
         }
 
         /** Removes a plane. */

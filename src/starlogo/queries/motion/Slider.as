@@ -68,6 +68,10 @@ package starlogo.queries.motion
                     out.metWall = true;
                     standUp(_impact.contact);
                 }
+                else if (limits.walkableZ > 0)
+                {
+                    _rest.climb(_impact.contact);
+                }
                 dropNeedless(body, out.place, _rest.add(_impact.contact, _impact.row));
                 _rest.project();
                 findNext(body, out.place);

@@ -13,10 +13,11 @@ package starlogo.queries.motion
      */
     public final class TouchSweep
     {
-        // The number of places that are tried in order to find one at which the two touch, and after how many the steps between them double. A sweep
-        // may end some 30 gaps before a triangle of the ground, and farther before an edge that the body meets at a flat angle.
-        private static const STEPS_INTO_TOUCH:int = 80;
-        private static const EQUAL_STEPS:int = 64;
+        // The number of places that are tried in order to find one at which the two touch. A sweep may end some 30 gaps before a triangle of the ground.
+        private static const STEPS_INTO_TOUCH:int = 64;
+
+        // How often the way to where the core touches is halved. The rest is less than rounding.
+        private static const HALVINGS:int = 40;
 
         private var _sweep:CoreSweep = new CoreSweep();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
@@ -26,6 +27,9 @@ package starlogo.queries.motion
         private var _lift:StartLift = new StartLift();
         private var _planes:SlidePlanes = new SlidePlanes();
         private var _impact:Impact = new Impact();
+
+        // The way from the computed end of a motion to where the core touches.
+        private var _toCore:Vector3D = new Vector3D();
 
         /**
          * Computes how the beginning of a motion lifts a body out of all rows together.
@@ -63,7 +67,8 @@ package starlogo.queries.motion
         /**
          * Moves the end of a motion into the touch, on the side that the body comes from. Beyond a row without thickness the two would not touch, and
          * the body could not come back. So it tries several places, the outermost first: half of the gap across which the two still touch before the
-         * contact. On a long way rounding may hide the touch. Then the body ends where its core touches the row.
+         * contact. Rounding may hide the touch on a long way, and at an edge that the body meets at a flat angle. Then the touch is found between the
+         * computed end and where the core touches the row, which may be much farther on: at a flat angle along the side of a tile.
          *
          * @param result an answer of <code>findTouch()</code> for this body, which a row stops. Its place changes
          */
@@ -73,6 +78,8 @@ package starlogo.queries.motion
             {
                 return;
             }
+            _toCore.copyFrom(result.corePlace);
+            _toCore.decrementBy(result.place);
             var step:Number = halfGapAt(result.place, body.extentWith(body.bodyOf(result.row)));
             result.contact.push(result.place, step);
             for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
@@ -82,9 +89,30 @@ package starlogo.queries.motion
                     return;
                 }
                 result.contact.push(result.place, -step);
-                step = i < EQUAL_STEPS ? step : 2 * step;
             }
-            result.place.copyFrom(result.corePlace);
+            var free:Number = 0;
+            var part:Number = 1;
+            for (i = 0; i < HALVINGS; i++)
+            {
+                goAlong(result, (free + part) / 2);
+                if (body.touches(result.row, result.place))
+                {
+                    part = (free + part) / 2;
+                }
+                else
+                {
+                    free = (free + part) / 2;
+                }
+            }
+            goAlong(result, part);
+        }
+
+        // Goes a part of the way to where the core touches.
+        private function goAlong(result:MotionResult, part:Number):void
+        {
+            var back:Number = 1 - part;
+            var core:Vector3D = result.corePlace;
+            result.place.setTo(core.x - back * _toCore.x, core.y - back * _toCore.y, core.z - back * _toCore.z);
         }
 
         // Finds whether and how a row stops a motion that begins with a lift. The lift receives what else the body is lifted out of. The result receives all

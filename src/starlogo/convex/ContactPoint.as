@@ -65,9 +65,11 @@ package starlogo.convex
          * Sets the contact of two shapes whose cores are apart, or are two points.
          *
          * @param gap the gap between the cores, and the radii. If its length is 0, the normal points upwards
+         * @param motion the motion of a; a is where it is at the motion's time
          */
-        public function setFromGap(gap:CoreGap):void
+        public function setFromGap(gap:CoreGap, motion:RelativeMotion):void
         {
+            var time:Number = motion.time;
             var length:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
             normalX = length > 0 ? gap.x / length : 0;
             normalY = length > 0 ? gap.y / length : 0;
@@ -76,9 +78,9 @@ package starlogo.convex
             // rounding can make it negative
             depth = depth > 0 ? depth : 0;
             var back:Number = gap.radiusA - depth / 2;
-            x = gap.pointX - back * normalX;
-            y = gap.pointY - back * normalY;
-            z = gap.pointZ - back * normalZ;
+            x = gap.pointX + (motion.startX + time * motion.x) - back * normalX;
+            y = gap.pointY + (motion.startY + time * motion.y) - back * normalY;
+            z = gap.pointZ + (motion.startZ + time * motion.z) - back * normalZ;
         }
 
         /** Sets the normal without normalising it. The function is short so that V8 inlines it and allocates no objects for the Numbers. */

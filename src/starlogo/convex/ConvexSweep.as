@@ -3,10 +3,10 @@ package starlogo.convex
     import starlogo.geometry.Tolerances;
 
     /**
-     * Finds when a moving shape first touches another one. The distance is a convex function of the time. So Newton's method from the left never
-     * steps over its first zero (van den Bergen, "Ray casting against general convex objects with application to continuous collision
-     * detection", 2004). A step ends when no gap is left along the line between the closest points. Should rounding need more than 80 steps,
-     * the time is that of the last step: the shapes do not touch before, and their gap is at most rounding.
+     * Finds when a moving shape first touches another one, by conservative advancement. The distance is a convex function of the time. So Newton's
+     * method from the left never steps over its first zero (van den Bergen, "Ray casting against general convex objects with application to
+     * continuous collision detection", 2004). A step ends when no gap is left along the line between the closest points. Should rounding need more
+     * than 80 steps, the time is that of the last step: the shapes do not touch before, and their gap is at most rounding.
      */
     internal final class ConvexSweep
     {

@@ -3,10 +3,10 @@ package starlogo.convex
     import flash.geom.Vector3D;
 
     /**
-     * Finds the closest points of two cores (Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
-     * three-dimensional space", 1988). All differences of a point of the first core and a point of the second form a convex set, and the cores'
-     * distance is the set's distance from the origin. Each step adds the corner of the set that is farthest towards the origin to a simplex. Then it
-     * drops the corners that the simplex does not need for its point nearest to the origin.
+     * Finds the closest points of two cores by GJK (Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects
+     * in three-dimensional space", 1988). All differences of a point of the first core and a point of the second form a convex set, the Minkowski
+     * difference, and the cores' distance is the set's distance from the origin. Each step adds the corner of the set that is farthest towards the
+     * origin to a simplex. Then it drops the corners that the simplex does not need for its point nearest to the origin.
      *
      * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is. The separation proves it, because it is
      * the same length. The search ends, because no simplex comes twice: each step finds a nearer one, but for the few that rounding hides. Two hulls of

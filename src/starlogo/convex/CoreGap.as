@@ -14,7 +14,7 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** The closest point of a's core. It is where a is stored, until movePoint() moves it. */
+        /** The closest point of a's core, where a is stored, without its motion. */
         public var pointX:Number = 0;
         public var pointY:Number = 0;
         public var pointZ:Number = 0;
@@ -24,14 +24,5 @@ package starlogo.convex
 
         /** The radius around b's core. */
         public var radiusB:Number = 0;
-
-        /** Moves the closest point of a's core to where a is at its motion's time. */
-        public function movePoint(motion:RelativeMotion):void
-        {
-            var time:Number = motion.time;
-            pointX += motion.startX + time * motion.x;
-            pointY += motion.startY + time * motion.y;
-            pointZ += motion.startZ + time * motion.z;
-        }
     }
 }

@@ -4,10 +4,10 @@ package starlogo.convex
     import starlogo.geometry.Tolerances;
 
     /**
-     * Finds the shortest displacement that separates two cores that touch or overlap. Its direction is the normal of a face of one, or
-     * perpendicular to an edge of each. Of the pairs of edges, only those count whose common perpendicular points out of both (Gregorius, "The
-     * separating axis test between convex polyhedra", 2013). The edges of boxes, triangles and segments say nothing of faces, so nothing is known to
-     * be on a side of them.
+     * Finds the shortest displacement that separates two cores that touch or overlap (the minimum translation vector). Its direction is the normal of a
+     * face of one, or perpendicular to an edge of each. Of the pairs of edges, only those count whose common perpendicular points out of both
+     * (Gregorius, "The separating axis test between convex polyhedra", 2013). The edges of boxes, triangles and segments say nothing of faces, so
+     * nothing is known to be on a side of them.
      *
      * <p>If two displacements are equally short, the result is the one that is tried first: faces of the second core, faces of the first, edges. Of two
      * opposite ones, it is the one against the pair's motion. If the pair has no motion, rounding decides. Points and parallel segments move upwards as

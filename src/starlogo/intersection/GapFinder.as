@@ -5,8 +5,8 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Finds the gap between the cores of two structures, by which RoundKernel answers its questions. Abstract: there is a class for each pair of
-     * kinds. If these were classes of kernels, PairTable would have kernels of seven classes, and V8 calls a method of more than four classes slowly.
+     * Finds the gap between the cores of two structures, by which RoundKernel answers its questions. Abstract: each class has a
+     * formula. If these were classes of kernels, PairTable would have kernels of six classes, and V8 calls a method of more than four classes slowly.
      *
      * @private
      */

@@ -120,10 +120,10 @@ package starlogo.intersection
             }
             var ofSphere:int = KINDS * BoundingStructure.SPHERE;
             kernels[ofSphere + BoundingStructure.SPHERE] = new SphereSphereKernel();
-            kernels[ofSphere + BoundingStructure.CAPSULE] = new RoundKernel(new SphereCapsuleGapFinder(), CONVEX);
+            kernels[ofSphere + BoundingStructure.CAPSULE] = new RoundKernel(new SegmentGapFinder(), CONVEX);
             kernels[ofSphere + BoundingStructure.BOX] = new RoundKernel(new SphereBoxGapFinder(), CONVEX);
             var ofCapsule:int = KINDS * BoundingStructure.CAPSULE;
-            kernels[ofCapsule + BoundingStructure.CAPSULE] = new RoundKernel(new CapsuleCapsuleGapFinder(), CONVEX);
+            kernels[ofCapsule + BoundingStructure.CAPSULE] = new RoundKernel(new SegmentGapFinder(), CONVEX);
             kernels[ofCapsule + BoundingStructure.BOX] = new RoundKernel(new CapsuleBoxGapFinder(), CONVEX);
             kernels[KINDS * BoundingStructure.BOX + BoundingStructure.BOX] = new BoxBoxKernel(CONVEX);
             return kernels;

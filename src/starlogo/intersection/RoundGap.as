@@ -25,14 +25,6 @@ package starlogo.intersection
         /** The extent of both structures together, which the rounding error of the gap is relative to. */
         public var extent:Number = 0;
 
-        /** Computes the squared length, and how a motion closes the gap. */
-        public function measure(motion:RelativeMotion):void
-        {
-            var vector:CoreGap = cores;
-            squaredLength = vector.x * vector.x + vector.y * vector.y + vector.z * vector.z;
-            closing = -(vector.x * motion.x + vector.y * motion.y + vector.z * motion.z);
-        }
-
         /**
          * Computes the gap between a place and the nearest point of a box, its squared length, and how a motion of the place closes it. The vector has to
          * be the place as seen from the box's middle, in the box's axes. It becomes the gap, in the box's space.

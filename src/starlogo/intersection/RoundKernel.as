@@ -9,8 +9,7 @@ package starlogo.intersection
 
     /**
      * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
-     * and the radii. A GapFinder for each pair of kinds finds the gap. If the cores overlap, there is no gap, and the ConvexPairKernel finds the
-     * contact.
+     * and the radii. A GapFinder finds the gap. If the cores overlap, there is no gap, and the ConvexPairKernel finds the contact.
      *
      * <p>Two cores have a distance that is a convex function of time if one moves along a straight line. So Newton's method finds the time of
      * impact (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection", 2004). ConvexSweep
@@ -105,8 +104,7 @@ package starlogo.intersection
             var least:Number = Tolerances.DIRECTION * gap.extent;
             if (gap.squaredLength > least * least)
             {
-                gap.cores.movePoint(motion);
-                out.setFromGap(gap.cores);
+                out.setFromGap(gap.cores, motion);
             }
             else
             {

@@ -5,7 +5,7 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
 
-    /** The axes of two capsules, and their closest points. */
+    /** The axes of two capsules, or the centre of a sphere and the axis of a capsule, and their closest points. */
     internal final class SegmentPair
     {
         /** For <code>capsuleCapsule()</code>. */
@@ -27,16 +27,14 @@ package starlogo.intersection
         /** Where the closest point is on u: from 0 at the start to 1 at the end. */
         public var shareOfU:Number = 0;
 
-        /** Sets the axes of two capsules. */
-        public function setTo(a:Capsule, b:Capsule):void
+        /** Sets the axes: that of a from its start to its end, and that of a capsule. */
+        public function setTo(startA:Vector3D, endA:Vector3D, b:Capsule):void
         {
-            var startA:Vector3D = a.start;
             var startB:Vector3D = b.start;
-            var end:Vector3D = a.end;
-            uX = end.x - startA.x;
-            uY = end.y - startA.y;
-            uZ = end.z - startA.z;
-            end = b.end;
+            var end:Vector3D = b.end;
+            uX = endA.x - startA.x;
+            uY = endA.y - startA.y;
+            uZ = endA.z - startA.z;
             vX = end.x - startB.x;
             vY = end.y - startB.y;
             vZ = end.z - startB.z;

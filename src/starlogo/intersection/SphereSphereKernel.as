@@ -33,8 +33,7 @@ package starlogo.intersection
             gap.x += motion.time * motion.x;
             gap.y += motion.time * motion.y;
             gap.z += motion.time * motion.z;
-            gap.movePoint(motion);
-            out.setFromGap(gap);
+            out.setFromGap(gap, motion);
         }
 
         /** @inheritDoc */

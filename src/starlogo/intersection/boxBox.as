@@ -1,7 +1,11 @@
 package starlogo.intersection
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.Box;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.boxes.BoxPair;
     import starlogo.intersection.boxes.BoxSeparation;
+    import starlogo.intersection.boxes.BoxSweep;
 
     /**
      * Whether two boxes touch or overlap, by separating axes (thesis §3.6.4; Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996;
@@ -16,6 +20,65 @@ package starlogo.intersection
      */
     public function boxBox(a:Box, b:Box):Boolean
     {
-        return BoxSeparation.areTouching(a, b);
+        var centerA:Vector3D = a.center;
+        var centerB:Vector3D = b.center;
+        // For most boxes x alone decides about the order, without a call. Boxes with the same centre touch, so their order does not matter.
+        if (centerA.x > centerB.x || centerA.x == centerB.x && isAfter(centerA, centerB))
+        {
+            var first:Box = b;
+            b = a;
+            a = first;
+            centerA = a.center;
+            centerB = b.center;
+        }
+        var touchingFactor:Number = Tolerances.TOUCHING;
+        var toX:Number = (centerB.x - centerA.x) / touchingFactor;
+        var toY:Number = (centerB.y - centerA.y) / touchingFactor;
+        var toZ:Number = (centerB.z - centerA.z) / touchingFactor;
+        // the vector between the centres, in a's axes
+        var axis:Vector3D = a.axisX;
+        var x:Number = toX * axis.x + toY * axis.y + toZ * axis.z;
+        axis = a.axisY;
+        var y:Number = toX * axis.x + toY * axis.y + toZ * axis.z;
+        axis = a.axisZ;
+        var z:Number = toX * axis.x + toY * axis.y + toZ * axis.z;
+        var halfX:Number = a.halfX;
+        var halfY:Number = a.halfY;
+        var halfZ:Number = a.halfZ;
+        var bX:Number = b.halfX;
+        var bY:Number = b.halfY;
+        var bZ:Number = b.halfZ;
+        // the squared distance of b's centre from a, to compare with the two spheres of b
+        include "squaredToBox.inc";
+        if (squaredDistance > bX * bX + bY * bY + bZ * bZ)
+        {
+            return false;
+        }
+        var inner:Number = bX < bY ? bX : bY;
+        inner = inner < bZ ? inner : bZ;
+        if (squaredDistance <= inner * inner)
+        {
+            return true;
+        }
+        var pair:BoxPair = BoxPair.STANDING;
+        pair.x = x;
+        pair.y = y;
+        pair.z = z;
+        pair.aX = halfX;
+        pair.aY = halfY;
+        pair.aZ = halfZ;
+        pair.bX = bX;
+        pair.bY = bY;
+        pair.bZ = bZ;
+        pair.axes.setTo(a, b);
+        if (!BoxSeparation.overlapAlongFaces(pair))
+        {
+            return false;
+        }
+        if (pair.axes.areNearlyParallel)
+        {
+            return pair.axes.areUpright || BoxSweep.areTouching(a, b);
+        }
+        return BoxSeparation.overlapAcrossEdges(pair);
     }
 }

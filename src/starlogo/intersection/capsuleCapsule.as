@@ -19,7 +19,8 @@ package starlogo.intersection
     {
         var axes:SegmentPair = SegmentPair.STANDING;
         var areSwapped:Boolean = isAfter(a.start, b.start);
-        axes.setTo(areSwapped ? b : a, areSwapped ? a : b);
+        var first:Capsule = areSwapped ? b : a;
+        axes.setTo(first.start, first.end, areSwapped ? a : b);
         axes.findClosest();
         var touchingDistance:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
         return axes.x * axes.x + axes.y * axes.y + axes.z * axes.z <= touchingDistance * touchingDistance;

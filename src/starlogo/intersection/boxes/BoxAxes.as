@@ -3,6 +3,7 @@ package starlogo.intersection.boxes
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
 
     /**
      * The axes of box b in the axes of box a, and their absolute values, as a record. All pairs of boxes of two trees have them in common.
@@ -73,6 +74,21 @@ package starlogo.intersection.boxes
             m21 = rotation.r21 * length;
             m22 = rotation.r22 * length;
             measureAxes(slack);
+        }
+
+        /** Whether edges of the two boxes are so nearly parallel that their cross product would cancel. */
+        public function get areNearlyParallel():Boolean
+        {
+            var near:Number = 1 - Tolerances.NEARLY_PARALLEL / 2;
+            return abs22 > near || abs21 > near || abs20 > near
+                || abs12 > near || abs11 > near || abs10 > near
+                || abs02 > near || abs01 > near || abs00 > near;
+        }
+
+        /** Whether the z axes of the two boxes are parallel. Then their faces are enough: the cross products of other edges are along z or across it. */
+        public function get areUpright():Boolean
+        {
+            return m02 * m02 + m12 * m12 <= Tolerances.PARALLEL;
         }
 
         private function measureAxes(slack:Number):void

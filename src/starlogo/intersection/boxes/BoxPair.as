@@ -12,8 +12,8 @@ package starlogo.intersection.boxes
      * they need different arithmetic. KernelsAgreeTest checks that both agree.</p>
      *
      * <ul>
-     * <li>BoxSeparation is for boxes that stand. Two spheres decide most pairs before any axis is tried. An axis across edges takes a few products, which
-     *     cancel if the edges are nearly parallel. Then it asks BoxSweep</li>
+     * <li>BoxSeparation is for boxes that stand. An axis across edges takes a few products, which cancel if the edges are nearly parallel. Then
+     *     boxBox asks BoxSweep</li>
      * <li>BoxSweep is for boxes that move. Each axis gives an interval of time. It projects the boxes in full on the axes across edges, so nothing
      *     cancels, but that takes longer</li>
      * </ul>
@@ -25,6 +25,9 @@ package starlogo.intersection.boxes
      */
     public final class BoxPair
     {
+        /** For <code>boxBox()</code>. */
+        public static const STANDING:BoxPair = new BoxPair();
+
         /** The axes of b. */
         public var axes:BoxAxes = new BoxAxes();
 

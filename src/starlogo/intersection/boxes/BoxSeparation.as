@@ -1,87 +1,14 @@
 package starlogo.intersection.boxes
 {
-    import flash.geom.Vector3D;
-    import starlogo.bounding.Box;
-    import starlogo.geometry.Tolerances;
-    import starlogo.intersection.isAfter;
-
     /**
-     * Tests whether two boxes that stand touch: see boxBox.
+     * The separating axes of two boxes that stand: see boxBox.
      *
      * @private
      */
     public final class BoxSeparation
     {
-        // The pair of two boxes that are given as structures.
-        private static const BOXES:BoxPair = new BoxPair();
-
-        /** Whether two boxes touch: see boxBox. */
-        public static function areTouching(a:Box, b:Box):Boolean
-        {
-            var centerA:Vector3D = a.center;
-            var centerB:Vector3D = b.center;
-            // For most boxes x alone decides about the order, without a call. Boxes with the same centre touch, so their order does not matter.
-            if (centerA.x > centerB.x || centerA.x == centerB.x && isAfter(centerA, centerB))
-            {
-                var first:Box = b;
-                b = a;
-                a = first;
-                centerA = a.center;
-                centerB = b.center;
-            }
-            var touchingFactor:Number = Tolerances.TOUCHING;
-            var toX:Number = (centerB.x - centerA.x) / touchingFactor;
-            var toY:Number = (centerB.y - centerA.y) / touchingFactor;
-            var toZ:Number = (centerB.z - centerA.z) / touchingFactor;
-            // the vector between the centres, in a's axes
-            var axis:Vector3D = a.axisX;
-            var x:Number = toX * axis.x + toY * axis.y + toZ * axis.z;
-            axis = a.axisY;
-            var y:Number = toX * axis.x + toY * axis.y + toZ * axis.z;
-            axis = a.axisZ;
-            var z:Number = toX * axis.x + toY * axis.y + toZ * axis.z;
-            var halfX:Number = a.halfX;
-            var halfY:Number = a.halfY;
-            var halfZ:Number = a.halfZ;
-            var bX:Number = b.halfX;
-            var bY:Number = b.halfY;
-            var bZ:Number = b.halfZ;
-            // the squared distance of b's centre from a, to compare with the two spheres of b
-            include "../squaredToBox.inc";
-            if (squaredDistance > bX * bX + bY * bY + bZ * bZ)
-            {
-                return false;
-            }
-            var inner:Number = bX < bY ? bX : bY;
-            inner = inner < bZ ? inner : bZ;
-            if (squaredDistance <= inner * inner)
-            {
-                return true;
-            }
-            var pair:BoxPair = BOXES;
-            pair.x = x;
-            pair.y = y;
-            pair.z = z;
-            pair.aX = halfX;
-            pair.aY = halfY;
-            pair.aZ = halfZ;
-            pair.bX = bX;
-            pair.bY = bY;
-            pair.bZ = bZ;
-            pair.axes.setTo(a, b);
-            if (!overlapAlongFaces(pair))
-            {
-                return false;
-            }
-            if (haveParallelEdges(pair.axes))
-            {
-                return areUpright(pair.axes) || BoxSweep.areTouching(a, b);
-            }
-            return overlapAcrossEdges(pair);
-        }
-
-        // Whether two boxes overlap along the normals of their faces: first those of a, then those of b.
-        private static function overlapAlongFaces(pair:BoxPair):Boolean
+        /** Whether two boxes overlap along the normals of their faces: first those of a, then those of b. */
+        public static function overlapAlongFaces(pair:BoxPair):Boolean
         {
             var b:BoxAxes = pair.axes;
             var x:Number = pair.x;
@@ -108,21 +35,6 @@ package starlogo.intersection.boxes
             along = x * b.m02 + y * b.m12 + z * b.m22;
             radius = bZ + aX * b.abs02 + aY * b.abs12 + aZ * b.abs22;
             return overlap && along <= radius && along >= -radius;
-        }
-
-        // Whether edges of two boxes are so nearly parallel that their cross product would cancel.
-        private static function haveParallelEdges(b:BoxAxes):Boolean
-        {
-            var near:Number = 1 - Tolerances.NEARLY_PARALLEL / 2;
-            return b.abs22 > near || b.abs21 > near || b.abs20 > near
-                || b.abs12 > near || b.abs11 > near || b.abs10 > near
-                || b.abs02 > near || b.abs01 > near || b.abs00 > near;
-        }
-
-        // Whether the z axes of two boxes are parallel. Then their faces are enough: the cross products of other edges are along z or across it.
-        private static function areUpright(b:BoxAxes):Boolean
-        {
-            return b.m02 * b.m02 + b.m12 * b.m12 <= Tolerances.PARALLEL;
         }
 
         /**

@@ -3,11 +3,11 @@ package starlogo.search.penetration
     import flash.geom.Vector3D;
 
     /**
-     * Finds the shortest displacement of a point out of half-spaces. A half-space requires that it goes at least a depth along its normal, so
-     * a depth that is not greater than 0 requires none.
+     * Finds the shortest displacement of a point out of half-spaces: a quadratic program. A half-space requires that it goes at least a depth along its
+     * normal, so a depth that is not greater than 0 requires none.
      *
-     * <p>The shortest displacement ends on the planes of no half-space, or of one, two or three of them. It tries all of these. This takes few steps,
-     * because a body touches few surfaces at once.</p>
+     * <p>The shortest displacement ends on the planes of no half-space, or of one, two or three of them (the active set). It tries all of these. This
+     * takes few steps, because a body touches few surfaces at once.</p>
      *
      * @private
      */
@@ -53,12 +53,6 @@ package starlogo.search.penetration
         public function addFrom(other:HalfSpaceSolver, index:int):void
         {
             add(other._xs[index], other._ys[index], other._zs[index], other._depths[index]);
-        }
-
-        /** Removes the half-space that was added last. */
-        public function removeLast():void
-        {
-            count--;
         }
 
         /**

@@ -80,8 +80,7 @@ package starlogo.search.penetration
                 slack *= 2;
             }
             var along:Number = contact.along(current.displacement);
-            _contacts.add(contact.normalX, contact.normalY, contact.normalZ, contact.depth + slack + along);
-            _halfSpaces.addFrom(_contacts, _contacts.count - 1);
+            _halfSpaces.add(contact.normalX, contact.normalY, contact.normalZ, contact.depth + slack + along);
             if (_count == _pushes.length)
             {
                 _pushes.push(new ShortestExit());
@@ -91,14 +90,11 @@ package starlogo.search.penetration
             if (_count < MOST && _halfSpaces.solve(3, 0, found) && found.planes[0] == current.planeCount && isNew(found.displacement, slack))
             {
                 // its planes are those of _halfSpaces: the contacts of the current push, and then the new one
-                found.planes[0] = _contacts.count - 1;
+                found.planes[0] = _contacts.count;
                 found.planes[1] = current.planes[found.planes[1]];
                 found.planes[2] = current.planes[found.planes[2]];
+                _contacts.addFrom(_halfSpaces, current.planeCount);
                 _count++;
-            }
-            else
-            {
-                _contacts.removeLast();
             }
         }
 

@@ -41,9 +41,10 @@ package starlogo.search.pairs
         private var _impacts:TreeImpactQuery = new TreeImpactQuery();
 
         private var _reversed:RelativeMotion = new RelativeMotion();
-        // Finds ways out; null if leaves decide.
-        private var _separation:TreeExitSearch = null;
         private var _apart:ApartContact = new ApartContact();
+
+        // Finds ways out; null if these are the tests by leaves.
+        private var _separation:TreeExitSearch = null;
 
         // The second body in the first one's space, for the contact of the structures around them.
         private var _pose:RelativePose = new RelativePose();

@@ -205,14 +205,15 @@ package starlogo.search
         // Keeps the rows that touch a row, and moves them to the beginning of the list. The level has the slack of their extents.
         private function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
-            var table:AgentTable = this.table;
-            var tests:NarrowPhase = table.narrowPhase;
+            // a field would be read again for each candidate
+            var rows:AgentTable = table;
+            var tests:NarrowPhase = rows.narrowPhase;
             if (tests.choice.areSpheres)
             {
-                return tests.sphereTests.keepTouching(table, level, row, others, count);
+                return tests.sphereTests.keepTouching(rows, level, row, others, count);
             }
-            var body:Body = table.bodyOf(row);
-            var extents:Extents = table.extents;
+            var body:Body = rows.bodyOf(row);
+            var extents:Extents = rows.extents;
             var slack:Number = level.slack;
             // two spheres or two boxes need no test of their extents, except for the heights
             var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
@@ -220,8 +221,8 @@ package starlogo.search
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var isNear:Boolean = table.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
-                if (isNear && tests.areTouching(body, table.bodyOf(other)))
+                var isNear:Boolean = rows.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
+                if (isNear && tests.areTouching(body, rows.bodyOf(other)))
                 {
                     others[kept] = other;
                     kept++;

@@ -7,6 +7,9 @@ package starlogo.hierarchy
      */
     public final class TreeCounts
     {
+        /** The number of pairs of models tested, of which at least one is a tree. */
+        public var pairTests:int = 0;
+
         /** The number of pairs of nodes visited, or of nodes and shapes. */
         public var nodeVisits:int = 0;
 

@@ -37,6 +37,9 @@ package starlogo.search
         /** The models, or null if the shapes need no models. */
         public var greatLand:GreatLand;
 
+        /** @private The collision system that the shapes belong to: OWN, BIN and so on. Snapshots have this number. */
+        engine var system:int;
+
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;
 
@@ -51,16 +54,12 @@ package starlogo.search
          * For subclasses only.
          *
          * @param greatLand the models; null if the shapes need no models
+         * @param system the collision system that the shapes belong to; 0 for a game's own
          */
-        public function BaseShapeChoice(greatLand:GreatLand)
+        public function BaseShapeChoice(greatLand:GreatLand, system:int = OWN)
         {
             this.greatLand = greatLand;
-        }
-
-        /** @private The collision system that the shapes belong to: OWN, BIN and so on. Snapshots have this number. */
-        engine function get system():int
-        {
-            return OWN;
+            this.system = system;
         }
 
         /**

@@ -62,9 +62,17 @@ package starlogo.search
         private var _spares:Vector.<BoundingStructure> = null;
         private var _ownShapes:Vector.<ModelShape> = null;
 
-        /** Takes an agent's shape, rotation and size. The place does not change. */
-        public function readShape(agent:Agent, shape:ModelShape):void
+        /** Becomes the body of an agent as it is now. While the model is loading, the shape is null, and only the place counts. */
+        public function readAgent(agent:Agent, shape:ModelShape):void
         {
+            placement.x = agent.placement.x;
+            placement.y = agent.placement.y;
+            placement.z = agent.placement.z;
+            if (shape == null)
+            {
+                this.shape = null;
+                return;
+            }
             var size:Number = agent.placement.size;
             if (agent.isOfWorld)
             {
@@ -83,20 +91,6 @@ package starlogo.search
             placement.copyRotation(shape.isUpright ? UPRIGHT : agent.worldPlacement());
             placement.size = size;
             findExtents();
-        }
-
-        /** Becomes the body of an agent as it is now. While the model is loading, the shape is null, and only the place counts. */
-        public function readAgent(agent:Agent, shape:ModelShape):void
-        {
-            placement.x = agent.placement.x;
-            placement.y = agent.placement.y;
-            placement.z = agent.placement.z;
-            if (shape == null)
-            {
-                this.shape = null;
-                return;
-            }
-            readShape(agent, shape);
         }
 
         /**
@@ -208,10 +202,14 @@ package starlogo.search
         /** Moves the body to the place of a row. */
         public function moveToRow(row:int, places:Points):void
         {
-            placement.x = places.x[row];
-            placement.y = places.y[row];
-            placement.z = places.z[row];
-            _isPlaced = false;
+            var at:Placement = placement;
+            if (places.x[row] != at.x || places.y[row] != at.y || places.z[row] != at.z)
+            {
+                at.x = places.x[row];
+                at.y = places.y[row];
+                at.z = places.z[row];
+                _isPlaced = false;
+            }
         }
 
         /** Moves the body to a place. */

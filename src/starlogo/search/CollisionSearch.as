@@ -1,17 +1,21 @@
-// This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; PairFinder and
-// NarrowPhase keep the pairs of the broad phase that touch, by a PairTests for each kind of pairs (pairs/); PairSorter puts them into the order of
-// the list, and KeptPairs takes those of the last frame if little has changed. Read this file first, then AgentTable for the rows, NarrowPhase
-// for the tests, and TreeExitSearch and GroundExitSearch (penetration/) for depths.
+// This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; NarrowPhase tests two of them,
+// by a PairTests for each kind of pairs (pairs/); PairSorter puts the pairs into the order of the list; and ChangedRows finds the few rows whose pairs
+// may differ from those of the last frame. Read this file first, then AgentTable for the rows, NarrowPhase for the tests, and TreeExitSearch and
+// GroundExitSearch (penetration/) for depths.
 package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
+    import starlogo.broadphase.PairSink;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.search.pairs.PairTests;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
 
@@ -19,49 +23,62 @@ package starlogo.search
 
     /**
      * Finds the pairs of agents that touch: the search that all colliders share. It reads the agents into a table. The bins find the pairs of
-     * rows that are near each other (thesis §3.7). PairFinder keeps those that touch, and PairSorter puts them into order. If few agents have
-     * changed, KeptPairs begins with the pairs of the last search instead.
+     * rows that are near each other (thesis §3.7). Of these it keeps those that touch and whose breeds are of interest, and puts them into order. If
+     * few agents have changed, it takes the pairs of the others from the last search.
      *
      * <p>A question about two agents takes the bodies of their rows if the agents have not changed since, and otherwise makes bodies of them as they are
      * now. It changes no place and no motion of a search.</p>
      *
      * @private
      */
-    public final class CollisionSearch
+    public final class CollisionSearch extends PairSink
     {
+        // In place of a form: none.
+        private static const NONE:int = -1;
+
         /** The agents of the last search. */
         public var table:AgentTable;
 
         private var _bins:Bins = new Bins();
         private var _motions:RowMotions;
-        private var _finder:PairFinder;
+        private var _changedRows:ChangedRows;
+        private var _sorter:PairSorter = new PairSorter();
 
-        // The pairs of the last search. KeptPairs finds them if little has changed.
+        // The pairs of the search, and those of changed rows that are put between them. Whether the next search may begin with these pairs.
         private var _pairs:FoundPairs;
-        private var _keptPairs:KeptPairs;
+        private var _pairsOfChanged:FoundPairs;
+        private var _mayBeKept:Boolean = false;
+
+        // The input of the search under way, and what takes the pairs.
+        private var _input:FrameInput = null;
+        private var _out:FoundPairs = null;
+
+        // The number of candidates whose breeds are of interest.
+        private var _candidatePairs:int = 0;
+
+        // By pair, if an agent sweeps: the time of the touch, in the order in which the pairs are found. The number of pairs that touch before the end of
+        // their motions, which come first in the order of the list.
+        private var _times:Vector.<Number> = new Vector.<Number>();
+        private var _earlyPairs:int = 0;
+
+        // The motion of a pair that is tested.
+        private var _motion:RelativeMotion = new RelativeMotion();
+
+        // The members of a search in which some rows may be none, and those that are tested with the ground or the edges of the world.
+        private var _members:IntList = new IntList();
+        private var _membersForWorld:IntList = new IntList();
 
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
-
-        // The members of a search in which some rows may be none.
-        private var _members:IntList = new IntList();
 
         /** @param narrowPhase may have other searches too */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             table = new AgentTable(narrowPhase, _bins.levels);
             _motions = new RowMotions(table);
-            _finder = new PairFinder(table, _motions);
+            _changedRows = new ChangedRows(table, _motions);
             _pairs = new FoundPairs(table.list);
-            _keptPairs = new KeptPairs(table, _finder, _motions, _pairs);
-        }
-
-        /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
-        public function areColliding(a:Agent, b:Agent):Boolean
-        {
-            var bodyA:Body = table.currentBodyOf(a, _bodyA);
-            var bodyB:Body = table.currentBodyOf(b, _bodyB);
-            return bodyA.shape != null && bodyB.shape != null && table.narrowPhase.areTouching(bodyA, bodyB);
+            _pairsOfChanged = new FoundPairs(table.list);
         }
 
         /**
@@ -81,22 +98,23 @@ package starlogo.search
             _motions.begin(input.isAnySweeping());
             // tests since the last search, as those of questions, do not count
             table.narrowPhase.takeCounts(counts);
-            var memberCount:int = mayKeep && _keptPairs.find(input) ? _keptPairs.memberCount : findAll(input, mayKeep);
+            var mayBegin:Boolean = mayKeep && _mayBeKept;
+            // if the search throws, the next one is of all rows, because the table has been read
+            _mayBeKept = false;
+            var memberCount:int = mayBegin && _changedRows.find(input) ? findOfChanged(input) : findOfAll(input, mayKeep);
             table.narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
-            counts.candidatePairs = _finder.candidatePairs;
+            counts.candidatePairs = _candidatePairs;
             counts.sweptPairs = _motions.sweptPairs;
             counts.collisions = _pairs.count;
             return _pairs;
         }
 
-        // Searches all members. Returns their number.
-        private function findAll(input:FrameInput, mayKeep:Boolean):int
+        // Finds the pairs of all members. Returns the number of members.
+        private function findOfAll(input:FrameInput, mayKeep:Boolean):int
         {
-            // also if the search throws, because the table has been read
-            _keptPairs.forget();
             var members:IntList = findMembers(input);
             var extents:Extents = table.extents;
             if (_motions.areNeeded)
@@ -104,23 +122,174 @@ package starlogo.search
                 _motions.findMotions(table.list.rows);
                 extents = _motions.extents;
             }
-            _finder.begin(input, _pairs);
-            _bins.findPairs(extents, members, _finder);
-            _finder.findPairsOfWorldAgent(ListedAgents.GROUND_ROW, members);
-            _finder.findPairsOfWorldAgent(ListedAgents.EDGES_ROW, members);
-            _finder.end();
-            if (mayKeep)
-            {
-                _keptPairs.keep(members, input);
-            }
+            begin(input, _pairs);
+            _bins.findPairs(extents, members, this);
+            findPairsOfWorldAgent(ListedAgents.GROUND_ROW, members);
+            findPairsOfWorldAgent(ListedAgents.EDGES_ROW, members);
+            sort();
+            _mayBeKept = mayKeep && _changedRows.noteSearch(members, input);
             return members.count;
+        }
+
+        // Finds the pairs of the changed rows, and puts them between those of the last search. The pairs and their order are the same as in a search of
+        // all members: a test gives the same answer in either order of the two, because the row that has changed comes first here. Returns the number of
+        // members.
+        private function findOfChanged(input:FrameInput):int
+        {
+            begin(input, _pairsOfChanged);
+            _changedRows.findPairs(this);
+            findPairsOfWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
+            findPairsOfWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
+            sort();
+            _changedRows.dropPairs(_pairs);
+            // the pairs that are kept touch at the end of their motions
+            _pairs.merge(_pairsOfChanged, _earlyPairs);
+            _mayBeKept = true;
+            return _changedRows.memberCount;
+        }
+
+        private function begin(input:FrameInput, out:FoundPairs):void
+        {
+            _candidatePairs = _earlyPairs = 0;
+            out.begin();
+            _input = input;
+            _out = out;
+        }
+
+        private function sort():void
+        {
+            _sorter.sort(_out, _motions.areNeeded ? _times : null);
+        }
+
+        // The rows that the bins get, called members: those with a shape that take part and whose breeds are of interest.
+        private function findMembers(input:FrameInput):IntList
+        {
+            var all:IntList = table.list.rows;
+            if (table.loadingCount == 0 && input.admitted == null && (input.interests == null || input.interests.isNamed(Breeds.ANY)))
+            {
+                return all;
+            }
+            input.listMembers(table, all, _members);
+            return _members;
+        }
+
+        /** @inheritDoc */
+        override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
+        {
+            var interests:BreedInterests = _input.interests;
+            if (interests != null && !interests.includesAllOfAgents)
+            {
+                count = interests.keepOfInterest(table.breeds, row, others, count);
+            }
+            _candidatePairs += count;
+            var kept:int = _motions.areNeeded ? keepTouchingMotions(row, others, count, level) : keepTouching(row, others, count, level);
+            _out.addPairs(row, others, kept);
+        }
+
+        // Finds the pairs of rows with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
+        // interest together with the breed of the ground or of the edges.
+        private function findPairsOfWorldAgent(worldRow:int, rows:IntList):void
+        {
+            if (table.list.agents[worldRow] == null || !_input.interests.isNamed(table.breeds[worldRow]))
+            {
+                return;
+            }
+            _input.listMembers(table, rows, _membersForWorld);
+            var others:Vector.<int> = _membersForWorld.numbers;
+            var count:int = _input.interests.keepOfInterest(table.breeds, worldRow, others, _membersForWorld.count);
+            var kept:int = _motions.areNeeded ? keepTouchingMotions(worldRow, others, count, null)
+                : keepTouchingWorld(worldRow, others, count);
+            _out.addPairs(worldRow, others, kept);
+        }
+
+        // Keeps the rows that touch a row, and moves them to the beginning of the list. The level has the slack of their extents.
+        private function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):int
+        {
+            // a field would be read again for each candidate
+            var rows:AgentTable = table;
+            var tests:NarrowPhase = rows.narrowPhase;
+            if (tests.choice.areSpheres)
+            {
+                return tests.sphereTests.keepTouching(rows, level, row, others, count);
+            }
+            var body:Body = rows.bodyOf(row);
+            var extents:Extents = rows.extents;
+            var slack:Number = level.slack;
+            // two spheres or two boxes need no test of their extents, except for the heights
+            var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                var isNear:Boolean = rows.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
+                if (isNear && tests.areTouching(body, rows.bodyOf(other)))
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        // Keeps the rows that touch the ground or the edges of the world.
+        private function keepTouchingWorld(worldRow:int, others:Vector.<int>, count:int):int
+        {
+            var world:Body = table.bodyOf(worldRow);
+            var tests:PairTests = table.narrowPhase.pairTestsForWorldAgent(world);
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (tests.areTouching(table.bodyOf(others[i]), world))
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        // Keeps the rows that touch a row on their motions, and notes the times of their pairs, which are added next. The level is null for the ground
+        // and the edges, whose extents say nothing.
+        private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):int
+        {
+            var ranks:Vector.<int> = table.list.ranks;
+            var rank:int = ranks[row];
+            var times:Vector.<Number> = _times;
+            var before:int = _out.count;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                // the time belongs to the motion of the agent that comes first in the list, relative to the other
+                var isFirst:Boolean = rank < ranks[other];
+                _motions.findFirst(level, isFirst ? row : other, isFirst ? other : row, _motion);
+                if (_motion.time != RelativeMotion.NEVER)
+                {
+                    others[kept] = other;
+                    times[int(before + kept)] = _motion.time;
+                    kept++;
+                    if (_motion.time < 1)
+                    {
+                        _earlyPairs++;
+                    }
+                }
+            }
+            return kept;
         }
 
         /** The table was read without a search: the next search is one of all rows. */
         public function forgetSearch():void
         {
-            _keptPairs.forget();
+            _mayBeKept = false;
             _motions.begin(false);
+        }
+
+        /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
+        public function areColliding(a:Agent, b:Agent):Boolean
+        {
+            var bodyA:Body = table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = table.currentBodyOf(b, _bodyB);
+            return bodyA.shape != null && bodyB.shape != null && table.narrowPhase.areTouching(bodyA, bodyB);
         }
 
         /**
@@ -166,18 +335,6 @@ package starlogo.search
                 throw new ArgumentError(loading + ": its model is still loading");
             }
             table.narrowPhase.findContact(bodyA, bodyB, motion, out);
-        }
-
-        // The rows that the bins get, called members: those with a shape that take part and whose breeds are of interest.
-        private function findMembers(input:FrameInput):IntList
-        {
-            var all:IntList = table.list.rows;
-            if (table.loadingCount == 0 && input.admitted == null && (input.interests == null || input.interests.isNamed(Breeds.ANY)))
-            {
-                return all;
-            }
-            input.listMembers(table, all, _members);
-            return _members;
         }
     }
 }

@@ -11,7 +11,7 @@ package starlogo.search
      * The pairs of a frame: two rows of agents each. After a search they are in the order of the list, by the first agent's index and then by the
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
-     * <p>PairFinder has pairs added, and PairSorter sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
+     * <p>CollisionSearch adds pairs, and PairSorter sorts them. The pairs of a frame may be made from those of the last one. ForeignPairs
      * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter exchanges the rows.</p>
      *
      * @private

@@ -19,13 +19,7 @@ package starlogo.search
         /** @param greatLand the models that agents may have; null to allow any name */
         public function SphereChoice(greatLand:GreatLand)
         {
-            super(greatLand);
-        }
-
-        /** @private */
-        override engine function get system():int
-        {
-            return BIN;
+            super(greatLand, BIN);
         }
 
         /** @private */

@@ -20,14 +20,8 @@ package starlogo.search
         /** @param greatLand the models' structures */
         public function TightestFitChoice(greatLand:GreatLand)
         {
-            super(greatLand);
+            super(greatLand, TIGHTEST_FIT);
             requireGiven("greatLand", greatLand);
-        }
-
-        /** @private */
-        override engine function get system():int
-        {
-            return TIGHTEST_FIT;
         }
 
         /** @private */

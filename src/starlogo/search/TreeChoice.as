@@ -33,15 +33,9 @@ package starlogo.search
          */
         public function TreeChoice(greatLand:GreatLand, fits:TightestFitChoice = null)
         {
-            super(greatLand);
+            super(greatLand, fits == null ? HIERARCHICAL : COMBINATION);
             requireGiven("greatLand", greatLand);
             _fits = fits;
-        }
-
-        /** @private */
-        override engine function get system():int
-        {
-            return _fits == null ? HIERARCHICAL : COMBINATION;
         }
 
         /** @private The structures are those of fits, or of questions. */

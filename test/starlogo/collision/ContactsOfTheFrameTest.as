@@ -147,6 +147,24 @@ package starlogo.collision
         }
 
         [Test]
+        public function theyAreOfTheLastFrameAfterEachReset():void
+        {
+            var collider:Collider = new TightestFitCollider(sGreatLand);
+            var collision:Collision = new Collision(collider);
+            var a:Agent = new Agent("cube");
+            var b:Agent = new Agent("cube");
+            for each (var gap:Number in [0.5, 8])
+            {
+                // no frame tests the two, because they have no handlers
+                a.moveTo(2 * gap, 0, 0);
+                b.moveTo(3 * gap, 0, 0);
+                collision.update(new <Agent>[a, b]);
+                collision.reset();
+                assertTrue(gap + " apart", Math.abs(collider.contactOf(a, b).point.x - 2.5 * gap) < NEAR);
+            }
+        }
+
+        [Test]
         public function aFrameThatThrowsIsNoNextFrame():void
         {
             for each (var name:String in EachCollider.NAMES)

@@ -25,7 +25,8 @@ package starlogo.search.pairs
     use namespace engine;
 
     /**
-     * Tests two bodies of which at least one is a tree: whether they touch, when they touch, and how (thesis §4.6).
+     * Tests two bodies of which at least one is a tree: whether they touch, when they touch, and how (thesis §4.6). A second object, whose answers
+     * are those of leaves even if there are triangles, helps to find ways out.
      *
      * @private
      */
@@ -34,15 +35,16 @@ package starlogo.search.pairs
         private static const POINT:Sphere = new Sphere(new Vector3D(), 0);
 
         private var _limits:TreeLimits;
-        private var _testCount:int = 0;
-        private var _counts:TreeCounts = new TreeCounts();
-        private var _trees:TwoTrees = new TwoTrees(_counts);
-        private var _treeAndStructure:TreeAndStructure = new TreeAndStructure(_counts);
+        private var _counts:TreeCounts;
+        private var _trees:TwoTrees;
+        private var _treeAndStructure:TreeAndStructure;
         private var _impacts:TreeImpactQuery = new TreeImpactQuery();
 
         private var _reversed:RelativeMotion = new RelativeMotion();
-        private var _separation:TreeExitSearch;
         private var _apart:ApartContact = new ApartContact();
+
+        // Finds ways out; null if these are the tests by leaves.
+        private var _separation:TreeExitSearch = null;
 
         // The second body in the first one's space, for the contact of the structures around them.
         private var _pose:RelativePose = new RelativePose();
@@ -50,30 +52,47 @@ package starlogo.search.pairs
         // Where a point is, as the placement of the structure POINT.
         private var _at:Placement = new Placement();
 
-        /** @param limits how far trees are tested */
-        public function TreePairTests(limits:TreeLimits)
+        /**
+         * @param limits how far trees are tested
+         * @param counts counts the tests
+         * @param leaves the same tests by the leaves of trees, with the same limits and counts; null if these are the tests by leaves
+         */
+        public function TreePairTests(limits:TreeLimits, counts:TreeCounts, leaves:TreePairTests)
         {
             _limits = limits;
-            _separation = new TreeExitSearch(this, new LeafPairTests(this), limits);
+            _counts = counts;
+            _trees = new TwoTrees(counts);
+            _treeAndStructure = new TreeAndStructure(counts);
+            if (leaves != null)
+            {
+                _separation = new TreeExitSearch(this, leaves, limits);
+            }
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
         public static function addTo(narrowPhase:NarrowPhase):void
         {
-            narrowPhase.treeTests ||= new TreePairTests(narrowPhase.treeLimits);
+            var limits:TreeLimits = narrowPhase.treeLimits;
+            var counts:TreeCounts = new TreeCounts();
+            narrowPhase.treeTests ||= new TreePairTests(limits, counts, new TreePairTests(limits, counts, null));
         }
 
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            return areOverlapping(a, b, _limits.exact);
+            if (NarrowPhase.isReversed(a, b))
+            {
+                return areTouching(b, a);
+            }
+            _counts.pairTests++;
+            return pairOf(a, b).areOverlapping();
         }
 
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), _limits.exact);
-            _testCount++;
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b));
+            _counts.pairTests++;
             _impacts.findFirst(own, out);
             finish(own, motion, out);
         }
@@ -81,20 +100,26 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            findTreeContact(a, b, motion, _limits.exact, out);
+            // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
+            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE);
+            _impacts.findContact(own, out);
+            finish(own, motion, out);
         }
 
         /** @inheritDoc */
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            findTreeImpact(a, b, motion, _limits.exact, out);
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b));
+            _counts.pairTests++;
+            _impacts.findImpact(own, out);
+            finish(own, motion, out);
         }
 
         /** @inheritDoc */
         override public function findEntry(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
         {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), _limits.exact);
-            _testCount++;
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b));
+            _counts.pairTests++;
             var isInside:Boolean = _impacts.findEntry(own, out);
             finish(own, motion, out);
             return isInside;
@@ -123,7 +148,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            pairOf(a, b, _limits.exact).findClosest(areTouching, out);
+            pairOf(a, b).findClosest(areTouching, out);
         }
 
         /**
@@ -137,58 +162,35 @@ package starlogo.search.pairs
             _at.x = point.x;
             _at.y = point.y;
             _at.z = point.z;
-            _treeAndStructure.setTo(body.shape.hierarchy, body.placement, _limits.depthOf(body), POINT, _at, _limits.exact);
+            _treeAndStructure.setTo(body.shape.hierarchy, body.placement, _limits.depthOf(body), POINT, _at, isExact);
             return _treeAndStructure.nearestTriangle();
         }
 
         /** Writes the numbers of tests, and sets them to 0. */
         public function takeCounts(out:SearchCounts):void
         {
-            out.hierarchyTests = _testCount;
+            out.hierarchyTests = _counts.pairTests;
             out.nodeVisits = _counts.nodeVisits;
             out.triangleTests = _counts.triangleTests;
-            _testCount = _counts.nodeVisits = _counts.triangleTests = 0;
+            _counts.pairTests = _counts.nodeVisits = _counts.triangleTests = 0;
         }
 
-        /** Whether two bodies touch. @param exact whether triangles decide, or else the leaves of trees */
-        internal function areOverlapping(a:Body, b:Body, exact:Boolean):Boolean
+        // Whether triangles decide: if there are triangles, the collider is exact, and these are not the tests by leaves.
+        private function get isExact():Boolean
         {
-            if (NarrowPhase.isReversed(a, b))
-            {
-                return areOverlapping(b, a, exact);
-            }
-            _testCount++;
-            return pairOf(a, b, exact).areOverlapping();
-        }
-
-        /** Finds the first touch as <code>findImpact()</code> does. @param exact as in areOverlapping */
-        internal function findTreeImpact(a:Body, b:Body, motion:RelativeMotion, exact:Boolean, out:ContactPoint):void
-        {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b), exact);
-            _testCount++;
-            _impacts.findImpact(own, out);
-            finish(own, motion, out);
-        }
-
-        /** Finds the contact of two parts as <code>findContactOfParts()</code> does. @param exact as in areOverlapping */
-        internal function findTreeContact(a:Body, b:Body, motion:RelativeMotion, exact:Boolean, out:ContactPoint):void
-        {
-            // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
-            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE, exact);
-            _impacts.findContact(own, out);
-            finish(own, motion, out);
+            return _separation != null && _limits.exact;
         }
 
         // Sets the query of impacts to the two bodies in this order or the opposite order. Returns the motion of the body that is then first: the given
         // motion, or its opposite.
-        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean, exact:Boolean):RelativeMotion
+        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean):RelativeMotion
         {
             if (!isSwapped)
             {
-                _impacts.setTo(pairOf(a, b, exact));
+                _impacts.setTo(pairOf(a, b));
                 return motion;
             }
-            _impacts.setTo(pairOf(b, a, exact));
+            _impacts.setTo(pairOf(b, a));
             _reversed.setReversed(motion);
             return _reversed;
         }
@@ -207,15 +209,15 @@ package starlogo.search.pairs
             }
         }
 
-        // Returns two bodies as a pair that the next call overwrites. The first one is a tree. The last argument tells whether triangles decide.
-        private function pairOf(a:Body, b:Body, exact:Boolean):TreePair
+        // Returns two bodies as a pair that the next call overwrites. The first one is a tree.
+        private function pairOf(a:Body, b:Body):TreePair
         {
             var tree:ModelTree = a.shape.hierarchy;
             if (b.shape.hierarchy != null)
             {
-                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.hierarchy, b.placement, _limits.depthOf(b), exact);
+                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.hierarchy, b.placement, _limits.depthOf(b), isExact);
             }
-            return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, exact);
+            return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, isExact);
         }
     }
 }

@@ -6,7 +6,6 @@ package starlogo.search.table
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
@@ -26,9 +25,6 @@ package starlogo.search.table
      */
     public final class AgentTable
     {
-        // In place of a revision: the value has to be computed again.
-        private static const STALE:int = -1;
-
         /** Chooses the shapes of the agents, and tests their bodies. It may have other tables too. */
         public var narrowPhase:NarrowPhase;
 
@@ -41,19 +37,15 @@ package starlogo.search.table
         /** By row: the number of the agent's breed. */
         engine var breeds:Vector.<int> = new Vector.<int>();
 
-        /** By row: the shape of the agent's model, which is null while the model is loading. */
+        /** By row: the shape of the agent's model. It is null while the model is loading, and for a row without an agent or with a new one. */
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        // By row: the body, and the row's revision at whose place it is, or STALE.
+        // By row: the body, and the agent's bodyRevision at which it was read.
         private var _bodies:Vector.<Body> = new Vector.<Body>();
-        private var _placedRevisions:Vector.<int> = new Vector.<int>();
+        private var _bodyRevisions:Vector.<int> = new Vector.<int>();
 
         /** By row: the extents of the shape. */
         engine var extents:Extents;
-
-        // By row: the agent's bodyRevision at which its body was read. It is STALE if the row has no agent or a new one, if the model was replaced,
-        // and while the model is loading.
-        private var _bodyRevisions:Vector.<int> = new Vector.<int>();
 
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
@@ -64,9 +56,6 @@ package starlogo.search.table
         // The rows that are being read whose bodies have changed, and their new shapes.
         private var _reshaped:IntList = new IntList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
-
-        // The revision of all models up to which rows of replaced models are marked.
-        private var _modelsRevision:int = -1;
 
         /**
          * @param narrowPhase chooses the shapes, and tests the bodies
@@ -89,7 +78,7 @@ package starlogo.search.table
          */
         public function read(agents:Vector.<Agent>):void
         {
-            forgetReplaced();
+            narrowPhase.choice.forgetReplaced();
             list.beginRead();
             // readChanged finds out on the way whether the list is the same
             var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && readChanged(agents, list.rows);
@@ -111,17 +100,16 @@ package starlogo.search.table
         }
 
         /**
-         * Reads the agent of one row as it is now, except for its breed. It then has no motion. Rows whose model was replaced are marked, so the
-         * next search reads them again.
+         * Reads the agent of one row as it is now, except for its breed. It then has no motion.
          *
          * @throws ArgumentError if its model is unknown or lacks data that is needed. The row is then unchanged
          * @throws RangeError if its structure is out of the world. The row is then unchanged
          */
         public function readRow(row:int):void
         {
-            forgetReplaced();
+            narrowPhase.choice.forgetReplaced();
             var agent:Agent = list.agents[row];
-            if (agent.bodyRevision != _bodyRevisions[row])
+            if (!isBodyCurrent(row))
             {
                 _reshaped.count = 0;
                 _reshaped.add(row);
@@ -152,7 +140,6 @@ package starlogo.search.table
             {
                 last.forget(row);
             }
-            _placedRevisions[row] = STALE;
         }
 
         /** Reads the ground and the edges of the world for a search. Either may be null. */
@@ -212,9 +199,9 @@ package starlogo.search.table
          */
         public function currentBodyOf(agent:Agent, spare:Body):Body
         {
-            forgetReplaced();
+            narrowPhase.choice.forgetReplaced();
             var row:int = list.rowOf(agent);
-            if (row >= 0 && agent.revision == places.last.revisions[row] && agent.bodyRevision == _bodyRevisions[row])
+            if (row >= 0 && agent.revision == places.last.revisions[row] && isBodyCurrent(row))
             {
                 return bodyOf(row);
             }
@@ -231,13 +218,14 @@ package starlogo.search.table
         public function bodyOf(row:int):Body
         {
             var body:Body = _bodies[row];
-            var revision:int = places.last.revisions[row];
-            if (_placedRevisions[row] != revision)
-            {
-                _placedRevisions[row] = revision;
-                body.moveToRow(row, places.last);
-            }
+            body.moveToRow(row, places.last);
             return body;
+        }
+
+        // Whether a row's body is as its agent is now, except for the place.
+        private function isBodyCurrent(row:int):Boolean
+        {
+            return shapes[row] != null && !shapes[row].isVoid && list.agents[row].bodyRevision == _bodyRevisions[row];
         }
 
         // Reads the places of the rows whose agents have changed since the last search, and finds those whose bodies have changed (_reshaped).
@@ -248,6 +236,7 @@ package starlogo.search.table
             var byRow:Vector.<Agent> = list.agents;
             var seen:Vector.<int> = places.last.revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
+            var shapesSeen:Vector.<ModelShape> = shapes;
             var end:int = agents.length;
             var changed:IntList = places.proposed;
             var next:RowPlaces = places.next;
@@ -265,9 +254,12 @@ package starlogo.search.table
                 {
                     return false;
                 }
-                if (agent.revision != seen[row] || bodiesSeen[row] == STALE)
+                // isBodyCurrent() as a loop
+                var shape:ModelShape = shapesSeen[row];
+                var isShapeVoid:Boolean = shape == null || shape.isVoid;
+                if (agent.revision != seen[row] || isShapeVoid)
                 {
-                    if (agent.bodyRevision != bodiesSeen[row])
+                    if (agent.bodyRevision != bodiesSeen[row] || isShapeVoid)
                     {
                         reshaped.add(row);
                     }
@@ -318,37 +310,17 @@ package starlogo.search.table
         {
             shapes[row] = null;
             extents.level[row] = 0;
-            _bodyRevisions[row] = STALE;
         }
 
         private function grow(length:int):void
         {
             var row:int = shapes.length;
             shapes.length = _bodies.length = length;
-            breeds.length = _bodyRevisions.length = _placedRevisions.length = length;
+            breeds.length = _bodyRevisions.length = length;
             places.grow(length);
             for (; row < length; row++)
             {
                 _bodies[row] = new Body();
-                _bodyRevisions[row] = STALE;
-            }
-        }
-
-        private function forgetReplaced():void
-        {
-            var choice:BaseShapeChoice = narrowPhase.choice;
-            if (choice.revision == _modelsRevision)
-            {
-                return;
-            }
-            _modelsRevision = choice.revision;
-            choice.forgetReplaced();
-            for (var row:int = 0; row < shapes.length; row++)
-            {
-                if (shapes[row] != null && shapes[row].isVoid)
-                {
-                    _bodyRevisions[row] = STALE;
-                }
             }
         }
 
@@ -398,16 +370,14 @@ package starlogo.search.table
             }
             if (shape == null)
             {
-                _bodyRevisions[row] = STALE;
                 return;
             }
             var agent:Agent = list.agents[row];
             var body:Body = _bodies[row];
-            body.readShape(agent, shape);
+            body.readAgent(agent, shape);
             body.rank = list.ranks[row];
             places.readExtents(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
-            _placedRevisions[row] = STALE;
         }
     }
 }

@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.broadphase.CellLists;
+    import starlogo.broadphase.PairSink;
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
@@ -9,32 +10,22 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Finds the pairs of a search from those of the last one, if few rows have changed since. It drops the pairs of rows that have changed, finds
-     * the pairs that these rows have now, and puts them between the others. The pairs and their order are the same as in a search of all rows.
+     * The rows that have changed since the last search, if they are few, and the members near them. Only these rows can have other pairs than in the
+     * last search.
      *
      * <p>A row has changed if its agent has (<code>Agent.revision</code>), if its shape was replaced, if it came, left or got another place among the
      * others in the list, or if it becomes a member of the search or ceases to be one. After a search with sweeping agents, rows that moved in that
      * search have changed too, because their pairs belong to their motions.</p>
-     *
-     * <p>The test of a pair must give the same answer in either order of the two, because the row that has changed comes first here.</p>
      */
-    internal final class KeptPairs
+    internal final class ChangedRows
     {
-        // Pairs are kept if there are at least this many rows for each row that has changed. The second number is for searches that are faster,
+        // Changed rows are few if there are at least this many rows for each of them. The second number is for searches that are faster,
         // because all shapes are spheres, or only some breeds have handlers.
         private static const ROWS_PER_CHANGE:int = 8;
         private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
 
         private var _table:AgentTable;
-        private var _finder:PairFinder;
         private var _motions:RowMotions;
-
-        // The pairs of the search, and whether they and the cells belong to the last one.
-        private var _pairs:FoundPairs;
-        private var _areValid:Boolean = false;
-
-        // The pairs of changed rows that this search finds.
-        private var _found:FoundPairs;
 
         // The members of the last search.
         private var _cells:CellLists;
@@ -49,87 +40,92 @@ package starlogo.search
         // By row: the mark of the last search that has found it changed. The mark of this search, and the rows that have it.
         private var _marks:Vector.<int> = new Vector.<int>();
         private var _mark:int = 0;
-        private var _changed:IntList = new IntList();
+        private var _rows:IntList = new IntList();
 
         /**
          * @param table has the rows
-         * @param finder finds the pairs of changed rows
          * @param motions of the rows, if an agent sweeps
-         * @param pairs has the pairs of the last search, and gets those of the next one
          */
-        public function KeptPairs(table:AgentTable, finder:PairFinder, motions:RowMotions, pairs:FoundPairs)
+        public function ChangedRows(table:AgentTable, motions:RowMotions)
         {
             _table = table;
-            _finder = finder;
             _motions = motions;
             _cells = new CellLists(table.places.levels);
-            _pairs = pairs;
-            _found = new FoundPairs(table.list);
         }
 
-        /** The number of members of the search whose pairs are kept. */
+        /** The number of members of the search. */
         public function get memberCount():int
         {
             return _cells.count;
         }
 
-        /** Lets the next search be one of all rows. */
-        public function forget():void
-        {
-            _areValid = false;
-        }
-
         /**
-         * Finds the pairs of a search. The table has been read. Returns false if all rows have to be searched: because the search does not depend on
-         * the same as the last one, no pairs are kept, too many rows have changed, or the cells need other buckets.
-         */
-        public function find(input:FrameInput):Boolean
-        {
-            if (!_areValid || !isLikeLast(input))
-            {
-                return false;
-            }
-            // they are not if the search throws
-            _areValid = false;
-            findChanged(input);
-            if (!areFew(_changed.count))
-            {
-                return false;
-            }
-            if (_motions.areNeeded)
-            {
-                _motions.findMotions(_changed);
-            }
-            if (!updateCells(input) || !_cells.haveRightBucketCounts())
-            {
-                return false;
-            }
-            findPairsOfChanged(input);
-            _pairs.drop(_marks, _mark);
-            // the pairs that are kept touch at the end of their motions
-            _pairs.merge(_found, _finder.earlyPairs);
-            _areValid = true;
-            return true;
-        }
-
-        /**
-         * Keeps the pairs of a search of all rows, for which <code>find()</code> has returned false. If it was like the last one, the next search is
-         * probably like it too. Otherwise its pairs are not worth keeping, and it only notes what the search depended on.
+         * Notes a search of all rows that has ended.
          *
          * @param members the members of the search
+         * @return whether <code>find()</code> may be called for the next search: if this one was like the one before, the next is probably like it
+         *     too. Otherwise it would hardly be worth it
          */
-        public function keep(members:IntList, input:FrameInput):void
+        public function noteSearch(members:IntList, input:FrameInput):Boolean
         {
             if (isLikeLast(input))
             {
                 _cells.begin(_motions.areNeeded ? _motions.extents : _table.extents, members, _table.list.agents.length);
-                _areValid = true;
-                return;
+                return true;
             }
             _interests = input.interests;
             _anySwept = _motions.areNeeded;
             _isFiltered = input.admitted != null;
             _maxDepth = currentDepth;
+            return false;
+        }
+
+        /**
+         * Finds the rows that have changed, and moves them to their cells. The table has been read.
+         *
+         * @return false if all rows have to be searched: because the search does not depend on the same as the last one, too many rows have changed,
+         *     or the cells need other buckets
+         */
+        public function find(input:FrameInput):Boolean
+        {
+            if (!isLikeLast(input))
+            {
+                return false;
+            }
+            findChanged(input);
+            if (!areFew(_rows.count))
+            {
+                return false;
+            }
+            if (_motions.areNeeded)
+            {
+                _motions.findMotions(_rows);
+            }
+            return updateCells(input) && _cells.haveRightBucketCounts();
+        }
+
+        /** Finds the members near the changed ones, as the bins do for all. Each pair is passed to the sink once. */
+        public function findPairs(sink:PairSink):void
+        {
+            for (var i:int = 0; i < _rows.count; i++)
+            {
+                if (_cells.has(_rows.numbers[i]))
+                {
+                    _cells.findNear(_rows.numbers[i], _marks, _mark, sink);
+                }
+            }
+        }
+
+        /** The rows whose pairs with the ground or the edges may have changed: all rows if the ground or the edges have. */
+        public function rowsToTestWith(worldRow:int):IntList
+        {
+            return _marks[worldRow] == _mark ? _table.list.rows : _rows;
+        }
+
+        /** Drops the pairs of the changed rows from those of the last search. */
+        public function dropPairs(pairs:FoundPairs):void
+        {
+            pairs.drop(_marks, _mark);
         }
 
         // Whether a search depends on the same as the last one, and few rows were read again.
@@ -167,13 +163,15 @@ package starlogo.search
         private function findChanged(input:FrameInput):void
         {
             _mark++;
-            _changed.count = 0;
+            _rows.count = 0;
             var length:int = _table.list.agents.length;
             if (_marks.length < length)
             {
                 _marks.length = length;
             }
             _cells.makeRoom(length);
+            markWorldAgent(ListedAgents.GROUND_ROW);
+            markWorldAgent(ListedAgents.EDGES_ROW);
             addAll(_table.places.changed);
             addAll(_table.list.leftOrReordered);
             if (_motions.areNeeded)
@@ -183,6 +181,15 @@ package starlogo.search
             if (input.admitted != null)
             {
                 addFiltered(input);
+            }
+        }
+
+        // The ground and the edges are no members, but their pairs change with them.
+        private function markWorldAgent(worldRow:int):void
+        {
+            if (_table.hasWorldChanged[worldRow])
+            {
+                _marks[worldRow] = _mark;
             }
         }
 
@@ -199,7 +206,7 @@ package starlogo.search
             if (_marks[row] != _mark)
             {
                 _marks[row] = _mark;
-                _changed.add(row);
+                _rows.add(row);
             }
         }
 
@@ -220,9 +227,9 @@ package starlogo.search
         // Moves the changed rows to their cells. Returns false if one of them needs a level without buckets.
         private function updateCells(input:FrameInput):Boolean
         {
-            for (var i:int = 0; i < _changed.count; i++)
+            for (var i:int = 0; i < _rows.count; i++)
             {
-                var row:int = _changed.numbers[i];
+                var row:int = _rows.numbers[i];
                 if (!input.isMember(_table, row))
                 {
                     _cells.remove(row);
@@ -233,33 +240,6 @@ package starlogo.search
                 }
             }
             return true;
-        }
-
-        // Finds the pairs of the changed rows.
-        private function findPairsOfChanged(input:FrameInput):void
-        {
-            _finder.begin(input, _found);
-            for (var i:int = 0; i < _changed.count; i++)
-            {
-                if (_cells.has(_changed.numbers[i]))
-                {
-                    _cells.findNear(_changed.numbers[i], _marks, _mark, _finder);
-                }
-            }
-            findPairsOfWorldAgent(ListedAgents.GROUND_ROW);
-            findPairsOfWorldAgent(ListedAgents.EDGES_ROW);
-            _finder.end();
-        }
-
-        // The pairs of changed rows with the ground or the edges; of all rows, if the ground or the edges have changed themselves.
-        private function findPairsOfWorldAgent(worldRow:int):void
-        {
-            var hasChanged:Boolean = _table.hasWorldChanged[worldRow];
-            if (hasChanged)
-            {
-                _marks[worldRow] = _mark;
-            }
-            _finder.findPairsOfWorldAgent(worldRow, hasChanged ? _table.list.rows : _changed);
         }
     }
 }

@@ -64,8 +64,8 @@ const RESULT = "49,49";
 test("a bundle has what is used and no more", () => {
 	const limits = [
 		[["Vector3D"], 2],
-		[["Agent", "Collision", "BinCollider"], 37.1],
-		[["Agent", "Collision", "TightestFitCollider", "GreatLand", "BuiltInModel"], 83.5],
+		[["Agent", "Collision", "BinCollider"], 36.6],
+		[["Agent", "Collision", "TightestFitCollider", "GreatLand", "BuiltInModel"], 83.2],
 	];
 	const sizes = limits.map(([names, limit]) => {
 		const size = weigh(bundle(names)) / KB;
@@ -81,10 +81,10 @@ test("a bundle has what is used and no more", () => {
 test("a game loads the questions that it asks", () => {
 	const level = ["Agent", "Model", "Capsule", "LevelShapes", "SeenAgents"];
 	const limits = [
-		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 33.7],
-		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 42.1],
-		[["Agent", "Collision", "BinCollider", "AgentQueries"], 74.4],
-		[[...level, "AgentRays"], 44.8],
+		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 33.4],
+		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 41.6],
+		[["Agent", "Collision", "BinCollider", "AgentQueries"], 74.1],
+		[[...level, "AgentRays"], 44.5],
 		[[...level, "AgentWalks"], 76.9],
 		[[...level, "AgentRays", "AgentWalks"], 78.5],
 	];

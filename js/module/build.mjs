@@ -9,6 +9,7 @@
 import { copyFileSync, cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { buildSync, transformSync } from "esbuild";
+import { ByteArray } from "../standins/module/ByteArray.mjs";
 import { ADDED } from "./added.mjs";
 import { standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
@@ -93,10 +94,19 @@ function forUsers(code) {
 /** The members that may get short names: those that only the engine's classes read, by names that stand nowhere else. */
 function hiddenNames() {
 	const platform = [Array, Error, Function, Map, Math, Number, Object, RegExp, Set, String, Uint8Array].flatMap((type) => [type, type.prototype ?? type]);
-	const code = [standinsText(), ...Object.values(ADDED).map((added) => added.text), ...["three", "nova"].flatMap(adapterTexts), readFileSync(join(ROOT, "js/module/cook.mjs"), "utf8")].join("\n");
-	const outside = [...code.replaceAll(/\/\*[\s\S]*?\*\/|\/\/.*/g, "").matchAll(/[.{,]\s*([\w$]+)/g), ...text.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
-	const kept = new Set([...outside, ...platform.flatMap((each) => Object.getOwnPropertyNames(each))]);
-	return program.hiddenNames.filter((name) => !kept.has(name)).sort();
+	const bytes = Object.getOwnPropertyNames(ByteArray.prototype);
+	const declared = readFileSync(join(ROOT, "js/module/byhand.d.ts"), "utf8").match(/\w+/g);
+	const outside = memberNamesIn([...["three", "nova"].flatMap(adapterTexts), readFileSync(join(ROOT, "js/module/cook.mjs"), "utf8")]);
+	// the stand-ins are renamed too; these names of theirs are members of the engine's classes alone
+	const isOwn = (name) => /^[_$]/.test(name) || bytes.includes(name);
+	const standIns = memberNamesIn([standinsText(), ...Object.values(ADDED).map((added) => added.text)]).filter((name) => !isOwn(name));
+	const quoted = [...users.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
+	const kept = new Set([...outside, ...standIns, ...quoted, ...declared, ...platform.flatMap((each) => Object.getOwnPropertyNames(each))]);
+	return [...program.hiddenNames, ...bytes].filter((name) => !kept.has(name)).sort();
+}
+
+function memberNamesIn(texts) {
+	return [...texts.join("\n").replaceAll(/\/\*[\s\S]*?\*\/|\/\/.*/g, "").matchAll(/[.{,]\s*([\w$]+)/g)].map((match) => match[1]);
 }
 
 function adapterTexts(folder) {
@@ -120,8 +130,8 @@ function minify(code, hidden) {
 
 /** The settings of esbuild that give members short names. */
 function shortNames(code, hidden) {
-	// $stateOf shows no names with a _, and a game's own subclass hardly has one with _$
-	const mangleCache = Object.fromEntries(byUse(code, hidden.filter((name) => /^[_$]/.test(name))).map((name, i) => [name, `_$${shortName(i)}`]));
+	// $stateOf shows no names with a _, and a game's own class that extends one of these hardly has one with _$
+	const mangleCache = Object.fromEntries(byUse(code, hidden.filter((name) => program.isOfPublicClass(name))).map((name, i) => [name, `_$${shortName(i)}`]));
 	return { mangleCache, mangleProps: new RegExp(`^(?:${hidden.map((name) => name.replaceAll("$", "\\$")).join("|")})$`) };
 }
 

@@ -73,6 +73,11 @@ export function isBaseCall(statement) {
 	return call?.type === "CallExpression" && call.callee.property?.name === "base" && call.arguments[1]?.value === "constructor";
 }
 
+/** Whether all that a method does is to say that a class has to implement it. */
+export function isAbstract(method, source) {
+	return / does not implement \w+"\);\s*\}$/.test(source.slice(method.start, method.end)) && method.body.body.length === 1;
+}
+
 /** `X.base(this, 'name', ...)`, `X.superClass_.name.apply(this, [...])`, or for a getter `X.superClass_.get__name.apply(this)`. */
 export function superCall(node, qname) {
 	const path = pathOf(node.callee);

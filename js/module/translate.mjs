@@ -16,7 +16,7 @@ import { MemberNames } from "./members.mjs";
 import { Scopes } from "./scopes.mjs";
 import { isShown } from "./signatures.mjs";
 import { isConstant, staticsText } from "./statics.mjs";
-import { LANGUAGE, docOf, indent, isBaseCall, isFieldAssignment, pathOf } from "./syntax.mjs";
+import { LANGUAGE, docOf, indent, isAbstract, isBaseCall, isFieldAssignment, pathOf } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
 
 // Classes of plain data, which tools show as they are.
@@ -27,6 +27,7 @@ export class Program {
 	#units = new Map(); // by qualified name
 	#shortNames = new Map();
 	#members;
+	#openNames = null; // of members that objects of public classes have
 	#scopes;
 	#bodies;
 	#checks;
@@ -105,16 +106,26 @@ export class Program {
 		const kept = new Set([...shown, ...this.#bodies.openNames]);
 		const found = new Set();
 		for (const unit of this.#units.values()) {
-			const methods = unit.members.filter((member) => member.kind === "method").map((member) => member.name);
-			for (const known of new Set([...unit.types.keys(), ...unit.members.map((member) => member.name)])) {
-				const name = this.#members.nameOf(known);
+			const methods = unit.members.filter((member) => member.kind === "method").map((member) => this.#members.nameOf(member.name));
+			for (const name of this.#memberNames(unit)) {
 				// tools show the state of public classes: the names without _ or $
-				const isState = this.signatures.has(unit.qname) && !/^[_$]/.test(name) && !methods.includes(known);
+				const isState = this.signatures.has(unit.qname) && !/^[_$]/.test(name) && !methods.includes(name);
 				(isState ? kept : found).add(name);
 			}
-			for (const setting of this.#checks.settings(unit.qname)) found.add(`_${setting.name}`);
 		}
 		return [...found].filter((name) => !kept.has(name));
+	}
+
+	/** Whether objects of public classes have a member of a name. A game's own class may extend these. */
+	isOfPublicClass(name) {
+		const withBases = (unit) => (unit ? [unit, ...withBases(this.#units.get(unit.base))] : []);
+		this.#openNames ??= new Set([...this.signatures.keys()].flatMap((qname) => withBases(this.#units.get(qname))).flatMap((unit) => this.#memberNames(unit)));
+		return this.#openNames.has(name);
+	}
+
+	#memberNames(unit) {
+		const known = [...unit.types.keys(), ...unit.members.map((member) => member.name)];
+		return [...known.map((name) => this.#members.nameOf(name)), ...this.#checks.settings(unit.qname).map((setting) => `_${setting.name}`)];
 	}
 
 	#textOf(unit) {
@@ -195,6 +206,8 @@ export class Program {
 		for (const member of unit.members) {
 			const prefix = (member.isStatic ? "static " : "") + (member.kind === "method" ? "" : `${member.kind} `);
 			const name = this.#members.nameOf(member.name);
+			// nothing calls these, and only the engine could extend the class
+			if (member.node !== null && !this.hasAllStatics && !this.signatures.has(unit.qname) && isAbstract(member.node, unit.source)) continue;
 			if (this.#isLoose(unit, member)) {
 				if (this.hasAllStatics) lines.push(`static get ${name}() {\n\treturn ${this.staticName(unit, member.name)};\n}`);
 			} else if (member.node === null) {

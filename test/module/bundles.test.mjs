@@ -29,9 +29,13 @@ function write(name, text) {
 	return path.join(work, name);
 }
 
-/** A project of some names: its bundle by esbuild, minified. */
+/** A project of some names: its bundle. */
 function bundle(names) {
-	const contents = `import { ${names.join(", ")} } from "starlogo-collision";\nglobalThis.used = [${names.join(", ")}];\n`;
+	return bundleOf(`import { ${names.join(", ")} } from "starlogo-collision";\nglobalThis.used = [${names.join(", ")}];\n`);
+}
+
+/** A program's bundle by esbuild, minified. */
+function bundleOf(contents) {
 	const options = { stdin: { contents, resolveDir: work }, bundle: true, minify: true, format: "esm", target: "es2022", write: false };
 	return esbuild.buildSync(options).outputFiles[0].text;
 }
@@ -60,8 +64,8 @@ const RESULT = "49,49";
 test("a bundle has what is used and no more", () => {
 	const limits = [
 		[["Vector3D"], 2],
-		[["Agent", "Collision", "BinCollider"], 37.5],
-		[["Agent", "Collision", "TightestFitCollider", "GreatLand", "BuiltInModel"], 85],
+		[["Agent", "Collision", "BinCollider"], 36.6],
+		[["Agent", "Collision", "TightestFitCollider", "GreatLand", "BuiltInModel"], 83.2],
 	];
 	const sizes = limits.map(([names, limit]) => {
 		const size = weigh(bundle(names)) / KB;
@@ -77,18 +81,56 @@ test("a bundle has what is used and no more", () => {
 test("a game loads the questions that it asks", () => {
 	const level = ["Agent", "Model", "Capsule", "LevelShapes", "SeenAgents"];
 	const limits = [
-		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 34],
-		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 43],
-		[["Agent", "Collision", "BinCollider", "AgentQueries"], 77],
-		[[...level, "AgentRays"], 45.2],
-		[[...level, "AgentWalks"], 78],
-		[[...level, "AgentRays", "AgentWalks"], 80],
+		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 33.4],
+		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 41.6],
+		[["Agent", "Collision", "BinCollider", "AgentQueries"], 74.1],
+		[[...level, "AgentRays"], 44.5],
+		[[...level, "AgentWalks"], 76.9],
+		[[...level, "AgentRays", "AgentWalks"], 78.5],
 	];
 	for (const [names, limit] of limits) {
 		const size = weigh(bundle(names)) / KB;
 		assert.ok(size <= limit, `${names.join(", ")}: ${size.toFixed(1)} KB of ${limit}`);
 	}
 	assert.ok(weigh(bundle([...level, "AgentRays"])) < weigh(bundle([...level, "AgentWalks"])));
+});
+
+// the game in js/module/README.md that loads less
+const COINS = `import { Agent, AgentWalks, BinCollider, BuiltInModel, Capsule, Collision, Footing, LevelShapes, SeenAgents } from "starlogo-collision";
+
+const shapes = new LevelShapes();
+shapes.exact = true;
+shapes.addModel(BuiltInModel.box(20, 20, 1, "floor"));
+shapes.addStructure("hero", new Capsule({ x: 0, y: 0, z: 0.3 }, { x: 0, y: 0, z: 1.5 }, 0.3));
+const seen = new SeenAgents(shapes);
+const walks = new AgentWalks(seen);
+const game = new Collision(new BinCollider());
+const floor = new Agent("floor");
+const hero = new Agent("hero", "heroes");
+hero.moveTo(0, 0, 1);
+const coins = [1, 2, 3, 9].map((x) => {
+	const coin = new Agent("coin", "coins");
+	coin.moveTo(x, 0, 1);
+	return coin;
+});
+game.onCollisionStart("heroes", "coins", (walker, coin) => coins.splice(coins.indexOf(coin), 1));
+const footing = new Footing();
+for (let i = 0; i < 50; i++) {
+	seen.update([floor, hero]);
+	walks.walk(hero, 0.1, 0, { stepHeight: 0.3 }, footing);
+	game.update([hero, ...coins]);
+}
+export const result = [hero.x.toFixed(6), hero.z.toFixed(6), footing.stands, coins.map((coin) => coin.x)].join();
+`;
+
+test("a game that walks and collects coins", async () => {
+	const text = bundleOf(COINS);
+	const size = weigh(text) / KB;
+	assert.ok(size <= 94, `${size.toFixed(1)} KB of 94`);
+	const { result } = await import(`data:text/javascript;base64,${Buffer.from(text).toString("base64")}`);
+	assert.equal(result, "5.000000,1.000000,true,9");
+	const player = weigh(bundle(["Agent", "Collision", "CombinationCollider", "GreatLand", "BuiltInModel", "Footing", "AgentQueries"])) / KB;
+	assert.ok(player <= 115.4, `with all questions: ${player.toFixed(1)} KB of 115.4`);
 });
 
 test("nothing runs when it is imported, so that bundlers may leave it out", () => {

@@ -146,13 +146,6 @@ export class ByteArray {
 		this.#write(new TextEncoder().encode(text));
 	}
 
-	writeUTF(text) {
-		const bytes = new TextEncoder().encode(text);
-		if (bytes.length > 0xffff) throw new RangeError("Error #2006: The supplied index is out of bounds.");
-		this.writeShort(bytes.length);
-		this.#write(bytes);
-	}
-
 	/** Writes bytes of another ByteArray. If length is 0, all bytes from offset on. */
 	writeBytes(source, offset = 0, length = 0) {
 		const count = length === 0 ? source.length - offset : length;

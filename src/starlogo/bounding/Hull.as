@@ -177,7 +177,7 @@ package starlogo.bounding
             {
                 placed.points.length = points.length;
             }
-            placement.scaleAndTurnPoints(points, placed.points);
+            Placement.scaleAndTurnPoints(placement, points, placed.points);
             placement.place(center, placed.center);
             _box.place(placement, placed._box);
             placed.radius = radius * placement.size;

@@ -10,6 +10,7 @@ package starlogo.debug
     import starlogo.collision.CollisionSystem;
     import starlogo.data.requireGiven;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.models.Model;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.ModelShape;
@@ -71,7 +72,7 @@ package starlogo.debug
             }
             // A Matrix3D is not used, because it has single precision.
             var lines:Vector.<Number> = linesOfModel(agent, collider);
-            return agent.worldPlacement().placePoints(lines, 0, lines.length, all, all.length);
+            return Placement.placePoints(agent.worldPlacement(), lines, 0, lines.length, all, all.length);
         }
 
         private function linesOfModel(agent:Agent, collider:Collider):Vector.<Number>

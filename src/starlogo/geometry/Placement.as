@@ -96,25 +96,6 @@ package starlogo.geometry
             r22 = other.r22;
         }
 
-        /** @private Sets it to the inverse of another placement: what that one moves into the world, this one moves back. */
-        engine function setInverse(other:Placement):void
-        {
-            size = 1 / other.size;
-            isUnrotated = other.isUnrotated;
-            r00 = other.r00;
-            r01 = other.r10;
-            r02 = other.r20;
-            r10 = other.r01;
-            r11 = other.r11;
-            r12 = other.r21;
-            r20 = other.r02;
-            r21 = other.r12;
-            r22 = other.r22;
-            x = -(r00 * size) * other.x - r01 * size * other.y - r02 * size * other.z;
-            y = -(r10 * size) * other.x - r11 * size * other.y - r12 * size * other.z;
-            z = -(r20 * size) * other.x - r21 * size * other.y - r22 * size * other.z;
-        }
-
         /**
          * Sets the rotation: roll about x, then pitch about y, then heading about z, all about the world's axes.
          * Whole quarter turns are exact.
@@ -340,69 +321,6 @@ package starlogo.geometry
             out.z = r20 * fromX + r21 * fromY + r22 * fromZ;
         }
 
-        /**
-         * Transforms points, as place() transforms one.
-         *
-         * @param from x, y, z of each
-         * @param first index of the first coordinate
-         * @param end index after the last coordinate
-         * @param out overwritten from an index on; stays longer if it had more points
-         * @param to that index
-         * @return out
-         *
-         * @private
-         */
-        engine function placePoints(from:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int = 0):Vector.<Number>
-        {
-            var scale:Number = size;
-            var moveX:Number = x;
-            var moveY:Number = y;
-            var moveZ:Number = z;
-            var m00:Number = r00 * scale;
-            var m01:Number = r01 * scale;
-            var m02:Number = r02 * scale;
-            var m10:Number = r10 * scale;
-            var m11:Number = r11 * scale;
-            var m12:Number = r12 * scale;
-            var m20:Number = r20 * scale;
-            var m21:Number = r21 * scale;
-            var m22:Number = r22 * scale;
-            for (var i:int = first; i < end; i += 3)
-            {
-                var fromX:Number = from[i];
-                var fromY:Number = from[int(i + 1)];
-                var fromZ:Number = from[int(i + 2)];
-                out[to] = m00 * fromX + m01 * fromY + m02 * fromZ + moveX;
-                out[int(to + 1)] = m10 * fromX + m11 * fromY + m12 * fromZ + moveY;
-                out[int(to + 2)] = m20 * fromX + m21 * fromY + m22 * fromZ + moveZ;
-                to += 3;
-            }
-            return out;
-        }
-
-        /**
-         * Scales and rotates points about their origin.
-         *
-         * @param from x, y, z of each
-         * @param out receives as many numbers; may be from
-         *
-         * @private
-         */
-        engine function scaleAndTurnPoints(from:Vector.<Number>, out:Vector.<Number>):void
-        {
-            var scale:Number = size;
-            var end:int = from.length;
-            for (var i:int = 0; i < end; i += 3)
-            {
-                var fromX:Number = from[i] * scale;
-                var fromY:Number = from[int(i + 1)] * scale;
-                var fromZ:Number = from[int(i + 2)] * scale;
-                out[i] = r00 * fromX + r01 * fromY + r02 * fromZ;
-                out[int(i + 1)] = r10 * fromX + r11 * fromY + r12 * fromZ;
-                out[int(i + 2)] = r20 * fromX + r21 * fromY + r22 * fromZ;
-            }
-        }
-
         /** @private Writes the rotation row by row, from an index on. */
         engine function writeRotation(out:Vector.<Number>, at:int):void
         {
@@ -436,6 +354,93 @@ package starlogo.geometry
         private static function isNear(a:Number, b:Number):Boolean
         {
             return Math.abs(a - b) <= Tolerances.ORTHONORMALITY;
+        }
+
+        // These are static because a page loads such a method only if something calls it.
+
+        /** @private Sets a placement to the inverse of another one: what that one moves into the world, it moves back. */
+        engine static function invert(placement:Placement, out:Placement):void
+        {
+            var scale:Number = 1 / placement.size;
+            out.size = scale;
+            out.isUnrotated = placement.isUnrotated;
+            out.r00 = placement.r00;
+            out.r01 = placement.r10;
+            out.r02 = placement.r20;
+            out.r10 = placement.r01;
+            out.r11 = placement.r11;
+            out.r12 = placement.r21;
+            out.r20 = placement.r02;
+            out.r21 = placement.r12;
+            out.r22 = placement.r22;
+            out.x = -(out.r00 * scale) * placement.x - out.r01 * scale * placement.y - out.r02 * scale * placement.z;
+            out.y = -(out.r10 * scale) * placement.x - out.r11 * scale * placement.y - out.r12 * scale * placement.z;
+            out.z = -(out.r20 * scale) * placement.x - out.r21 * scale * placement.y - out.r22 * scale * placement.z;
+        }
+
+        /**
+         * Transforms points, as place() transforms one.
+         *
+         * @param placement the transform
+         * @param from x, y, z of each
+         * @param first index of the first coordinate
+         * @param end index after the last coordinate
+         * @param out overwritten from an index on; stays longer if it had more points
+         * @param to that index
+         * @return out
+         *
+         * @private
+         */
+        engine static function placePoints(placement:Placement, from:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int = 0):Vector.<Number>
+        {
+            var scale:Number = placement.size;
+            var moveX:Number = placement.x;
+            var moveY:Number = placement.y;
+            var moveZ:Number = placement.z;
+            var m00:Number = placement.r00 * scale;
+            var m01:Number = placement.r01 * scale;
+            var m02:Number = placement.r02 * scale;
+            var m10:Number = placement.r10 * scale;
+            var m11:Number = placement.r11 * scale;
+            var m12:Number = placement.r12 * scale;
+            var m20:Number = placement.r20 * scale;
+            var m21:Number = placement.r21 * scale;
+            var m22:Number = placement.r22 * scale;
+            for (var i:int = first; i < end; i += 3)
+            {
+                var fromX:Number = from[i];
+                var fromY:Number = from[int(i + 1)];
+                var fromZ:Number = from[int(i + 2)];
+                out[to] = m00 * fromX + m01 * fromY + m02 * fromZ + moveX;
+                out[int(to + 1)] = m10 * fromX + m11 * fromY + m12 * fromZ + moveY;
+                out[int(to + 2)] = m20 * fromX + m21 * fromY + m22 * fromZ + moveZ;
+                to += 3;
+            }
+            return out;
+        }
+
+        /**
+         * Scales and rotates points about their origin.
+         *
+         * @param placement has the size and the rotation
+         * @param from x, y, z of each
+         * @param out receives as many numbers; may be from
+         *
+         * @private
+         */
+        engine static function scaleAndTurnPoints(placement:Placement, from:Vector.<Number>, out:Vector.<Number>):void
+        {
+            var scale:Number = placement.size;
+            var end:int = from.length;
+            for (var i:int = 0; i < end; i += 3)
+            {
+                var fromX:Number = from[i] * scale;
+                var fromY:Number = from[int(i + 1)] * scale;
+                var fromZ:Number = from[int(i + 2)] * scale;
+                out[i] = placement.r00 * fromX + placement.r01 * fromY + placement.r02 * fromZ;
+                out[int(i + 1)] = placement.r10 * fromX + placement.r11 * fromY + placement.r12 * fromZ;
+                out[int(i + 2)] = placement.r20 * fromX + placement.r21 * fromY + placement.r22 * fromZ;
+            }
         }
     }
 }

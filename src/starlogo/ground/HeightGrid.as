@@ -4,6 +4,8 @@
 // GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground
 {
+    import flash.utils.ByteArray;
+
     /**
      * The heights of a terrain, and its holes: how high the ground is at a place.
      *
@@ -96,7 +98,8 @@ package starlogo.ground
             return _spare;
         }
 
-        private function copyFrom(other:HeightGrid):void
+        /** Gets the surface of a grid of the same cells. */
+        public function copyFrom(other:HeightGrid):void
         {
             isBlocky = other.isBlocky;
             for (var i:int = 0; i < heights.length; i++)
@@ -105,6 +108,23 @@ package starlogo.ground
             }
             holes = other.holes == null ? null : other.holes.concat();
             pyramid.copyFrom(other.pyramid);
+        }
+
+        /** Writes the surface for a snapshot. */
+        public function writeTo(bytes:ByteArray):void
+        {
+            HeightBytes.write(bytes, this);
+        }
+
+        /**
+         * Reads a surface that was written: a grid of the same cells with it. Returns null if the bytes are none.
+         *
+         * @throws ArgumentError if they are a surface of other cells
+         * @throws EOFError if they are cut off
+         */
+        public function read(bytes:ByteArray):HeightGrid
+        {
+            return HeightBytes.read(bytes, this);
         }
 
         /** Whether a place is between the first height and the last, or at most this far outside along x and y. */

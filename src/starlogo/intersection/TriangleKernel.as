@@ -46,7 +46,7 @@ package starlogo.intersection
         /** Sets the shape to a triangle: nine numbers of a list, from an index on. The placement moves it into the other triangles' space. */
         public function setShapeToTriangle(corners:Vector.<Number>, at:int, placement:Placement):void
         {
-            placement.placePoints(corners, at, at + 9, _placed);
+            Placement.placePoints(placement, corners, at, at + 9, _placed);
             shape.setTriangle(_placed, 0);
         }
 

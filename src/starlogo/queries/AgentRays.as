@@ -11,6 +11,7 @@ package starlogo.queries
     import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.rays.Hits;
     import starlogo.queries.rays.RowRayQuery;
+    import starlogo.queries.rays.RowSurfaceQuery;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -25,6 +26,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _rowRays:RowRayQuery;
+        private var _rowSurfaces:RowSurfaceQuery;
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
 
@@ -46,6 +48,7 @@ package starlogo.queries
             requireGiven("seen", seen);
             _seen = seen;
             _rowRays = new RowRayQuery(seen);
+            _rowSurfaces = new RowSurfaceQuery(seen);
         }
 
         /**
@@ -230,7 +233,7 @@ package starlogo.queries
         {
             for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
             {
-                if (_rowRays.findSurfaces(row, _ray, out))
+                if (_rowSurfaces.findSurfaces(row, _ray, out))
                 {
                     found.add(row, out.firstKeyOf(row));
                 }

@@ -1,5 +1,6 @@
 package starlogo.queries
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.agents.PlatformLink;
     import starlogo.engine;
@@ -102,7 +103,7 @@ package starlogo.queries
             var row:int = walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
-                walk.turn = link.carry(_seen.table.bodyOf(row).placement, walk.carry);
+                findCarry(link, _seen.table.bodyOf(row).placement, walk);
                 if ((walk.turn != 0 || walk.carry.length > 0) && _seen.ask(1, 0, walk.agent, walk.options.filter).endWithRow(row))
                 {
                     return row;
@@ -111,6 +112,32 @@ package starlogo.queries
             walk.carry.setTo(0, 0, 0);
             walk.turn = 0;
             return -1;
+        }
+
+        // Finds how a platform carries an agent. @param now where the platform is now @param out receives the motion, and the turn about the z axis
+        private static function findCarry(link:PlatformLink, now:Placement, out:Walk):void
+        {
+            var from:Placement = link.platformPlace;
+            var offsetX:Number = link.place.x - from.x;
+            var offsetY:Number = link.place.y - from.y;
+            var offsetZ:Number = link.place.z - from.z;
+            var motion:Vector3D = out.carry;
+            motion.setTo(now.x - from.x, now.y - from.y, now.z - from.z);
+            out.turn = 0;
+            if (from.size == now.size && from.hasRotationOf(now))
+            {
+                return;
+            }
+            var scale:Number = now.size / from.size;
+            var alongX:Number = scale * (from.r00 * offsetX + from.r10 * offsetY + from.r20 * offsetZ);
+            var alongY:Number = scale * (from.r01 * offsetX + from.r11 * offsetY + from.r21 * offsetZ);
+            var alongZ:Number = scale * (from.r02 * offsetX + from.r12 * offsetY + from.r22 * offsetZ);
+            motion.x += now.r00 * alongX + now.r01 * alongY + now.r02 * alongZ - offsetX;
+            motion.y += now.r10 * alongX + now.r11 * alongY + now.r12 * alongZ - offsetY;
+            motion.z += now.r20 * alongX + now.r21 * alongY + now.r22 * alongZ - offsetZ;
+            out.turn = Trigonometry.arctangent(now.r10 * from.r00 + now.r11 * from.r01 + now.r12 * from.r02
+                    - now.r00 * from.r10 - now.r01 * from.r11 - now.r02 * from.r12,
+                    now.r00 * from.r00 + now.r01 * from.r01 + now.r02 * from.r02 + now.r10 * from.r10 + now.r11 * from.r11 + now.r12 * from.r12);
         }
 
         private function write(walk:Walk, stands:Boolean, out:Footing):void

@@ -63,7 +63,7 @@ package starlogo.solid
             {
                 return null;
             }
-            _inverse.setInverse(pose);
+            Placement.invert(pose, _inverse);
             return findPartInside(treeB, insideB, insideA, _inverse) ? pair.placementB : null;
         }
 

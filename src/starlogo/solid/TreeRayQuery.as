@@ -3,17 +3,15 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeCrossingVisitor;
     import starlogo.hierarchy.NodeRayVisitor;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
 
     use namespace engine;
 
     /**
-     * Finds where a ray first meets a model, or all places where it does: its tree, visited to a depth, or its triangles. A ray that begins inside
-     * of a closed surface meets the model at once.
+     * Finds where a ray first meets a model: its tree, visited to a depth, or its triangles. A ray that begins inside of a closed surface meets the
+     * model at once.
      *
      * <p>The answers are nested: no depth finds a hit farther away than a greater depth or the triangles do. The inside is tested at every
      * depth, because the nodes cover only the surface. Nothing is allocated once the stacks have grown and the model's triangles are
@@ -23,11 +21,10 @@ package starlogo.solid
      */
     public final class TreeRayQuery
     {
+        private static var sStart:Vector3D = new Vector3D();
+
         private var _nodes:NodeRayVisitor = new NodeRayVisitor();
         private var _triangles:TriangleRayVisitor = new TriangleRayVisitor();
-        private var _nodeCrossings:NodeCrossingVisitor = new NodeCrossingVisitor();
-        private var _triangleCrossings:TriangleCrossingVisitor = new TriangleCrossingVisitor();
-        private var _start:Vector3D = new Vector3D();
 
         /**
          * Finds where a ray first meets a model.
@@ -53,31 +50,11 @@ package starlogo.solid
             return _nodes.findHit(model.boxTree, exact ? BoxTree.EXACT : depth, ray, out);
         }
 
-        /**
-         * Adds all crossings of a ray with the surface of a model. The parameters are those of <code>find()</code>.
-         *
-         * @param out the crossings are added to it
-         * @return whether they are those of triangles, otherwise those of nodes
-         */
-        public function findAll(model:ModelTree, depth:int, exact:Boolean, ray:Ray, out:RayCrossings):Boolean
+        /** Whether a ray begins inside of the surface of a model. */
+        internal static function beginsInside(model:ModelTree, ray:Ray):Boolean
         {
-            if (beginsInside(model, ray))
-            {
-                out.addInside(ray);
-            }
-            if (exact && model.hasTriangles)
-            {
-                _triangleCrossings.addCrossings(model, ray, out);
-                return true;
-            }
-            _nodeCrossings.addCrossings(model.boxTree, exact ? BoxTree.EXACT : depth, ray, out);
-            return false;
-        }
-
-        private function beginsInside(model:ModelTree, ray:Ray):Boolean
-        {
-            _start.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
-            return model.isInside(_start, 0);
+            sStart.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
+            return model.isInside(sStart, 0);
         }
     }
 }

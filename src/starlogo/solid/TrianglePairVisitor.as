@@ -164,7 +164,7 @@ package starlogo.solid
             if (first != _movedFrom)
             {
                 _movedFrom = first;
-                _placement.placePoints(_secondMesh.corners, 9 * first, 9 * (first + count), _moved);
+                Placement.placePoints(_placement, _secondMesh.corners, 9 * first, 9 * (first + count), _moved);
             }
             return count;
         }

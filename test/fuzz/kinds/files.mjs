@@ -16,11 +16,7 @@ const GLTF = JSON.stringify({
 	bufferViews: [{ buffer: 0, byteLength: 36 }],
 	buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer).toString("base64")}` }],
 });
-const bytesOf = (text) => {
-	const bytes = new ByteArray();
-	bytes.writeUTFBytes(text);
-	return bytes;
-};
+const bytesOf = (text) => new ByteArray(new TextEncoder().encode(text));
 const FILES = {
 	OBJ: { text: OBJ, read: (name, text) => new ObjModel(name, text) },
 	COLLADA: { text: DAE, read: (name, text) => new engine.ColladaModel(name, text) },

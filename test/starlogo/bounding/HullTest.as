@@ -216,7 +216,7 @@ package starlogo.bounding
                 placement.z = random.between(-50, 50);
                 var hull:Hull = new Hull(points);
                 var placed:Hull = Hull(hull.place(placement));
-                var moved:Vector.<Number> = placement.placePoints(hull.corners, 0, hull.corners.length, new Vector.<Number>());
+                var moved:Vector.<Number> = Placement.placePoints(placement, hull.corners, 0, hull.corners.length, new Vector.<Number>());
                 for (var k:int = 0; k < moved.length; k++)
                 {
                     assertNear(moved[k], placed.corners[k], 1e-12 * (placement.size + 50));

@@ -126,7 +126,7 @@ package starlogo.solid
         private static function turned(points:Vector.<Number>, turn:Placement):Vector.<Number>
         {
             var out:Vector.<Number> = new Vector.<Number>(points.length);
-            turn.scaleAndTurnPoints(points, out);
+            Placement.scaleAndTurnPoints(turn, points, out);
             return out;
         }
 

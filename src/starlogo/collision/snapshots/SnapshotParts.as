@@ -1,6 +1,7 @@
 package starlogo.collision.snapshots
 {
     import starlogo.agents.PlatformLink;
+    import starlogo.ground.HeightGrid;
     import starlogo.handlers.TouchTracker;
 
     /** What was read of a snapshot: all but the traits of agents, which are not known to be right before an agent has taken them. A record. */
@@ -21,7 +22,7 @@ package starlogo.collision.snapshots
         /** What agents stand on. */
         public var platforms:Vector.<PlatformLink> = null;
 
-        /** The heights of the ground, or null. */
-        public var ground:SnapshotGround = null;
+        /** A grid with the heights of the ground, or null. */
+        public var ground:HeightGrid = null;
     }
 }

@@ -79,7 +79,7 @@ package starlogo.collision.snapshots
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
-                SnapshotGround.write(rest, ground.surface.grid);
+                ground.surface.grid.writeTo(rest);
             }
             if (withTraits)
             {
@@ -131,7 +131,7 @@ package starlogo.collision.snapshots
             SnapshotPlatforms.restore(parts.platforms, agents);
             if (parts.ground != null)
             {
-                parts.ground.restore(ground.beginChange());
+                ground.beginChange().copyFrom(parts.ground);
             }
             frame.touches = parts.touches;
             frame.keep(agents, search);
@@ -240,7 +240,7 @@ package starlogo.collision.snapshots
             }
             if ((contents & HAS_HEIGHTS) != 0)
             {
-                parts.ground = SnapshotGround.read(bytes, ground.surface.grid);
+                parts.ground = ground.surface.grid.read(bytes);
                 check(parts.ground != null);
             }
             parts.hasTraits = (contents & HAS_TRAITS) != 0;

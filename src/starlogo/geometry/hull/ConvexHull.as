@@ -185,7 +185,7 @@ package starlogo.geometry.hull
                 from = grid;
                 work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
                     {
-                        turning.placePoints(_vertices, 3 * first, 3 * end, grid, 3 * first);
+                        Placement.placePoints(turning, _vertices, 3 * first, 3 * end, grid, 3 * first);
                         bounds.add(grid, first, end);
                     });
             }

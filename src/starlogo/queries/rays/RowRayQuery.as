@@ -4,7 +4,6 @@ package starlogo.queries.rays
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.rayStructure;
     import starlogo.queries.SeenAgents;
@@ -16,7 +15,7 @@ package starlogo.queries.rays
     use namespace engine;
 
     /**
-     * Finds where a ray first meets a row, or all surfaces of the row that it crosses, as a collider sees the row.
+     * Finds where a ray first meets a row, as a collider sees the row.
      *
      * <p>It first moves the ray into the space of the row's model. There the structure, the tree and the triangles are as they were fitted,
      * and rounding errors depend on the model's size, not on its place. The ray is given there by the point of its line that is nearest to
@@ -32,11 +31,6 @@ package starlogo.queries.rays
         private var _seen:SeenAgents;
         private var _inModel:Ray = new Ray();
         private var _solid:TreeRayQuery = new TreeRayQuery();
-
-        // All crossings with a row's shape, those that are surfaces, and one of them.
-        private var _crossings:RayCrossings = new RayCrossings();
-        private var _surfaces:SurfaceCrossings = new SurfaceCrossings();
-        private var _entry:RayEntry = new RayEntry();
 
         /** @param seen has the rows */
         public function RowRayQuery(seen:SeenAgents)
@@ -62,50 +56,14 @@ package starlogo.queries.rays
             return _inModel.isFinite && findHitOfShape(body, _inModel, out) && bringBack(out, _inModel, body.placement, ray);
         }
 
-        /**
-         * Finds all surfaces of a row that a ray crosses.
-         *
-         * @param ray the ray in the world. A surface at exactly <code>to</code> is crossed
-         * @param out receives a hit for each surface, in the order of the ray
-         * @return whether it crosses any
-         */
-        public function findSurfaces(row:int, ray:Ray, out:Hits):Boolean
-        {
-            var body:Body = _seen.table.bodyOf(row);
-            var isGround:Boolean = body.form == ModelShape.GROUND;
-            var areTriangles:Boolean = true;
-            var isMet:Boolean = false;
-            _crossings.count = 0;
-            if (isGround)
-            {
-                _seen.table.narrowPhase.groundTestsOf(body).findCrossings(body, ray, _crossings);
-            }
-            else
-            {
-                bringIntoModel(ray, body.placement, _inModel);
-                areTriangles = _inModel.isFinite && addCrossings(body, _inModel, _crossings);
-            }
-            _surfaces.find(_crossings, areTriangles);
-            for (var i:int = 0; i < _surfaces.indices.count; i++)
-            {
-                _crossings.readEntry(_surfaces.indices.numbers[i], _entry);
-                if (isGround ? _entry.distance <= ray.to : bringBack(_entry, _inModel, body.placement, ray))
-                {
-                    out.addEntry(row, ray, _entry);
-                    isMet = true;
-                }
-            }
-            return isMet;
-        }
-
         // How far the place of a row is along a ray.
         private static function aheadOf(ray:Ray, placement:Placement):Number
         {
             return (placement.x - ray.x) * ray.directionX + (placement.y - ray.y) * ray.directionY + (placement.z - ray.z) * ray.directionZ;
         }
 
-        // Moves a ray into the space of a row's model. The last argument receives it.
-        private static function bringIntoModel(ray:Ray, placement:Placement, line:Ray):void
+        /** Moves a ray into the space of a row's model. @param line receives it */
+        internal static function bringIntoModel(ray:Ray, placement:Placement, line:Ray):void
         {
             var ahead:Number = aheadOf(ray, placement);
             line.directionX = ray.directionX;
@@ -121,8 +79,8 @@ package starlogo.queries.rays
             line.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
         }
 
-        // Moves where a ray enters a shape from the model's space into the world. Returns whether that is not beyond the ray's end.
-        private static function bringBack(entry:RayEntry, line:Ray, placement:Placement, ray:Ray):Boolean
+        /** Moves where a ray enters a shape from the model's space into the world. Returns whether that is not beyond the ray's end. */
+        internal static function bringBack(entry:RayEntry, line:Ray, placement:Placement, ray:Ray):Boolean
         {
             var x:Number = entry.normalX;
             var y:Number = entry.normalY;
@@ -143,19 +101,6 @@ package starlogo.queries.rays
                 return _solid.find(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
             }
             return rayStructure(line, shape.structure, _seen.table.narrowPhase.convexRay, out);
-        }
-
-        // Adds the crossings of a ray in the model's space with a body's shape. Returns whether they are those of triangles.
-        private function addCrossings(body:Body, line:Ray, out:RayCrossings):Boolean
-        {
-            var shape:ModelShape = body.shape;
-            if (shape.hierarchy != null)
-            {
-                var limits:TreeLimits = _seen.table.narrowPhase.treeLimits;
-                return _solid.findAll(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
-            }
-            out.addStructure(line, shape.structure, _seen.table.narrowPhase.convexRay, 0);
-            return false;
         }
     }
 }

@@ -1,23 +1,16 @@
-package starlogo.collision.snapshots
+package starlogo.ground
 {
     import flash.utils.ByteArray;
     import starlogo.geometry.isInWorld;
-    import starlogo.ground.HeightGrid;
 
     /**
      * The surface of the ground in a snapshot. The bytes are: the number of columns; the number of rows; the width of a cell; its place; whether
      * the surface is columns; then the heights; then the holes, a bit for each, as numbers of 32 bits. After a number of 0 comes the count of numbers
      * that are 0 from there on, and only the first of them is written.
-     *
-     * @private
      */
-    internal final class SnapshotGround
+    internal final class HeightBytes
     {
-        private var _isBlocky:Boolean;
-        private var _heights:Vector.<Number>;
-        private var _holes:Vector.<Number>;
-
-        /** Writes a ground. */
+        /** Writes the surface of a grid. */
         public static function write(bytes:ByteArray, grid:HeightGrid):void
         {
             bytes.writeInt(grid.columns);
@@ -36,14 +29,8 @@ package starlogo.collision.snapshots
             writeNumbers(bytes, numbers, true);
         }
 
-        /**
-         * Reads the surface of a ground. Returns null if the bytes are none.
-         *
-         * @param grid the ground that may take it
-         * @throws ArgumentError if they are a ground of other cells
-         * @throws EOFError if they are cut off
-         */
-        public static function read(bytes:ByteArray, grid:HeightGrid):SnapshotGround
+        /** Reads a surface: see HeightGrid.read. */
+        public static function read(bytes:ByteArray, grid:HeightGrid):HeightGrid
         {
             var columns:int = bytes.readInt();
             var rows:int = bytes.readInt();
@@ -56,28 +43,24 @@ package starlogo.collision.snapshots
                         + ") on, in cells " + cellWidth + " wide");
             }
             var flag:int = bytes.readUnsignedByte();
-            var ground:SnapshotGround = new SnapshotGround();
-            ground._isBlocky = flag == 1;
-            ground._heights = readNumbers(bytes, columns * rows, false);
-            ground._holes = ground._heights == null ? null : readNumbers(bytes, countHoleNumbers(grid), true);
-            return flag > 1 || ground._holes == null ? null : ground;
-        }
-
-        /** Gives a ground the surface that was read. */
-        public function restore(grid:HeightGrid):void
-        {
-            grid.isBlocky = _isBlocky;
-            grid.heights = _heights;
-            grid.holes = null;
-            for (var i:int = 0; i < _holes.length; i++)
+            var found:HeightGrid = new HeightGrid(columns, rows, cellWidth, x, y);
+            found.isBlocky = flag == 1;
+            found.heights = readNumbers(bytes, columns * rows, false);
+            var holes:Vector.<Number> = found.heights == null ? null : readNumbers(bytes, countHoleNumbers(grid), true);
+            if (flag > 1 || holes == null)
             {
-                if (_holes[i] != 0)
+                return null;
+            }
+            for (var i:int = 0; i < holes.length; i++)
+            {
+                if (holes[i] != 0)
                 {
-                    grid.holes ||= new Vector.<int>(_holes.length, true);
-                    grid.holes[i] = _holes[i];
+                    found.holes ||= new Vector.<int>(holes.length, true);
+                    found.holes[i] = holes[i];
                 }
             }
-            grid.pyramid.update(0, 0, grid.columns - 1, grid.rows - 1);
+            found.pyramid.update(0, 0, columns - 1, rows - 1);
+            return found;
         }
 
         private static function writeNumbers(bytes:ByteArray, numbers:Vector.<Number>, areInts:Boolean):void

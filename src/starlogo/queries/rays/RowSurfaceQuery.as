@@ -1,0 +1,86 @@
+package starlogo.queries.rays
+{
+    import starlogo.engine;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
+    import starlogo.queries.SeenAgents;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.TreeLimits;
+    import starlogo.solid.TreeCrossingQuery;
+
+    use namespace engine;
+
+    /**
+     * Finds all surfaces of a row that a ray crosses, as a collider sees the row. RowRayQuery finds the first, and says how. Walks load only that.
+     *
+     * @private
+     */
+    public final class RowSurfaceQuery
+    {
+        private var _seen:SeenAgents;
+        private var _inModel:Ray = new Ray();
+        private var _trees:TreeCrossingQuery = new TreeCrossingQuery();
+
+        // All crossings with a row's shape, those that are surfaces, and one of them.
+        private var _crossings:RayCrossings = new RayCrossings();
+        private var _surfaces:SurfaceCrossings = new SurfaceCrossings();
+        private var _entry:RayEntry = new RayEntry();
+
+        /** @param seen has the rows */
+        public function RowSurfaceQuery(seen:SeenAgents)
+        {
+            _seen = seen;
+        }
+
+        /**
+         * Finds all surfaces of a row that a ray crosses.
+         *
+         * @param ray the ray in the world. A surface at exactly <code>to</code> is crossed
+         * @param out receives a hit for each surface, in the order of the ray
+         * @return whether it crosses any
+         */
+        public function findSurfaces(row:int, ray:Ray, out:Hits):Boolean
+        {
+            var body:Body = _seen.table.bodyOf(row);
+            var isGround:Boolean = body.form == ModelShape.GROUND;
+            var areTriangles:Boolean = true;
+            var isMet:Boolean = false;
+            _crossings.count = 0;
+            if (isGround)
+            {
+                _seen.table.narrowPhase.groundTestsOf(body).findCrossings(body, ray, _crossings);
+            }
+            else
+            {
+                RowRayQuery.bringIntoModel(ray, body.placement, _inModel);
+                areTriangles = _inModel.isFinite && addCrossings(body, _inModel, _crossings);
+            }
+            _surfaces.find(_crossings, areTriangles);
+            for (var i:int = 0; i < _surfaces.indices.count; i++)
+            {
+                _crossings.readEntry(_surfaces.indices.numbers[i], _entry);
+                if (isGround ? _entry.distance <= ray.to : RowRayQuery.bringBack(_entry, _inModel, body.placement, ray))
+                {
+                    out.addEntry(row, ray, _entry);
+                    isMet = true;
+                }
+            }
+            return isMet;
+        }
+
+        // Adds the crossings of a ray in the model's space with a body's shape. Returns whether they are those of triangles.
+        private function addCrossings(body:Body, line:Ray, out:RayCrossings):Boolean
+        {
+            var shape:ModelShape = body.shape;
+            if (shape.hierarchy != null)
+            {
+                var limits:TreeLimits = _seen.table.narrowPhase.treeLimits;
+                return _trees.findAll(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
+            }
+            out.addStructure(line, shape.structure, _seen.table.narrowPhase.convexRay, 0);
+            return false;
+        }
+    }
+}

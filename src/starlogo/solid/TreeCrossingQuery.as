@@ -1,0 +1,42 @@
+package starlogo.solid
+{
+    import starlogo.engine;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.NodeCrossingVisitor;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
+
+    use namespace engine;
+
+    /**
+     * Finds all crossings of a ray with the surface of a model: its tree, visited to a depth, or its triangles. TreeRayQuery finds the first.
+     *
+     * @private
+     */
+    public final class TreeCrossingQuery
+    {
+        private var _nodes:NodeCrossingVisitor = new NodeCrossingVisitor();
+        private var _triangles:TriangleCrossingVisitor = new TriangleCrossingVisitor();
+
+        /**
+         * Adds all crossings. The parameters are those of <code>TreeRayQuery.find()</code>.
+         *
+         * @param out the crossings are added to it
+         * @return whether they are those of triangles, otherwise those of nodes
+         */
+        public function findAll(model:ModelTree, depth:int, exact:Boolean, ray:Ray, out:RayCrossings):Boolean
+        {
+            if (TreeRayQuery.beginsInside(model, ray))
+            {
+                out.addInside(ray);
+            }
+            if (exact && model.hasTriangles)
+            {
+                _triangles.addCrossings(model, ray, out);
+                return true;
+            }
+            _nodes.addCrossings(model.boxTree, exact ? BoxTree.EXACT : depth, ray, out);
+            return false;
+        }
+    }
+}

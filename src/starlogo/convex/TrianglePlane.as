@@ -113,17 +113,29 @@ package starlogo.convex
          */
         public function turnContact(shape:ConvexShape, motion:RelativeMotion, contact:ContactPoint):void
         {
-            var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
-            if (speed < 0)
+            if (isMetBy(shape, motion, contact))
             {
-                shape.project(normal, _ofShape);
-                var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
-                    + motion.time * speed + _ofShape.least - shape.radius;
-                if (offset - front <= contact.depth + shape.margin)
-                {
-                    contact.setNormal(normal.x, normal.y, normal.z);
-                }
+                contact.setNormal(normal.x, normal.y, normal.z);
             }
+        }
+
+        /**
+         * Whether a shape that touches the triangle comes against the plane, and is no deeper behind it than in their contact.
+         *
+         * @param motion of the shape; the shape is where it is at the motion's time
+         * @param contact has the depth
+         */
+        public function isMetBy(shape:ConvexShape, motion:RelativeMotion, contact:ContactPoint):Boolean
+        {
+            var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
+            if (!(speed < 0))
+            {
+                return false;
+            }
+            shape.project(normal, _ofShape);
+            var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
+                + motion.time * speed + _ofShape.least - shape.radius;
+            return offset - front <= contact.depth + shape.margin;
         }
     }
 }

@@ -1,5 +1,7 @@
 package starlogo.solid
 {
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -10,6 +12,7 @@ package starlogo.solid
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairVisitor;
+    import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
@@ -23,6 +26,14 @@ package starlogo.solid
      */
     internal final class TrianglePairVisitor extends NodePairVisitor
     {
+        // The radius of the probe, as a fraction of the extent of a triangle that it is near. Smaller: rounding decides. Larger: the probe meets what is
+        // not at the contact.
+        private static const PROBE:Number = 1e-4;
+
+        // How far the probe is behind a plane, as a fraction of its radius. Smaller: the probe meets what is in the plane. Larger: it misses what leaves
+        // the plane at a small angle, of the square root of twice this fraction.
+        private static const PROBE_GAP:Number = 1e-6;
+
         private var _firstMesh:TriangleMesh = null;
         private var _extentsOfFirst:Vector.<Number> = null;
         private var _secondMesh:TriangleMesh = null;
@@ -52,13 +63,25 @@ package starlogo.solid
         // tolerance is more than those CORES, because it has SURFACES of the radii.
         private var _outerTolerance:Number = 0;
 
-        // The plane of a triangle of the first model.
+        // The plane of a triangle.
         private var _plane:TrianglePlane = new TrianglePlane();
+
+        // A small ball behind a plane at a contact, in the first model's space, and what finds triangles there: with the pose of that space in the space
+        // of each model, and the motion of a ball that stands.
+        private var _probe:Sphere = new Sphere(new Vector3D(), 0);
+        private var _touches:TriangleTouchVisitor;
+        private var _toFirst:RelativePose = new RelativePose();
+        private var _toSecond:RelativePose = new RelativePose();
+        private var _still:RelativeMotion = new RelativeMotion();
+
+        // The first model's motion, if the second one stands.
+        private var _reversed:RelativeMotion = new RelativeMotion();
 
         /** @param counts counts the pairs of triangles that are tested or measured */
         public function TrianglePairVisitor(counts:TreeCounts)
         {
             _counts = counts;
+            _touches = new TriangleTouchVisitor(counts);
         }
 
         /**
@@ -143,16 +166,49 @@ package starlogo.solid
         }
 
         /**
-         * Finds the contact of two triangles that touch, in the first model's space.
+         * Finds the contact of two triangles that touch, in the first model's space. If they meet at their borders, faces of both may separate them. A
+         * face counts if it separates all of the other model at the contact: the next triangle may be on the other side of a seam.
          *
-         * @param best has their slots
-         * @param motion of the second model, which is where it is at the motion's time
+         * @param pair the two trees
+         * @param best has the slots of the triangles
+         * @param motion of the second model, which is where it is at the motion's time; its start must be 0
          * @param out receives the contact, with a normal from the first model to the second
          */
-        public function findContact(best:BestPair, motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(pair:TwoTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
+            var normal:Vector3D = _plane.normal;
             _kernel.setShapeToTriangle(_secondMesh.corners, 9 * best.b, _placement);
             _kernel.findContact(_firstMesh.corners, 9 * best.a, motion, out);
+            _kernel.shape.margin = _outerTolerance;
+            _plane.setTriangle(_firstMesh.corners, 9 * best.a);
+            _toSecond.placement.setInverse(_placement);
+            if (_plane.isMetBy(_kernel.shape, motion, out) && !isBehindPlane(pair.b, _toSecond, motion, out))
+            {
+                out.setNormal(normal.x, normal.y, normal.z);
+                return;
+            }
+            _movedFrom = -1;
+            _placement.placePoints(_secondMesh.corners, 9 * best.b, 9 * best.b + 9, _moved);
+            _plane.setTriangle(_moved, 0);
+            _kernel.shape.setTriangle(_firstMesh.corners, 9 * best.a);
+            _kernel.shape.margin = _outerTolerance;
+            _reversed.setReversed(motion);
+            if (_plane.isMetBy(_kernel.shape, _reversed, out) && !isBehindPlane(pair.a, _toFirst, RelativeMotion.NONE, out))
+            {
+                out.setNormal(-normal.x, -normal.y, -normal.z);
+            }
+        }
+
+        // Whether a model has a triangle at a contact that is not wholly before the plane. The kernel's shape is its triangle that touches there.
+        private function isBehindPlane(model:ModelTree, pose:RelativePose, motion:RelativeMotion, contact:ContactPoint):Boolean
+        {
+            var radius:Number = PROBE * _kernel.shape.extent;
+            var back:Number = (1 + PROBE_GAP) * radius + 2 * _tolerance;
+            _probe.radius = radius;
+            _probe.center.x = contact.x - motion.time * motion.x - back * _plane.normal.x;
+            _probe.center.y = contact.y - motion.time * motion.y - back * _plane.normal.y;
+            _probe.center.z = contact.z - motion.time * motion.z - back * _plane.normal.z;
+            return _touches.findTouch(model, _probe, pose, _still) >= 0;
         }
 
         // Moves the triangles of a node of the second model, and returns their number. The node has no children: two such nodes do not begin with the

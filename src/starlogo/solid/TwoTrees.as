@@ -95,7 +95,7 @@ package starlogo.solid
             out.triangle = -1;
             if (_isExact)
             {
-                _triangles.findContact(best, motion, out);
+                _triangles.findContact(this, best, motion, out);
             }
             else
             {

@@ -129,11 +129,12 @@ package starlogo.collision
                 {
                     land.addModel(model);
                 }
-                for (var i:int = 0; i < 24; i++)
+                for (var i:int = 0; i < 48; i++)
                 {
                     var agent:Agent = agentAt(i % 2 == 0 ? "cube" : "keel", i % 3 == 0 ? 0.5 : 0, i % 3 == 1 ? 0.5 : 0, 4, "wolves");
                     agent.roll = i % 2 == 0 ? 45 : 0;
-                    agent.heading = [0, 30, 45, 90][int(i / 6)];
+                    agent.heading = [0, 30, 45, 90][int(i / 6) % 4];
+                    agent.hierarchical = i >= 24;
                     agent.collideAs = i % 2 == 0 ? "box" : "hull";
                     checkSeam(EachCollider.make("combinations, exact", land), agent, slope, agent + ", slope " + slope + ", case " + i);
                 }

@@ -181,14 +181,14 @@ package starlogo.solid
             _kernel.findContact(_firstMesh.corners, 9 * best.a, motion, out);
             _kernel.shape.margin = _outerTolerance;
             _plane.setTriangle(_firstMesh.corners, 9 * best.a);
-            _toSecond.placement.setInverse(_placement);
+            Placement.invert(_placement, _toSecond.placement);
             if (_plane.isMetBy(_kernel.shape, motion, out) && !isBehindPlane(pair.b, _toSecond, motion, out))
             {
                 out.setNormal(normal.x, normal.y, normal.z);
                 return;
             }
             _movedFrom = -1;
-            _placement.placePoints(_secondMesh.corners, 9 * best.b, 9 * best.b + 9, _moved);
+            Placement.placePoints(_placement, _secondMesh.corners, 9 * best.b, 9 * best.b + 9, _moved);
             _plane.setTriangle(_moved, 0);
             _kernel.shape.setTriangle(_firstMesh.corners, 9 * best.a);
             _kernel.shape.margin = _outerTolerance;

@@ -66,10 +66,10 @@ export function $warnOfLaterProperties(system, agents) {
 /** Warns of the names of an object's own properties that do nothing. */
 function $warnOfNames(object) {
 	for (const name of Object.keys(object)) {
-		if (/^[_$]/.test(name) || name.length < 4) continue;
+		if (/^[_$]/.test(name)) continue;
 		const type = object.constructor.name;
 		if (name === "exact" || name === "maxDepth") $warn(`${name} does nothing on a ${type}: it is for a HierarchicalCollider or a CombinationCollider`);
-		const names = $settableNames(object).filter((each) => each === name || each !== name.replace(/\d+$/, ""));
+		const names = $settableNames(object).filter((each) => each === name || Math.min(each.length, name.length) > 3 && each !== name.replace(/\d+$/, ""));
 		const other = "sweeps" in object && (type === "Agent" || !/^(?:position|rotation|quaternion|scale|radius)$/.test(name)) ? $OTHER_WORDS[name] : undefined;
 		const meant = names.find((each) => each === name) ?? names.find((each) => each.toLowerCase() === name.toLowerCase() || $changesBetween(name, each) <= 1) ?? other;
 		if (meant === name) $warn(`${name} is a field of ${type} that hides the engine's: set it in the constructor`);
@@ -323,7 +323,7 @@ function $areSimilar(name, breed) {
 function $settableNames(object) {
 	const names = [];
 	for (let type = Object.getPrototypeOf(object); type && type !== Object.prototype; type = Object.getPrototypeOf(type)) {
-		for (const [name, { set }] of Object.entries(Object.getOwnPropertyDescriptors(type))) if (set && !/^[_$]/.test(name) && name.length > 3) names.push(name);
+		for (const [name, { set }] of Object.entries(Object.getOwnPropertyDescriptors(type))) if (set && !/^[_$]/.test(name)) names.push(name);
 	}
 	return names;
 }

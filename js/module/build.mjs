@@ -93,7 +93,7 @@ function forUsers(code) {
 /** The members that may get short names: those that only the engine's classes read, by names that stand nowhere else. */
 function hiddenNames() {
 	const platform = [Array, Error, Function, Map, Math, Number, Object, RegExp, Set, String, Uint8Array].flatMap((type) => [type, type.prototype ?? type]);
-	// what only warnings name, is in the minified module only the engine's
+	// what warnings alone name may be short: the minified module has none of them
 	const code = [forUsers(standinsText()), ...Object.values(ADDED).map((added) => added.text), ...["three", "nova"].flatMap(adapterTexts), readFileSync(join(ROOT, "js/module/cook.mjs"), "utf8")].join("\n");
 	const outside = [...code.replaceAll(/\/\*[\s\S]*?\*\/|\/\/.*/g, "").matchAll(/[.{,]\s*([\w$]+)/g), ...text.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
 	const kept = new Set([...outside, ...platform.flatMap((each) => Object.getOwnPropertyNames(each))]);

@@ -183,7 +183,9 @@ export class Checks {
 		if (element === "String") return [`${unlessNull}$checkList(${where}, ${name}, "a string", (each) => ${mayHaveNull ? "each === null || " : ""}typeof each === "string");`];
 		if (element === "Vector3D") return [`${unlessNull}$checkList(${where}, ${name}, "a Vector3D", (each) => each instanceof ${this.#reference("flash.geom.Vector3D")});`];
 		const test = this.#typeTest(element, "each");
-		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${article(element)}", (each) => ${test}` : ""});`];
+		// nobody among agents does no harm: a shot may have no shooter
+		const orNobody = element === "Agent" ? "each == null || " : "";
+		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${article(element)}", (each) => ${orNobody}${test}` : ""});`];
 	}
 }
 

@@ -536,7 +536,9 @@ test("while a game is developed, handlers that are not there to be removed, and 
 		collision.update([new Agent("sphere", "wolves"), new Agent("sphere", "sheep")]);
 		const removed = [["wolfs", "sheep", eat], ["wolves", "sheep", eat.bind(null)], ["wolves", "sheep", eat], ["wolves", "sheep", eat]].map((each) => collision.removeHandler(...each));
 		try {
-			new AgentFilter().except = ["sheep"];
+			const nobody = new AgentFilter();
+			nobody.except = [null, undefined];
+			nobody.except = ["sheep"];
 		} catch (error) {
 			removed.push(error.message);
 		}

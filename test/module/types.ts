@@ -240,7 +240,9 @@ const typedQueries = new AgentQueries(typed);
 is<Same<typeof typedQueries, AgentQueries<Hero | Coin>>>();
 // who asks need not be in the list
 is<Same<ReturnType<typeof typedQueries.near>, (Hero | Coin)[]>>();
-typedQueries.near(new Agent("probe"), 3);
+typedQueries.near(new Agent("probe"), 3, { except: [null, undefined, new Agent("probe")] });
+// @ts-expect-error a breed is no agent
+typedQueries.near(new Agent("probe"), 3, { except: ["coins"] });
 const ofAnyBreed: Collision = typed;
 ofAnyBreed.update(heroes);
 typed.removeHandler("heroes", Collision.ANY_BREED, () => 0);

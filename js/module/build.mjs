@@ -99,7 +99,7 @@ function hiddenNames() {
 	const outside = memberNamesIn([...["three", "nova"].flatMap(adapterTexts), readFileSync(join(ROOT, "js/module/cook.mjs"), "utf8")]);
 	// the stand-ins are renamed too; these names of theirs are members of the engine's classes alone
 	const isOwn = (name) => /^[_$]/.test(name) || bytes.includes(name);
-	const standIns = memberNamesIn([standinsText(), ...Object.values(ADDED).map((added) => added.text)]).filter((name) => !isOwn(name));
+	const standIns = memberNamesIn([forUsers(standinsText()), ...Object.values(ADDED).map((added) => added.text)]).filter((name) => !isOwn(name));
 	const quoted = [...users.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
 	const kept = new Set([...outside, ...standIns, ...quoted, ...declared, ...platform.flatMap((each) => Object.getOwnPropertyNames(each))]);
 	return [...program.hiddenNames, ...bytes].filter((name) => !kept.has(name)).sort();

@@ -31,7 +31,7 @@ export interface AgentFilterInit<A extends Agent = Agent> {
 	/** See AgentFilter.exceptBreeds. */
 	readonly exceptBreeds?: readonly string[] | null | undefined;
 	/** See AgentFilter.except. */
-	readonly except?: readonly Agent[] | null | undefined;
+	readonly except?: readonly (Agent | null | undefined)[] | null | undefined;
 	/** See AgentFilter.accepts. */
 	readonly accepts?: { accept(agent: A): boolean }["accept"] | null | undefined;
 }

@@ -28,6 +28,7 @@ const ANSWERED = new Set(["ByteArray", "String"]);
 const WARNINGS = new Map([
 	["starlogo.GreatLand.addModel", ["$warnOfUnknownProperties(this, true);"]],
 	["starlogo.collision.Collision.update", ["$warnOfSilence(this, agents);", "if ($walks.size > 0) $warnOfStops(this);", "$warnOfLaterProperties(this, agents);"]],
+	["starlogo.collision.Collision.removeHandler", ["$warnOfRemoval(breed, otherBreed, handler);"]],
 	["starlogo.queries.AgentQueries.update", ["$warnOfStale(this, agents, null);", "$warnOfLaterProperties(this, agents);"]],
 	...["refresh", "moveUntilTouch", "slide"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, agent);"]]),
 	["starlogo.queries.AgentQueries.walk", ["$warnOfStale(this, null, agent);", "$warnOfFall(agent, dx, dy);", "$warnOfWalk(this, agent, dx, dy, options);"]],
@@ -115,7 +116,7 @@ export class Checks {
 		if (name === "useCapture") return [...optionsOf(member), `if (typeof ${name} !== "boolean") ${refuse('"true, false or options"')}`];
 		if (name === "buffers") return [`${name} = $bytesByName(${where}, ${name});`];
 		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
-		if (vector) return this.#vectorCheck(parameter, vector, isNullable, where, mayHaveNull(docOfParameter(name, member.doc)));
+		if (vector) return this.#vectorCheck(parameter, vector, isNullable, where, mayHaveNull(docOfParameter(name, member.doc)), member.kind === "set");
 		const simple = this.#simpleCheck(parameter, member, type);
 		if (simple) {
 			const [helper, test, kind] = simple;
@@ -174,15 +175,17 @@ export class Checks {
 		return MARKED.has(type.qname) ? `$isMarked(${name}, "$is${type.name}")` : `(${name} instanceof ${this.#reference(type.qname)})`;
 	}
 
-	#vectorCheck({ name }, element, isNullable, where, mayHaveNull) {
+	#vectorCheck({ name }, element, isNullable, where, mayHaveNull, isSetting) {
 		const unlessNull = isNullable ? `if (${name} != null) ` : "";
-		// The engine checks agents when it first meets them. That is once, as long as a list stays the same.
-		if (name === "out" || element === "Agent") return [`${unlessNull}$checkList(${where}, ${name});`];
+		// The engine checks the agents of a frame when it first meets them. That is once, as long as a list stays the same.
+		if (name === "out" || element === "Agent" && !isSetting) return [`${unlessNull}$checkList(${where}, ${name});`];
 		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${where}, ${name}, "${element}", ${isNullable});`];
 		if (element === "String") return [`${unlessNull}$checkList(${where}, ${name}, "a string", (each) => ${mayHaveNull ? "each === null || " : ""}typeof each === "string");`];
 		if (element === "Vector3D") return [`${unlessNull}$checkList(${where}, ${name}, "a Vector3D", (each) => each instanceof ${this.#reference("flash.geom.Vector3D")});`];
 		const test = this.#typeTest(element, "each");
-		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${article(element)}", (each) => ${test}` : ""});`];
+		// nobody among agents does no harm: a shot may have no shooter
+		const orNobody = element === "Agent" ? "each == null || " : "";
+		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${article(element)}", (each) => ${orNobody}${test}` : ""});`];
 	}
 }
 

@@ -35,9 +35,13 @@ const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@
 const OF_AGENTS = "<A extends Agent = Agent>";
 const OF_BREEDS = "<B extends Agent | { [K in keyof B]: Agent } = Agent, A extends Agent = AgentsOf<B>>";
 
-/** The type parameters of methods: the agents of a list, the breeds and agents of a handler, the agent of a footing, and what a question finds. */
+/**
+ * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the agent of a footing, and what a question finds. A
+ * method that took breeds without type parameters of its own would make a Collision with classes for breeds unfit for a plain `Collision`.
+ */
 const PICKING = "<A extends Agent>";
-const HANDLING = "<C extends AgentOf<B, N>, D extends AgentOf<B, M>, N extends BreedOf<B> = BreedOf<B>, M extends BreedOf<B> = BreedOf<B>>";
+const NAMING = "N extends BreedOf<B> = BreedOf<B>, M extends BreedOf<B> = BreedOf<B>>";
+const HANDLING = `<C extends AgentOf<B, N>, D extends AgentOf<B, M>, ${NAMING}`;
 const FILLING = "<O extends Agent = A>";
 const FINDING = "<F extends A = A>";
 
@@ -157,6 +161,7 @@ class Writer {
 		const hasList = parameters.some(({ name, type }) => type === "Vector.<Agent>" && name !== "out");
 		if (this.#agent === "Agent") return result === "Vector.<Agent>" && hasList ? PICKING : "";
 		if (HANDLER.test(said)) return HANDLING;
+		if (parameters.some(({ name }) => name === "otherBreed")) return `<${NAMING}`;
 		const takes = (wanted) => parameters.some(({ type }) => type === wanted);
 		if (takes("Footing")) return FILLING;
 		return takes("AgentFilter") && /^(?:Vector\.<)?Agent>?$/.test(result) ? FINDING : "";
@@ -215,7 +220,7 @@ class Writer {
 		return member.parameters.map((parameter) => {
 			const { name, type, value, isRest } = parameter;
 			if (isRest) return `...${name}: string[]`;
-			if (generic === HANDLING && type === "String") return `${name}: ${name === "breed" ? "N" : "M"}`;
+			if (generic.endsWith(NAMING) && /breed$/i.test(name)) return `${name}: ${name === "breed" ? "N" : "M"}`;
 			if (generic === FINDING && name === "out") return `out?: ${this.#foundType(type)} | null`;
 			const text = this.#parameterType(parameter, this.#said(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
@@ -233,9 +238,10 @@ class Writer {
 	#parameterType(parameter, said = "") {
 		// what is filled may be for a base class of the agents, not for another one
 		if (parameter.type === "Footing" && this.#agent === "A") return "(Footing<O> & ([A] extends [O] ? unknown : never)) | null";
-		// it may have been made for any class of agents before
+		// who asks a question need not be in the list, and what it fills may have been made for any class of agents before
 		const agent = this.#agent;
-		if (parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";
+		const isForAny = parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]));
+		if (parameter.type === "Agent" || isForAny) this.#agent = "Agent";
 		const text = this.#parameterText(parameter, said);
 		this.#agent = agent;
 		return text;

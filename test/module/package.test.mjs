@@ -272,7 +272,7 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 		const other = new Collision(new CombinationCollider(land));
 		const [level, boxed] = [new Agent("level"), new Agent("level")];
 		boxed.collideAs = "box";
-		class Bird extends Agent { sweeps = true; }
+		class Bird extends Agent { sweeps = true; x = 3; xs = []; }
 		other.filter = Object.assign(new AgentFilter(), { exceptBreeds: ["turtle"] });
 		other.update([level, boxed, new Bird("level")]);
 		const misspelt = Object.assign(new AgentFilter(), { breed: ["sheep"] });
@@ -302,7 +302,7 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 		console.log(JSON.stringify(said));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const said = run("starlogo-collision.js");
-	const expected = [/exact does nothing on a BinCollider/, /sweep is no property of Agent.*is sweeps meant/, /colour is no property of Wolf.*is color meant/, /Heading is no property of Wolf.*is heading meant/, /sweep is no property of Wolf/, /the handler eat for "wolfs" and "sheep" has 4 parameters, and gets three/, /no agent is of the breed "wolfs"; is "wolves" meant/, /"sheeps"; is "sheep" meant/, /"Wolves"; is "wolves" meant/, /"birds"; is "birdes" meant/, /"turtle"; is "turtles" meant/, /sweeps is a field of Bird that hides the engine's: set it in the constructor/, /12638 triangles.*set hierarchical/,
+	const expected = [/exact does nothing on a BinCollider/, /sweep is no property of Agent.*is sweeps meant/, /colour is no property of Wolf.*is color meant/, /Heading is no property of Wolf.*is heading meant/, /sweep is no property of Wolf/, /the handler eat for "wolfs" and "sheep" has 4 parameters, and gets three/, /no agent is of the breed "wolfs"; is "wolves" meant/, /"sheeps"; is "sheep" meant/, /"Wolves"; is "wolves" meant/, /"birds"; is "birdes" meant/, /"turtle"; is "turtles" meant/, /sweeps is a field of Bird that hides the engine's: set it in the constructor/, /x is a field of Bird that hides/, /12638 triangles.*set hierarchical/,
 		/breed is no property of AgentFilter.*is breeds meant/, /stepheight is no property of WalkOptions.*is stepHeight meant/, /position is no property of Agent .*is moveTo\(x, y, z\) meant/, /isHierarchical is no .*is hierarchical meant/, /oneWay is no property of Wolf.*is isOneWay meant/,
 		/loadTightestfit is no property of GreatLand.*is loadTightestFit meant/, /a ModelLoader sends no event "load"; it sends modelLoaded, error, progress, complete, cancel/, /the shape "hero" begins a motion at \(0, 0, 1\), \S+ deep inside of agent \d+ \(breed "turtles", shape "room"\), which does not stop it\. What is inside of a closed model/];
 	assert.equal(said.length, expected.length, said.join("\n"));
@@ -318,17 +318,19 @@ test("while a game is developed, names that do nothing are warned of when they a
 		const queries = new AgentQueries(new BinCollider());
 		const agents = [new Agent("sphere", "wolves"), new Agent("sphere")];
 		const asked = [new Agent("cube")];
-		for (let frame = 1; frame <= 20; frame++) {
+		for (let frame = 1; frame <= 40; frame++) {
 			collision.update(agents);
 			queries.update(asked);
 			if (frame === 1) agents[1].sweep = true;
 			if (frame === 5) agents[0].colour = "grey";
 			if (frame === 9) asked[0].isHierarchical = true;
+			if (frame === 17) collision.exact = collision.collisionSystem.maxDepth = 3;
 		}
 		console.log(JSON.stringify(said));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const said = run("starlogo-collision.js");
-	const expected = [/sweep is no property of Agent .*is sweeps meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/];
+	const expected = [/sweep is no property of Agent .*is sweeps meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/,
+		/exact does nothing on a Collision: it is for a HierarchicalCollider/, /maxDepth does nothing on a BinCollider/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
@@ -504,13 +506,52 @@ test("while a game is developed, walks that stop before what has a handler with 
 			return said.length + " " + calls;
 		};
 		const steps = [play("wall", "walls"), play("sphere", "coins", { exceptBreeds: ["coins"] }), play("sphere", "foes"), play("sphere", "doors", null, 9), play("wall", "doors"), play("wall", "doors")];
+		const [hero, floor] = [new Agent("hero", "heroes"), new Agent("wall", "floors")];
+		game.onCollision("heroes", "floors", () => calls++);
+		hero.moveTo(0, 0, 3.2);
+		for (let i = 0; i < 12; i++) {
+			queries.update([hero, floor]);
+			queries.walk(hero, 0.01, 0);
+			game.update([hero, floor]);
+		}
+		steps.push(said.length + " " + calls);
 		console.log(JSON.stringify({ said, steps }));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const { said, steps } = run("starlogo-collision.js");
-	// no handlers, left out, met after a while, not stopped for long, and stopped
-	assert.deepEqual(steps, ["0 0", "0 1", "0 2", "0 2", "1 2", "1 2"]);
+	// no handlers, left out, met after a while, not stopped for long, stopped, and stood on
+	assert.deepEqual(steps, ["0 0", "0 1", "0 2", "0 2", "1 2", "1 2", "2 2"]);
 	assert.match(said[0], /a walk of "heroes" stops before "doors" and does not touch them, so the handlers of the two never run\..* leave them out: .*\{ filter: \{ exceptBreeds: \["doors"\] \} \}/);
+	assert.match(said[1], /a walk of "heroes" ends on "floors" and does not touch them, so the handlers/);
 	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+});
+
+test("while a game is developed, handlers that are not there to be removed, and the world's breeds without their mark, are warned of, once", () => {
+	const program = (module) => `import { Agent, AgentFilter, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const collision = new Collision(new BinCollider());
+		const eat = () => 0;
+		collision.onCollision("wolves", "sheep", eat);
+		collision.onCollisionEnd("wolves", "terrain", eat);
+		collision.update([new Agent("sphere", "wolves"), new Agent("sphere", "sheep")]);
+		const removed = [["wolfs", "sheep", eat], ["wolves", "sheep", eat.bind(null)], ["wolves", "sheep", eat], ["wolves", "sheep", eat]].map((each) => collision.removeHandler(...each));
+		try {
+			const nobody = new AgentFilter();
+			nobody.except = [null, undefined];
+			nobody.except = ["sheep"];
+		} catch (error) {
+			removed.push(error.message);
+		}
+		console.log(JSON.stringify({ said, removed }));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const { said, removed } = run("starlogo-collision.js");
+	assert.deepEqual(removed, [false, false, true, false, 'AgentFilter.except[0] must be an Agent, not "sheep"']);
+	const expected = [/no agent is of the breed "terrain"; is "\*terrain" meant\?/,
+		/removeHandler removes nothing for "wolfs" and "sheep": the function eat is one for "wolves" and "sheep", "wolves" and "terrain"/,
+		/removeHandler removes nothing for "wolves" and "sheep": the function bound eat was never added: .* bind\(\)/];
+	assert.equal(said.length, expected.length, said.join("\n"));
+	expected.forEach((pattern, i) => assert.match(said[i], pattern));
+	assert.deepEqual(run("starlogo-collision.min.js"), { said: [], removed });
 });
 
 test("it runs in Node", async () => {

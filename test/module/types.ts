@@ -238,6 +238,16 @@ typed.onCollision("heroes", "coins", (hero: Agent, coin: Coin) => coin.worth);
 typed.update([new Hero("cube"), new Coin("sphere")]);
 const typedQueries = new AgentQueries(typed);
 is<Same<typeof typedQueries, AgentQueries<Hero | Coin>>>();
+// who asks need not be in the list
+is<Same<ReturnType<typeof typedQueries.near>, (Hero | Coin)[]>>();
+typedQueries.near(new Agent("probe"), 3, { except: [null, undefined, new Agent("probe")] });
+// @ts-expect-error a breed is no agent
+typedQueries.near(new Agent("probe"), 3, { except: ["coins"] });
+const ofAnyBreed: Collision = typed;
+ofAnyBreed.update(heroes);
+typed.removeHandler("heroes", Collision.ANY_BREED, () => 0);
+// @ts-expect-error there is no such breed
+typed.removeHandler("heroes", "coin", () => 0);
 // @ts-expect-error there is no such breed
 typed.onCollision("heros", "coins", () => 0);
 // @ts-expect-error the coin is no hero

@@ -8,6 +8,7 @@ const $LONG_FALL = 200;
 const $MANY_STOPS = 10;
 const $MANY_ANGLES = 30;
 const $END = 4; // CollisionHandler.END
+const $WORLD_BREEDS = ["*terrain", "*edge"]; // Collision.TERRAIN and EDGE
 const $STRUCTURE = "structure"; // what a cast structure is called: see Body.readStructure
 const $warned = /* @__PURE__ */ new Set();
 const $checkedBreeds = /* @__PURE__ */ new Map();
@@ -18,6 +19,7 @@ const $updates = /* @__PURE__ */ new WeakMap();
 const $falls = /* @__PURE__ */ new WeakMap();
 const $walks = /* @__PURE__ */ new Map();
 const $stops = /* @__PURE__ */ new Map();
+const $breedsOf = /* @__PURE__ */ new WeakMap();
 const $angles = { count: 0, least: 0, most: 0 };
 let $anglesToSee = 20000;
 let $frames = 0;
@@ -49,23 +51,25 @@ export function $warnOfUnknownProperties(object, isChanging) {
 }
 
 /**
- * Looks at agents again, because a game may set a property later than the first frame: at the first hundred of a list, in the second, fourth, eighth
- * frame and so on of a Collision or of questions.
+ * Looks at a Collision or at questions, at the collision system, and at agents again, because a game may set a property later than the first
+ * frame: at the first hundred of a list, in the second, fourth, eighth frame and so on.
  */
 export function $warnOfLaterProperties(system, agents) {
 	const frames = ($framesOf.get(system) ?? 0) + 1;
 	$framesOf.set(system, frames);
-	if (frames === 1 || (frames & (frames - 1)) !== 0 || !Array.isArray(agents)) return;
+	if ((frames & (frames - 1)) !== 0 || !Array.isArray(agents)) return;
+	$warnOfNames(system);
+	if (system.collisionSystem) $warnOfNames(system.collisionSystem);
 	for (const agent of agents.slice(0, $MOST_LOOKED_AT_AGAIN)) if ($checkedObjects.has(agent)) $warnOfNames(agent);
 }
 
 /** Warns of the names of an object's own properties that do nothing. */
 function $warnOfNames(object) {
 	for (const name of Object.keys(object)) {
-		if (/^[_$]/.test(name) || name.length < 4) continue;
+		if (/^[_$]/.test(name)) continue;
 		const type = object.constructor.name;
 		if (name === "exact" || name === "maxDepth") $warn(`${name} does nothing on a ${type}: it is for a HierarchicalCollider or a CombinationCollider`);
-		const names = $settableNames(object).filter((each) => each === name || each !== name.replace(/\d+$/, ""));
+		const names = $settableNames(object).filter((each) => each === name || Math.min(each.length, name.length) > 3 && each !== name.replace(/\d+$/, ""));
 		const other = "sweeps" in object && (type === "Agent" || !/^(?:position|rotation|quaternion|scale|radius)$/.test(name)) ? $OTHER_WORDS[name] : undefined;
 		const meant = names.find((each) => each === name) ?? names.find((each) => each.toLowerCase() === name.toLowerCase() || $changesBetween(name, each) <= 1) ?? other;
 		if (meant === name) $warn(`${name} is a field of ${type} that hides the engine's: set it in the constructor`);
@@ -82,10 +86,11 @@ export function $warnOfBreeds(names, agents) {
 	if (unchecked.length === 0) return;
 	const breeds = new Set(agents.map((agent) => agent?.breed).filter((breed) => typeof breed === "string" && !/^\*/.test(breed)));
 	if (breeds.size === 0) return;
+	const called = [...breeds, ...$WORLD_BREEDS];
 	for (const name of new Set(unchecked)) {
 		$checkedBreeds.set(name, breeds.has(name) ? Infinity : Breeds$NAMES.count);
 		if (breeds.has(name)) continue;
-		const meant = [...breeds].find((breed) => $areSimilar(name, breed));
+		const meant = called.find((breed) => $areSimilar(name, breed));
 		const shaped = agents.find((agent) => agent?.shape === name);
 		if (meant === undefined && shaped) $warn(`no agent is of the breed ${JSON.stringify(name)}, which is the shape of ${shaped}: new Agent(${JSON.stringify(name)}, "BREED") gives it a breed`);
 		if (meant !== undefined) $warn(`no agent is of the breed ${JSON.stringify(name)}; is ${JSON.stringify(meant)} meant?`);
@@ -126,12 +131,23 @@ export function $warnOfInside(agents, index, shape, place, below, depth, isTree)
  * at the end of a touch, where it is null. Handlers with fewer parameters are as common as methods without any.
  */
 export function $warnOfHandler(breed, otherBreed, handler, kind) {
-	const name = `the handler ${handler.name || "without a name"} for ${JSON.stringify(breed)} and ${JSON.stringify(otherBreed)}`;
+	const breeds = `${JSON.stringify(breed)} and ${JSON.stringify(otherBreed)}`;
+	const name = `the handler ${handler.name || "without a name"} for ${breeds}`;
+	$breedsOf.set(handler, ($breedsOf.get(handler) ?? new Set()).add(breeds));
 	if (handler.length > 3) $warn(`${name} has ${handler.length} parameters, and gets three arguments: the two agents and the contact`);
 	const text = Function.prototype.toString.call(handler);
 	const [first, second, third] = parametersOf(text).split(",").map((each) => each.trim());
 	if (first === "contact" || second === "contact") $warn(`${name} has its contact too early: it gets the two agents first, (a, b, contact)`);
 	if (kind === $END && third && $readsBlindly(text, third)) $warn(`${name} is for the end of a touch, where its third argument is null: there it is without contact. Copy what you need of the contact in onCollisionStart`);
+}
+
+/** Warns of a handler that removeHandler cannot find, because it was added for other breeds, or is another function with the same text. */
+export function $warnOfRemoval(breed, otherBreed, handler) {
+	if (typeof handler !== "function") return;
+	const [breeds, added] = [`${JSON.stringify(breed)} and ${JSON.stringify(otherBreed)}`, $breedsOf.get(handler)];
+	if (added?.has(breeds)) return;
+	const why = added ? `is one for ${[...added].join(", ")}` : "was never added: a function that => or bind() makes anew is another one. Keep the one that was added";
+	$warn(`removeHandler removes nothing for ${breeds}: the function ${handler.name || "without a name"} ${why}`);
 }
 
 /** Whether a function reads properties of a parameter, and asks nowhere whether there is an object. */
@@ -210,27 +226,32 @@ export function $warnOfWalk(queries, agent, dx, dy, options) {
 }
 
 /**
- * Warns of agents that have stopped many walks, if handlers are for the breeds of the two, and these have never met: who walks should go through
- * coins, because it touches nothing that stops it.
+ * Warns of agents that many walks have stopped before or ended on, if handlers are for the breeds of the two, and these have never met: who walks
+ * should go through coins, because it touches nothing that stops it.
  */
 export function $warnOfStops(collision) {
 	const { interests, _pairIndices: met } = collision._handlers;
-	for (const [agent, { queries, dx, dy, filter, x, y }] of $walks) {
-		if (Math.hypot(agent.x - x, agent.y - y) >= 0.5 * Math.hypot(dx, dy)) continue;
-		let other;
-		try {
-			other = queries.castAgent(agent, dx, dy, 0, filter)?.agent;
-		} catch {
-			// a walk that was refused is no concern of the Collision's
+	for (const [agent, walk] of $walks) {
+		for (const [does, other] of [["stops before", $stopOf(agent, walk)], ["ends on", agent.$platformLink?.platform]]) {
+			const [breed, otherBreed] = [agent.$breedNumber, other?.$breedNumber];
+			if (!other || !interests.$has(breed, otherBreed) || met.find(breed, otherBreed) >= 0 || met.find(otherBreed, breed) >= 0) continue;
+			const [name, otherName] = [agent.breed, other.breed].map((each) => JSON.stringify(each));
+			const stops = ($stops.get(name + otherName) ?? 0) + 1;
+			$stops.set(name + otherName, stops);
+			if (stops === $MANY_STOPS) $warn(`a walk of ${name} ${does} ${otherName} and does not touch them, so the handlers of the two never run. If it should go through them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } })`);
 		}
-		const [breed, otherBreed] = [agent.$breedNumber, other?.$breedNumber];
-		if (!other || !interests.$has(breed, otherBreed) || met.find(breed, otherBreed) >= 0 || met.find(otherBreed, breed) >= 0) continue;
-		const [name, otherName] = [agent.breed, other.breed].map((each) => JSON.stringify(each));
-		const stops = ($stops.get(name + otherName) ?? 0) + 1;
-		$stops.set(name + otherName, stops);
-		if (stops === $MANY_STOPS) $warn(`a walk of ${name} stops before ${otherName} and does not touch them, so the handlers of the two never run. If it should go through them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } })`);
 	}
 	$walks.clear();
+}
+
+/** The agent that a walk has stopped before. */
+function $stopOf(agent, { queries, dx, dy, filter, x, y }) {
+	if (Math.hypot(agent.x - x, agent.y - y) >= 0.5 * Math.hypot(dx, dy)) return undefined;
+	try {
+		return queries.castAgent(agent, dx, dy, 0, filter)?.agent;
+	} catch {
+		return undefined; // a walk that was refused is no concern of the Collision's
+	}
 }
 
 /** Warns of a slope that is probably in radians. */
@@ -302,7 +323,7 @@ function $areSimilar(name, breed) {
 function $settableNames(object) {
 	const names = [];
 	for (let type = Object.getPrototypeOf(object); type && type !== Object.prototype; type = Object.getPrototypeOf(type)) {
-		for (const [name, { set }] of Object.entries(Object.getOwnPropertyDescriptors(type))) if (set && !/^[_$]/.test(name) && name.length > 3) names.push(name);
+		for (const [name, { set }] of Object.entries(Object.getOwnPropertyDescriptors(type))) if (set && !/^[_$]/.test(name)) names.push(name);
 	}
 	return names;
 }

@@ -22,7 +22,7 @@ package starlogo.queries
         /** Agents of these breeds do not count. */
         public var exceptBreeds:Vector.<String> = null;
 
-        /** These agents do not count. */
+        /** These agents do not count. Null among them is nobody. */
         public var except:Vector.<Agent> = null;
 
         /**

@@ -176,7 +176,6 @@ package starlogo.solid
          */
         public function findContact(pair:TwoTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
-            var normal:Vector3D = _plane.normal;
             _kernel.setShapeToTriangle(_secondMesh.corners, 9 * best.b, _placement);
             _kernel.findContact(_firstMesh.corners, 9 * best.a, motion, out);
             _kernel.shape.margin = _outerTolerance;
@@ -184,7 +183,7 @@ package starlogo.solid
             Placement.invert(_placement, _toSecond.placement);
             if (_plane.isMetBy(_kernel.shape, motion, out) && !isBehindPlane(pair.b, _toSecond, motion, out))
             {
-                out.setNormal(normal.x, normal.y, normal.z);
+                out.setNormal(_plane.normal.x, _plane.normal.y, _plane.normal.z);
                 return;
             }
             _movedFrom = -1;
@@ -195,7 +194,7 @@ package starlogo.solid
             _reversed.setReversed(motion);
             if (_plane.isMetBy(_kernel.shape, _reversed, out) && !isBehindPlane(pair.a, _toFirst, RelativeMotion.NONE, out))
             {
-                out.setNormal(-normal.x, -normal.y, -normal.z);
+                out.setNormal(-_plane.normal.x, -_plane.normal.y, -_plane.normal.z);
             }
         }
 

@@ -219,9 +219,9 @@ test('all of a choice can be left to Node: classes and tests by their names, a p
 		const { status } = spawnSync(process.execPath, ['test/list-tests.mjs', out, `--test=${pattern}`, '--node', ...options], { cwd: root });
 		return status === 0 ? Object.fromEntries(readFileSync(path.join(out, 'tests.properties'), 'utf8').trim().split('\n').map((line) => line.split('='))) : null;
 	};
-	const { left, then, beside, of, pages } = list('src/starlogo/search/KeptPairs.as', '--elsewhere=test/headless/in-node.txt');
-	assert.ok(left.split(',').includes('KeptPairsTest') && then.includes('SoakTest.'));
-	assert.deepEqual([beside, of, pages], ['test/fuzz/kept.test.mjs', 'starlogo.search.KeptPairs', undefined]);
+	const { left, then, beside, of, pages } = list('src/starlogo/search/ChangedRows.as', '--elsewhere=test/headless/in-node.txt');
+	assert.ok(left.split(',').includes('ChangedRowsTest') && then.includes('SoakTest.'));
+	assert.deepEqual([beside, of, pages], ['test/fuzz/kept.test.mjs', 'starlogo.search.ChangedRows', undefined]);
 	assert.equal(list('BoxTest.rotatesAboutTheOrigin').left, 'BoxTest.rotatesAboutTheOrigin');
 	const page = list('terrain.md');
 	assert.deepEqual([page.left, page.pages], [undefined, 'docs/terrain.md']);

@@ -122,13 +122,13 @@ package starlogo.queries.motion
             return same;
         }
 
-        /** Makes the rest of the motion level. The next <code>project()</code> heeds it. */
+        /** Makes the rest of the motion level, from the next <code>project()</code> on. */
         public function makeHorizontal():void
         {
             _cornerMotion.z = 0;
         }
 
-        /** Makes the rest of the motion so steep that it does not cross a plane. Its way on the ground plane stays. As above. */
+        /** Makes the rest so steep that it does not cross a plane, from the next <code>project()</code> on. Its way on the ground plane stays. */
         public function climb(plane:ContactPoint):void
         {
             var rise:Number = -(plane.normalX * _cornerMotion.x + plane.normalY * _cornerMotion.y) / plane.normalZ;

@@ -220,7 +220,8 @@ package starlogo.queries
             {
                 _lift.findEnd(_from, _motion, 1, body.core.slop, end);
             }
-            for (var i:int = 0; i < rows.count && found.limit > 0; i++)
+            // what stops the body at once does not end the loop, because a row behind it may lift the body
+            for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
                 _touches.findTouch(body, row, _from, _motion, _lift, _result);

@@ -63,7 +63,7 @@ class TeachView {
 			note ? h("p.status.problem", { role: "alert" }, note) : null,
 			h("h2", {}, words.title), h("p", {}, words.intro(total)),
 			h("ol.steps", {}, ...[["in-class", texts.inClass.title, texts.inClass.note], ["sheets", words.allSheets, words.sheetsNote], ["class", texts.handing.classTitle, words.classNote]]
-				.map(([page, name, note]) => h("li", {}, h("a", { href: `#teach/${page}` }, name), `: ${note}`))),
+				.map(([page, name, note]) => h("li", {}, h("a", { href: `#teach/${page}` }, name), h("small", {}, note)))),
 			h("div.table", {}, h("table", {},
 				h("thead", {}, h("tr", {}, ...[words.lesson, words.minutes, words.inPlay].map((text) => h("th", { scope: "col" }, text)))),
 				h("tbody", {}, ...NAMES.map((name, i) => h("tr", {},

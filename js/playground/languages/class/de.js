@@ -6,10 +6,10 @@ export const texts = {
 		title: "Elf Lektionen für eine Klasse", intro: (minutes) => `Für Kinder ab zwölf Jahren, allein oder zu zweit: zusammen ${minutes} Minuten. Niemand braucht ein Konto.`,
 		lesson: "Lektion", minutes: "Minuten", inPlay: "In „Spielen“", open: "Öffnen", numbered: (number, title) => `${number}. ${title}`,
 		pageOf: (number) => `Seite zum Drucken von Lektion ${number}`, openOf: (number) => `Lektion ${number} öffnen`,
-		all: "Alle Lektionen", allSheets: "Alle Blätter, auf einmal zu drucken", sheetsNote: "die Seite jeder Lektion, mit der Lösung auf einer zweiten. Die Liste unten führt zu den einzelnen.", print: "Drucken", of: (number, all, minutes) => `Lektion ${number} von ${all}, ${minutes} Minuten`,
+		all: "Alle Lektionen", allSheets: "Alle Blätter, auf einmal zu drucken", sheetsNote: "Die Seite jeder Lektion, mit der Lösung auf einer zweiten. Die Liste unten führt zu den einzelnen.", print: "Drucken", of: (number, all, minutes) => `Lektion ${number} von ${all}, ${minutes} Minuten`,
 		aim: "Was gelernt wird", told: "Was die Lektion sagt", ask: "Zum Reden", solution: "Eine Lösung",
 		withSolution: "Mit der Lösung auf einer zweiten Seite", why: "Warum", blocks: "Die Blöcke", backToPlay: "Zurück zum Programm", noPage: "Diese Seite gibt es hier nicht. Das sind die Lektionen.", solved: (title) => `Die Blöcke von „${title}“, gelöst`,
-		classNote: "sehen, wer was gelöst hat, und jedes Programm spielen.",
+		classNote: "Sehen Sie, wer was gelöst hat, und spielen Sie jedes Programm.",
 		picture: (title) => `So beginnt „${title}“`, program: (title) => `Die Blöcke von „${title}“, wie sie gegeben sind`, given: "Die Blöcke am Anfang",
 		list: {
 			blocks: { aim: "Ein Skript läuft für jeden Agenten, viele Male in der Sekunde. Die Reihenfolge der Blöcke ist die Reihenfolge dessen, was geschieht.", ask: "Das Skript hat keine Schleife, und doch laufen die Schildkröten immer weiter. Warum?", solution: "Setze „vorwärts“ unter „drehe“ in das Skript „in jedem Bild, für alle Schildkröten“." },
@@ -26,7 +26,7 @@ export const texts = {
 		},
 	},
 	inClass: {
-		title: "Im Unterricht", note: "wie die Klasse die Seite bekommt: von einem Server, von einem Stick, über einen Link oder QR-Code.",
+		title: "Im Unterricht", note: "Wie die Klasse die Seite bekommt: von einem Server, von einem Stick, über einen Link oder QR-Code.",
 		intro: "Es wird nichts installiert, und niemand braucht ein Konto. Die Seite ist ein Ordner mit Dateien oder eine einzige Datei. Sie lädt nichts von anderswo und schickt nichts weg.",
 		links: "Links und QR-Codes", linksNote: "Wählen Sie, was sich öffnet. Zeigen Sie den Code an der Wand, drucken Sie ihn oder schicken Sie den Link.",
 		line: "Zeile fürs Terminal", address: "Adresse der Seite", place: "Was sich öffnet", qr: "QR-Code des Links",

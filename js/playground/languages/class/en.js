@@ -6,10 +6,10 @@ export const texts = {
 		title: "Eleven lessons for a class", intro: (minutes) => `For pupils from twelve on, alone or in pairs: ${minutes} minutes in all. Nobody needs an account.`,
 		lesson: "Lesson", minutes: "Minutes", inPlay: "In Play", open: "Open", numbered: (number, title) => `${number}. ${title}`,
 		pageOf: (number) => `Page to print of lesson ${number}`, openOf: (number) => `Open lesson ${number}`,
-		all: "All lessons", allSheets: "All sheets, to print at once", sheetsNote: "the page of each lesson, with its solution on a second one. The list below leads to single ones.", print: "Print", of: (number, all, minutes) => `Lesson ${number} of ${all}, ${minutes} minutes`,
+		all: "All lessons", allSheets: "All sheets, to print at once", sheetsNote: "The page of each lesson, with its solution on a second one. The list below leads to single ones.", print: "Print", of: (number, all, minutes) => `Lesson ${number} of ${all}, ${minutes} minutes`,
 		aim: "What pupils learn", told: "What the lesson says", ask: "To talk about", solution: "A solution",
 		withSolution: "With the solution on a second page", why: "Why", blocks: "The blocks", backToPlay: "Back to the program", noPage: "There is no such page here. These are the lessons.", solved: (title) => `The blocks of “${title}”, solved`,
-		classNote: "see who has solved what, and play every program.",
+		classNote: "See who has solved what, and play every program.",
 		picture: (title) => `How “${title}” begins`, program: (title) => `The blocks of “${title}” as they are given`, given: "The blocks at the beginning",
 		list: {
 			blocks: { aim: "A script runs for each agent, many times a second. The order of blocks is the order of what happens.", ask: "The script has no loop, and yet the turtles keep walking. Why?", solution: "Put “forward” below “turn” in the script “every frame, each of turtles”." },
@@ -27,7 +27,7 @@ export const texts = {
 	},
 	/** How a class gets the page. */
 	inClass: {
-		title: "In class", note: "how pupils get the page, from a server or from a stick, by a link or a QR code.",
+		title: "In class", note: "How pupils get the page, from a server or from a stick, by a link or a QR code.",
 		intro: "Nothing is installed, and nobody needs an account. The page is a folder of files, or one file. It loads nothing from elsewhere and sends nothing away.",
 		links: "Links and QR codes", linksNote: "Choose what opens. Show the code on the wall, print it, or send the link.",
 		line: "Line for the terminal", address: "Address of the page", place: "What opens", qr: "QR code of the link",

@@ -103,10 +103,10 @@ export const texts = {
 	measure: {
 		mode: "Was gemessen wird", modes: { live: "Ein laufendes Spiel", series: "Alle Systeme nacheinander" },
 		live: {
-			run: "Start", stop: "Stopp", count: "Agenten", system: "Kollisionssystem", drawn: "Welt zeichnen", beside: "Daneben kdbush", besideRapier: "Daneben Rapier (2 MB)",
+			run: "Start", stop: "Stopp", count: "Agenten", system: "Kollisionssystem", drawn: "Welt zeichnen", beside: "mit kdbush", besideRapier: "mit Rapier (2 MB)",
 			world: "Alle Agenten von oben; wer berührt, ist rot", graph: "Die Teile der letzten Bilder in Millisekunden, übereinander; kdbush und Rapier als Linien", empty: "Drücke Start, dann stehen hier die Zeiten jedes Bildes.",
 			figures: { move: "ms Bewegen", engine: "ms Engine", draw: "ms Zeichnen", kdbush: "ms von kdbush", pairs: "Berührungen", near: "nahe Paare (kdbush)", rapier: "ms von Rapier", inRapier: "Berührungen (Rapier)" },
-			six: "die sechs des Spiels", models: "Modelle",
+			six: "alle sechs", models: "Modelle",
 			limit: "60 Bilder in der Sekunde",
 			note: "Wer jemanden berührt, ist rot. Ein Balken ist ein Bild: Die Agenten bewegen sich (grau), die Engine findet alle Paare, die sich berühren, und ruft für jedes eine Funktion auf (blau), und die Seite zeichnet (grün). Balken unter der gepunkteten Linie lassen Zeit für 60 Bilder in der Sekunde.",
 			more: "Wie gemessen wird",

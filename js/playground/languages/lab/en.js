@@ -107,7 +107,7 @@ export const texts = {
 			run: "Run", stop: "Stop", count: "Agents", system: "Collision system", drawn: "Draw the world", beside: "kdbush beside it", besideRapier: "Rapier beside it (2 MB)",
 			world: "All agents from above; those that touch are red", graph: "The parts of the last frames, in milliseconds, one above the other; kdbush and Rapier as lines", empty: "Press Run to see the times of each frame here.",
 			figures: { move: "ms moving", engine: "ms engine", draw: "ms drawing", kdbush: "ms kdbush", pairs: "pairs touch", near: "pairs near (kdbush)", rapier: "ms Rapier", inRapier: "pairs touch (Rapier)" },
-			six: "the game’s six", models: "Models",
+			six: "all six", models: "Models",
 			limit: "60 frames a second",
 			note: "Who touches somebody is red. A bar is one frame: the agents move (grey), the engine finds all pairs that touch and calls a handler for each (blue), and the page draws (green). Bars below the dotted line leave time for 60 frames a second.",
 			more: "How this is measured",

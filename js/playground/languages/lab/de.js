@@ -8,7 +8,7 @@ export const texts = {
 		world: "Das Modell und seine Hüllkörper; Pfeiltasten drehen es, Plus und Minus ändern den Abstand",
 		picture: "Das Modell",
 		model: "Modell",
-		drop: "oder lege eine OBJ-, DAE-, GLB-, glTF- oder STL-Datei irgendwo auf dieser Seite ab",
+		drop: "OBJ-, DAE-, GLB-, glTF- und STL-Dateien lassen sich irgendwo auf dieser Seite ablegen.",
 		up: "Oben",
 		ups: { z: "z", y: "y", x: "x", "-z": "−z", "-y": "−y", "-x": "−x" },
 		upHint: "Liegt es auf der Seite oder steht es auf der Nase? Viele Dateien sagen nicht, welche ihrer Achsen nach oben zeigt. Wähle sie hier.",

@@ -9,7 +9,7 @@ export const texts = {
 		world: "The model and its bounding structures; arrow keys turn it, plus and minus zoom",
 		picture: "The model",
 		model: "Model",
-		drop: "or drop an OBJ, DAE, GLB, glTF or STL file anywhere on this page",
+		drop: "You can drop OBJ, DAE, GLB, glTF and STL files anywhere on this page.",
 		up: "Up",
 		ups: { z: "z", y: "y", x: "x", "-z": "−z", "-y": "−y", "-x": "−x" },
 		upHint: "Does it lie on its side, or stand on its nose? Many files do not say which of their axes points up. Choose it here.",

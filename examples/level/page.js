@@ -23,6 +23,7 @@ const camera = new THREE.PerspectiveCamera(50, 1, 0.05, 120);
 const fit = () => {
 	renderer.setSize(innerWidth, innerHeight);
 	camera.aspect = innerWidth / innerHeight;
+	camera.fov = camera.aspect < 1 ? 75 : 50; // a phone's keys do not cover the player
 	camera.updateProjectionMatrix();
 };
 addEventListener("resize", fit);
@@ -99,6 +100,6 @@ renderer.setAnimationLoop(() => {
 	toScene(view.camera, camera.position);
 	camera.lookAt(toScene(view.aim));
 	renderer.render(scene, camera);
-	document.querySelector("output").textContent = `${engineMs.toFixed(2)} ms a frame for ${walkers.length} who walk, ${count(game.bullets.length, "bullet")} and the camera; `
-		+ `${count(game.shots, "shot")}, ${count(game.hits, "hit")}`;
+	document.querySelector("output").textContent = `${engineMs.toFixed(2)} ms a frame for ${walkers.length} walkers, ${count(game.bullets.length, "bullet")} and the camera; `
+		+ `${count(game.shots, "shot")}, ${count(game.hits, "hit")}${saved ? "; saved" : ""}`;
 });

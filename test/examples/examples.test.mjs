@@ -177,6 +177,19 @@ test('in the level and with three.js, nothing is wider than a phone, and buttons
 	assert.deepEqual(said.splice(0), []);
 });
 
+test('the level and the three.js page say so if one of their files does not come', async () => {
+	const other = await browser.newPage();
+	for (const file of ['**/*.glb', '**/three.module.js']) {
+		await other.route(file, (route) => route.abort());
+		for (const name of ['level', 'three']) {
+			await other.goto(`${site.url}${name}/index.html`);
+			await other.waitForFunction(() => /did not load/.test(document.querySelector('output').textContent));
+		}
+		await other.unroute(file);
+	}
+	await other.close();
+});
+
 test('opened as a file, a page says what it needs', async () => {
 	await page.goto(`file://${path.join(folder, 'first-collision.html')}`);
 	assert.match(await page.textContent('.notice'), /antw examples/);

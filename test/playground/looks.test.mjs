@@ -281,7 +281,8 @@ test('Measure: a game of 20,000 agents runs, with the parts of its frames, kdbus
 	await page.getByLabel('Agents', { exact: true }).fill('7');
 	assert.equal(await page.locator('.live .count output').textContent(), '20,000');
 	const shown = () => page.locator('.live .figures > div:visible').evaluateAll((all) => all.map((each) => each.className.replace('part-', '')));
-	assert.deepEqual(await shown(), ['move', 'engine', 'draw', 'kdbush', 'pairs', 'near'], 'Rapier is off');
+	assert.deepEqual(await shown(), ['move', 'engine', 'draw', 'pairs'], 'the others are off');
+	await page.getByLabel('kdbush beside it').check();
 	await page.getByRole('button', { name: 'Run', exact: true }).click();
 	await page.waitForFunction(() => globalThis.playground.live.parts.count >= 24);
 	await page.getByRole('button', { name: 'Stop', exact: true }).click();

@@ -91,7 +91,7 @@ test('a glTF file and a GLB file are drawn in their base colours; Compare and Me
 	await page.waitForFunction(() => /^broken\.obj cannot be shown\. No vertices, so this is no OBJ text: expected/.test(document.querySelector('.tools [role=status]').textContent));
 	await page.getByRole('link', { name: 'Measure' }).click();
 	await ready(page, 'measure');
-	assert.deepEqual(await options(page, 'Models'), ['the game’s six', 'boxes.gltf', 'boxes.glb', 'other_~1.glb']);
+	assert.deepEqual(await options(page, 'Models'), ['all six', 'boxes.gltf', 'boxes.glb', 'other_~1.glb']);
 	await page.getByLabel('Models', { exact: true }).selectOption('boxes.glb');
 	assert.deepEqual(await page.evaluate(() => [...new Set(globalThis.playground.live.game.agents.map((agent) => agent.shape))]), ['boxes.glb']);
 	await page.getByLabel('Rapier beside it').check();

@@ -84,7 +84,7 @@ class CompareView {
 					this.colourNote, this.legend),
 				h("div.screen", {}, this.gameHost)));
 		this.stage = new Lab(this.pairHost, { label: words.world, eye: [1.6, 2.35, 1.2], target: [0, 0, 0.35], ground: 6 });
-		this.gameStage = new Lab(this.gameHost, { label: words.gameWorld, eye: [0, -45, 142], target: [0, 0, 0], ground: 100, cell: 5 });
+		this.gameStage = new Lab(this.gameHost, { label: words.gameWorld, eye: [0, -49, 154], target: [0, 0, 0], ground: 100, cell: 5 });
 		// from this distance, outlines would hide the lines
 		if (this.gameStage.renderer) this.gameStage.agents.materials.outline.visible = false;
 		orbitByKeys(this.stage, this.pairHost);

@@ -48,7 +48,7 @@ class InspectView {
 						this.turned = (this.turned + 1) % 4;
 						if (this.loaded) this.#show();
 					}),
-					fileButton(words.choose, ".obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)), h("small.hint", {}, words.drop)),
+					fileButton(words.choose, ".obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)), h("small.hint.drop", {}, words.drop)),
 				this.upHint,
 				h("div.saying", {}, this.status), h("div.screen", {}, this.worldHost)),
 			h("section.facts", { "aria-label": words.structures }, modes(words, "structures", (mode) => this.#turnTo(mode)), this.structures));

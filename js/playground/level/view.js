@@ -68,10 +68,10 @@ class LevelView {
 		code.open = matchMedia("(min-width: 60.01rem)").matches;
 		main.replaceChildren(
 			h("section.seen", { "aria-label": words.title },
-				h("div.tools", {}, this.runButton, button(words.again, () => this.begin()), button(words.save, () => this.save()), button(words.load, () => this.load())),
+				h("div.tools", {}, this.runButton, button(words.again, () => this.begin()), button(words.save, () => this.save()), this.loadButton = button(words.load, () => this.load())),
 				h("div.screen", {}, this.host), h("div.pad", {}, ...Object.entries(KEYS).map(([code, name]) => padKey(name, words.keys[name], () => this.#press(code), () => this.#held.delete(code))))),
-			h("div.side", {}, h("h2", {}, words.title), h("p.note", {}, words.how(triangles)),
-				this.figures.element, h("p.note", {}, words.timed),
+			h("div.side", {}, h("h2", {}, words.title), h("p", {}, words.how), this.figures.element,
+				h("p.note", {}, words.what(triangles)), h("p.note", {}, words.timed),
 				code));
 		this.game = new Game(this.greatLand);
 		this.stage = new Stage(this.host, { label: words.picture, eye: [-5, 0, 3], fov: 50 });
@@ -97,8 +97,7 @@ class LevelView {
 		this.isLed = false;
 		this.past = [];
 		this.step();
-		// there is nothing to go back to before the first frame
-		this.saved = this.game.save();
+		this.loadButton.disabled = true;
 		// the browser has not compiled anything yet
 		this.#times.length = 0;
 		this.draw();
@@ -111,6 +110,7 @@ class LevelView {
 	}
 
 	run() {
+		if (!this.isLed) this.#say(words.led);
 		this.host.classList.remove("unplayed");
 		this.runButton.textContent = words.stop;
 		this.#loop.run();
@@ -154,6 +154,15 @@ class LevelView {
 
 	save() {
 		this.saved = this.game.save();
+		this.loadButton.disabled = false;
+		this.#say(words.saved);
+	}
+
+	/** Says something in the picture for some seconds, so that nothing moves. */
+	#say(text) {
+		this.said?.remove();
+		this.said = h("p.drag-note", { role: "status" }, text);
+		this.host.after(this.said);
 	}
 
 	load() {

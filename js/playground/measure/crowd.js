@@ -13,7 +13,7 @@ export class Crowd {
 	 * @param {string} label
 	 */
 	constructor(host, label) {
-		this.stage = new Stage(host, { label, eye: [0, -45, 142], ground: GROUND, cell: 5 });
+		this.stage = new Stage(host, { label, eye: [0, -49, 154], ground: GROUND, cell: 5 });
 	}
 
 	/** Makes room for a number of agents. */

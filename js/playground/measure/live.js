@@ -37,7 +37,7 @@ export class Live {
 	#count = FIRST;
 	#cast = CAST;
 	#isDrawn = true;
-	#isBeside = true;
+	#isBeside = false;
 	/** For each agent, by its id, the number of the last frame in which it touched another one; and the first id. */
 	#touched = new Uint32Array(0);
 	#first = 0;
@@ -54,7 +54,7 @@ export class Live {
 		this.host = h("div.world.unplayed", { onclick: () => this.host.classList.contains("unplayed") && this.run() });
 		this.said = h("small.hint", { role: "status" });
 		this.canvas = h("canvas.parts", { role: "img", "aria-label": words.graph });
-		this.parts = new Parts(this.canvas, PARTS, OTHERS, words.empty);
+		this.parts = new Parts(this.canvas, PARTS, OTHERS, words);
 		this.figures = new Figures(words.figures, (name) => ({ class: `part-${name}` }));
 		const count = slider(words.count, { min: 0, max: COUNTS.length - 1, step: 1, value: COUNTS.indexOf(FIRST), format: (i) => COUNTS[i].toLocaleString(texts.code) }, (i) => {
 			this.#count = COUNTS[i];
@@ -75,8 +75,8 @@ export class Live {
 					this.#isDrawn = isOn;
 					this.host.parentElement.hidden = !isOn;
 					this.scene.classList.toggle("alone", !isOn);
-					this.parts.draw((ms) => short(ms));
-				}), tick(words.beside, true, (isOn) => {
+					this.parts.draw();
+				}), tick(words.beside, false, (isOn) => {
 					this.#isBeside = isOn;
 					this.#found.near = NaN;
 					this.parts.clear();
@@ -84,7 +84,8 @@ export class Live {
 				}), loadRapier ? tick(words.besideRapier, false, (isOn) => this.#putRapier(isOn)) : null, this.said),
 			this.scene = h("div.scene", {}, h("div.screen", {}, this.host),
 				h("div.times", {}, this.figures.element,
-					this.canvas, this.busy = h("p.busy", { role: "status", hidden: true }, texts.measure.busy), h("p.note", {}, words.note))));
+					this.canvas, this.busy = h("p.busy", { role: "status", hidden: true }, texts.measure.busy),
+					h("p.note", {}, words.note), h("details", {}, h("summary", {}, words.more), ...words.details.map((each) => h("p.note", {}, each))))));
 	}
 
 	/** Shows the world at its beginning. Called when the element is on the page. */
@@ -215,7 +216,7 @@ export class Live {
 	#show() {
 		const { leasts, isBusy } = this.parts;
 		this.busy.hidden = !isBusy;
-		this.parts.draw((ms) => short(ms));
+		this.parts.draw();
 		const { pairs, near, inRapier } = this.#found;
 		const counts = Object.entries({ pairs: pairs ?? this.#pairs, near, inRapier }).map(([name, value]) => [name, value >= 0 ? value.toLocaleString(texts.code) : "–"]);
 		const others = { ...!this.#isBeside && { kdbush: null, near: null }, ...!this.rapier && { rapier: null, inRapier: null } };

@@ -1,5 +1,6 @@
 /** The graph of the parts of the last frames: moving, the engine and drawing one above the other, and other libraries as lines. */
 
+import { short } from "../shared/dom.js";
 import { isUneven } from "../shared/figures.js";
 
 /** The frames in the graph. */
@@ -9,7 +10,7 @@ const AVERAGES = 15;
 /** A frame of 60 a second, in milliseconds, and the least height of the graph, which is a little more. */
 const FRAME = 1000 / 60;
 const LEAST = 1.15 * FRAME;
-const LEFT = 40;
+const LEFT = 56;
 /** The radius of the dots of the lines. */
 const DOT = 2.5;
 
@@ -20,10 +21,10 @@ export class Parts {
 	 * @param {HTMLCanvasElement} canvas
 	 * @param {string[]} names the names of the parts, which begin at the bottom
 	 * @param {string[]} lines the names of the lines
-	 * @param {string} hint stands in the graph as long as it is empty
+	 * @param {{empty: string, limit: string}} words stand in the graph: as long as it is empty, and above the time of a frame
 	 */
-	constructor(canvas, names, lines, hint) {
-		Object.assign(this, { canvas, names, lines, hint });
+	constructor(canvas, names, lines, words) {
+		Object.assign(this, { canvas, names, lines, words });
 	}
 
 	clear() {
@@ -41,11 +42,11 @@ export class Parts {
 		if (this.#frames.length > FRAMES) this.#frames.shift();
 	}
 
-	/** The least of each name: of averages over a fifteenth of the last frames each, because clocks are coarse. */
+	/** The least of each name: of averages over a fifteenth of the last frames each, because clocks are coarse. If the clock is too coarse for that, the average of all. */
 	get leasts() {
 		return Object.fromEntries([...this.names, ...this.lines].map((name) => {
 			const all = this.#averages(name);
-			return [name, all.length > 0 ? Math.min(...all) : NaN];
+			return [name, all.length > 0 ? Math.min(...all) || all.reduce((sum, ms) => sum + ms, 0) / all.length : NaN];
 		}));
 	}
 
@@ -61,7 +62,7 @@ export class Parts {
 	}
 
 	/** Draws the graph in the colours of the page. */
-	draw(format) {
+	draw() {
 		const { canvas, names, lines } = this;
 		const ratio = Math.min(2, devicePixelRatio);
 		const { clientWidth: width, clientHeight: height } = canvas;
@@ -96,13 +97,14 @@ export class Parts {
 			context.moveTo(LEFT, y(ms));
 			context.lineTo(width, y(ms));
 			context.stroke();
-			context.fillText(format(ms), LEFT - 4, Math.max(10, y(ms) + 4));
+			context.fillText(`${short(ms)} ms`, LEFT - 4, Math.max(10, y(ms) + 4));
 		}
 		context.setLineDash([]);
+		context.fillText(this.words.limit, width - 6, y(FRAME) - 5);
 		if (this.#frames.length > 0) return;
 		context.font = "15px system-ui, sans-serif";
 		context.textAlign = "center";
-		context.fillText(this.hint, (LEFT + width) / 2, y(most / 2));
+		context.fillText(this.words.empty, (LEFT + width) / 2, y(most / 2), width - LEFT - 16);
 	}
 
 	/** Draws a dot for each frame in which another library was asked. A faint line joins them, so that the parts below it stay in sight. */

@@ -45,7 +45,7 @@ class MeasureView {
 		this.greatLand = greatLand;
 		this.name = h("input", { type: "text", value: words.thisMachine, maxlength: 40 });
 		this.startButton = button(words.start, () => (this.#isRunning ? this.#stop(words.stopped) : this.run()), { class: "primary" });
-		this.status = h("p.status", { role: "status" });
+		this.status = h("p.status", { role: "status" }, words.ready);
 		this.busy = h("p.busy", { role: "status", hidden: true }, words.busy);
 		this.others = h("select", { onchange: () => this.#choose(this.others.value) });
 		this.picture = h("div.chart", { tabindex: "0", role: "group", "aria-label": words.chart });
@@ -60,8 +60,8 @@ class MeasureView {
 		main.replaceChildren(modes(words, "live", (mode) => this.#turnTo(mode)), this.live.element, this.series);
 		this.series.append(
 			h("section.measuring", { "aria-label": words.title },
-				h("div.tools", {}, this.startButton, field(words.most, most), field(words.machine, this.name), ...this.keepers, field(words.beside, this.others), fileButton(words.open, ".json", (file) => this.openFile(file)), h("small.hint", {}, words.openHint)),
-				this.status, this.busy, this.picture),
+				h("div.tools", {}, this.startButton, field(words.most, most), this.status), this.busy, this.picture,
+				h("div.tools", {}, field(words.machine, this.name), ...this.keepers, field(words.beside, this.others), fileButton(words.open, ".json", (file) => this.openFile(file)), h("small.hint", {}, words.openHint))),
 			h("section.facts", {}, h("div.card", {}, h("h2", {}, words.title), h("p.note", {}, words.how), this.table)));
 		this.live.open();
 		this.#listOthers();

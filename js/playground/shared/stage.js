@@ -158,7 +158,8 @@ export class Stage {
 		// asking the host in every frame would cause a layout of the page in every frame
 		[this.#width, this.#height] = [width, height];
 		this.camera.aspect = width / height;
-		this.camera.fov = this.fov || (this.land || width < height ? 55 : 40);
+		// a window that is higher than wide shows as much from side to side as a square one
+		this.camera.fov = this.fov || (this.land ? 55 : (360 / Math.PI) * Math.atan(Math.tan(Math.PI / 9) / Math.min(1, this.camera.aspect)));
 		this.camera.updateProjectionMatrix();
 	}
 

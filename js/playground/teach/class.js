@@ -25,11 +25,13 @@ export class ClassPage {
 		this.status = h("p.status", { role: "status" });
 		this.code = h("textarea", { rows: 2, "aria-label": words.code, placeholder: words.codeHere });
 		this.list = h("div.class");
+		this.how = h("ol.steps.no-print", {}, ...words.classSteps.map((step) => h("li", {}, step)));
 		this.forgetButton = button(words.forgetClass, () => this.#ask());
 		this.tableButton = button(words.csv, () => hand(this.#csv, "class.csv", "text/csv"));
+		this.printButton = button(texts.teach.print, () => print());
 		main.replaceChildren(h("section.sheet.wide", { "aria-label": words.classTitle },
-			h("div.tools.no-print", {}, h("a", { href: "#teach" }, texts.teach.all), button(texts.teach.print, () => print())),
-			h("h2", {}, words.classTitle), h("p.no-print", {}, words.classNote),
+			h("div.tools.no-print", {}, h("a", { href: "#teach" }, texts.teach.all), this.printButton),
+			h("h2", {}, words.classTitle), this.how,
 			h("div.tools.no-print", {}, fileButton(words.openFiles, ".json", (_, files) => this.take(files)), this.code, button(words.takeCode, () => this.#takeCode()), this.tableButton, this.forgetButton),
 			this.status, this.list));
 		this.#show();
@@ -79,7 +81,8 @@ export class ClassPage {
 		const { pupils } = handed;
 		// of all that a pupil has handed in the newest counts
 		const all = this.newest = pupils.map(([newest]) => newest);
-		this.tableButton.hidden = this.forgetButton.hidden = all.length === 0;
+		for (const each of [this.tableButton, this.forgetButton, this.printButton]) each.hidden = all.length === 0;
+		this.how.hidden = all.length > 0;
 		if (all.length === 0) {
 			this.list.replaceChildren(h("p.note", {}, words.nothing));
 			return;

@@ -56,7 +56,8 @@ export function showInClass(main) {
 		if (!isGood) return link.removeAttribute("href");
 		typed.hash = `play/${place}`;
 		link.href = link.textContent = typed.href;
-		return code.append(pictureOf(typed.href));
+		// no phone opens an address of this computer alone
+		return warning.hidden && code.append(pictureOf(typed.href));
 	};
 	main.replaceChildren(h("section.sheet", { "aria-label": words.title },
 		h("div.tools.no-print", {}, h("a", { href: "#teach" }, texts.teach.all), button(texts.teach.print, () => print())),

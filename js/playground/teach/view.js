@@ -61,15 +61,14 @@ class TeachView {
 		const total = Object.values(MINUTES).reduce((sum, minutes) => sum + minutes, 0);
 		this.main.replaceChildren(h("section.sheet", { "aria-label": words.title },
 			note ? h("p.status.problem", { role: "alert" }, note) : null,
-			h("h2", {}, words.title), h("p", {}, words.intro(NAMES.length, total)),
-			h("p", {}, h("a", { href: "#teach/sheets" }, words.allSheets)),
-			h("p", {}, h("a", { href: "#teach/in-class" }, texts.inClass.title), `: ${texts.inClass.note}`),
-			h("p", {}, h("a", { href: "#teach/class" }, texts.handing.classTitle), `: ${words.classNote}`),
+			h("h2", {}, words.title), h("p", {}, words.intro(total)),
+			h("ol.steps", {}, ...[["in-class", texts.inClass.title, texts.inClass.note], ["sheets", words.allSheets, words.sheetsNote], ["class", texts.handing.classTitle, words.classNote]]
+				.map(([page, name, note]) => h("li", {}, h("a", { href: `#teach/${page}` }, name), h("small", {}, note)))),
 			h("div.table", {}, h("table", {},
-				h("thead", {}, h("tr", {}, ...[words.lesson, words.minutes, words.page, words.open].map((text) => h("th", { scope: "col" }, text)))),
+				h("thead", {}, h("tr", {}, ...[words.lesson, words.minutes, words.inPlay].map((text) => h("th", { scope: "col" }, text)))),
 				h("tbody", {}, ...NAMES.map((name, i) => h("tr", {},
-					h("th", { scope: "row" }, words.numbered(i + 1, texts.lessons.list[name].title)), h("td", {}, String(MINUTES[name])),
-					h("td", {}, h("a", { href: `#teach/${name}`, "aria-label": words.pageOf(i + 1) }, words.page)), h("td", {}, h("a", { href: `#play/lesson-${name}`, "aria-label": words.openOf(i + 1) }, words.open)))))))));
+					h("th", { scope: "row" }, h("a", { href: `#teach/${name}` }, words.numbered(i + 1, texts.lessons.list[name].title)), h("small", {}, words.list[name].aim)),
+					h("td", {}, String(MINUTES[name])), h("td", {}, h("a", { href: `#play/lesson-${name}`, "aria-label": words.openOf(i + 1) }, words.open)))))))));
 	}
 
 	/** Shows the sheets of lessons, one after the other, to print. */

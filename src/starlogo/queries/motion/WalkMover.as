@@ -7,7 +7,6 @@ package starlogo.queries.motion
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
     import starlogo.search.ModelShape;
-    import starlogo.search.penetration.OverlapMiddle;
 
     use namespace engine;
 
@@ -209,7 +208,7 @@ package starlogo.queries.motion
                 body.warnIfInside(row, _overlap);
                 _overlap.depth += body.core.clearance;
                 // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-                if (body.bodyOf(row).form != ModelShape.TREE || _overlap.depth <= OverlapMiddle.halfAlong(body.source, _overlap))
+                if (body.bodyOf(row).form != ModelShape.TREE || _overlap.depth <= body.source.halfAlong(_overlap))
                 {
                     sum += _overlap.depth;
                     if (_overlap.depth > out.depth)

@@ -55,8 +55,7 @@ package starlogo.search.penetration
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
 
-        // Whether the push out of the first contact needs no test that it is not too long; and the displacement that is tried.
-        private var _isFirstSure:Boolean = false;
+        // The displacement that is tried.
         private var _tried:Displacement = new Displacement();
 
         /**
@@ -74,7 +73,6 @@ package starlogo.search.penetration
         {
             _pushes.begin();
             contact.copyFrom(first);
-            _isFirstSure = _pair.isSecondGround && first.proof.isSure;
             _pair.putBack();
             add(contact);
         }
@@ -186,16 +184,11 @@ package starlogo.search.penetration
             return isOfSeveral && _pair.testAt(_tried);
         }
 
-        // Takes the push. If the two are free before its end, the depth is refined. The first push out of the ground needs no test if its contact
-        // is sure of its depth.
+        // Takes the push. If the two are free before its end, the depth is refined.
         private function takePush(out:ContactPoint):void
         {
             out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _pushes.length;
-            if (_isFirstSure && _pushes.isFirst)
-            {
-                return;
-            }
             _tried.distance = _pushes.length - _pair.probeDistance;
             if (_tried.distance > 0 && !_pair.testAt(_tried))
             {

@@ -40,12 +40,6 @@ package starlogo.search.penetration
             current = AT_START;
         }
 
-        /** Whether the current push is the one that was added first. */
-        public function get isFirst():Boolean
-        {
-            return current === _pushes[0];
-        }
-
         /** Goes on to the shortest push that is left. Returns false if there is none. */
         public function next():Boolean
         {

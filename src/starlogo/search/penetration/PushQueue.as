@@ -23,8 +23,8 @@ package starlogo.search.penetration
         /** Its length. A push in the list that was taken has the length Infinity. Read only. */
         public var length:Number = 0;
 
-        // The pushes; by push, the contact that it was added for, with the depth that a push from the start needs; and their number. The planes of a
-        // push are those of contacts of this list.
+        // The pushes; by push, the contact that it was added for, whose depth is counted from the start; and the number of both. A push's planes are
+        // indices of these contacts.
         private var _pushes:Vector.<ShortestExit> = new Vector.<ShortestExit>();
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
         private var _count:int = 0;

@@ -31,9 +31,8 @@ package starlogo.convex
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
         {
             _cores.setShapes(a, b);
-            _cores.maxDistance = _cores.touchingDistance;
             _distance.find(_cores, _witness);
-            return _witness.distance <= _cores.touchingDistance;
+            return _witness.distance <= _cores.maxDistance;
         }
 
         /** Finds the distance and the closest points of two shapes. */
@@ -126,6 +125,7 @@ package starlogo.convex
         {
             _cores.setShapes(a, b);
             _cores.setMotion(motion);
+            _cores.maxDistance = Infinity;
             if (!(motion.time > 0))
             {
                 // a has not come from anywhere

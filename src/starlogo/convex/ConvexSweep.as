@@ -63,14 +63,14 @@ package starlogo.convex
         {
             motion.time = 0;
             cores.setMotion(motion);
-            cores.touchingDistance += motion.margin;
+            cores.maxDistance += motion.margin;
             var balls:CoreGap = _balls;
             // the motion is that of a
             var side:int = cores.isSwapped ? -1 : 1;
             balls.x = side * cores.x;
             balls.y = side * cores.y;
             balls.z = side * cores.z;
-            balls.radiusA = Tolerances.OUTER * (cores.touchingDistance + cores.first.extent + cores.second.extent);
+            balls.radiusA = Tolerances.OUTER * (cores.maxDistance + cores.first.extent + cores.second.extent);
             balls.radiusB = 0;
             findTimeOfSpheres(balls, motion);
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
@@ -80,7 +80,6 @@ package starlogo.convex
         private function measure(cores:CorePair, motion:RelativeMotion, isAgain:Boolean):void
         {
             cores.moveTo(motion);
-            cores.timeLeft = motion.latest - motion.time;
             if (isAgain)
             {
                 _distance.findAgain(cores, _witness);
@@ -95,7 +94,7 @@ package starlogo.convex
         // by rounding, so the gap counts here too.
         private function isTouch(cores:CorePair):Boolean
         {
-            return _witness.distance <= cores.touchingDistance && !(_witness.separation > cores.touchingDistance);
+            return _witness.distance <= cores.maxDistance && !(_witness.separation > cores.maxDistance);
         }
 
         // Replaces the direction that keeps the cores apart, if no gap is left along it. A short line between two points is too imprecise where an edge

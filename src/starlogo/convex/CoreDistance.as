@@ -137,12 +137,11 @@ package starlogo.convex
             return _simplex.add(cores, i, k);
         }
 
-        // Whether the cores are known to be farther apart than the search has to know, or not to touch in the time that is left.
+        // Whether the cores are known to be farther apart than the search has to know, also in all the time that is left.
         private static function areTooFar(cores:CorePair, witness:CoreWitness):Boolean
         {
-            var gap:Number = witness.separation - cores.touchingDistance;
-            return witness.separation > cores.maxDistance || gap > 0 && cores.timeLeft < Infinity
-                && gap > -cores.timeLeft * (witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
+            var gap:Number = witness.separation - cores.maxDistance;
+            return gap > 0 && gap > -cores.timeLeft * (witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
         }
 
         // Writes the gap between the points that the simplex's nearest point is the difference of. The gap gets the direction to that point, which is

@@ -25,19 +25,16 @@ package starlogo.convex
         public var motionY:Number = 0;
         public var motionZ:Number = 0;
 
-        /** The distance of the cores up to which the shapes touch. */
-        public var touchingDistance:Number = 0;
-
-        /** A search for the distance may end when it knows that the cores are farther apart than this. */
-        public var maxDistance:Number = Infinity;
-
         /**
-         * The time that is left for the motion. A search may end when it knows that the shapes do not touch in this time. Infinity if the search is
-         * for the distance.
+         * How far apart the cores may be: as far as the shapes touch, unless the question is about another distance. A search may end when it knows that
+         * the cores are farther apart.
          */
-        public var timeLeft:Number = Infinity;
+        public var maxDistance:Number = 0;
 
-        /** Sets two shapes, where they are stored, and no limit. The distance at which they touch includes no margin of a motion. */
+        /** How much of the motion is left. Cores that come near enough in this time are not too far apart. */
+        public var timeLeft:Number = 0;
+
+        /** Sets two shapes, where they are stored and stay. The distance at which they touch includes no margin of a motion. */
         public function setShapes(a:ConvexShape, b:ConvexShape):void
         {
             isSwapped = isAfter(a, b);
@@ -55,8 +52,8 @@ package starlogo.convex
             x = low.x - high.x;
             y = low.y - high.y;
             z = low.z - high.z;
-            maxDistance = timeLeft = Infinity;
-            touchingDistance = (low.radius + high.radius) * Tolerances.TOUCHING + (low.margin + high.margin) + Tolerances.CORES * (low.extent + high.extent);
+            timeLeft = 0;
+            maxDistance = (low.radius + high.radius) * Tolerances.TOUCHING + (low.margin + high.margin) + Tolerances.CORES * (low.extent + high.extent);
         }
 
         /** Sets the motion of a, and moves the first shape to where it is at the motion's time. */
@@ -78,6 +75,7 @@ package starlogo.convex
             x = first.x - second.x + side * motion.startX + time * motionX;
             y = first.y - second.y + side * motion.startY + time * motionY;
             z = first.z - second.z + side * motion.startZ + time * motionZ;
+            timeLeft = motion.latest - time;
         }
 
         // Whether a shape comes after another one: by their places, or at the same place by the numbers that they are made of.

@@ -11,9 +11,6 @@ package starlogo.convex
         /** The shortest exit is at least about as long as this: it may be a fifth shorter. 0 if nothing is known. */
         public var provenDepth:Number = 0;
 
-        /** Whether the first shape is known to touch wherever it goes less than the depth along the normal. */
-        public var isSure:Boolean = false;
-
         /** Whether a triangle is known. It is not for a first touch, which may be at an edge of several triangles. */
         public var hasTriangle:Boolean = false;
 
@@ -29,7 +26,7 @@ package starlogo.convex
         public function clear():void
         {
             provenDepth = 0;
-            isSure = hasTriangle = false;
+            hasTriangle = false;
         }
 
         /**
@@ -56,7 +53,6 @@ package starlogo.convex
         public function copyFrom(other:DepthProof):void
         {
             provenDepth = other.provenDepth;
-            isSure = other.isSure;
             hasTriangle = other.hasTriangle;
             if (hasTriangle)
             {

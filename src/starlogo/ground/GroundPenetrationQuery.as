@@ -56,7 +56,6 @@ package starlogo.ground
             if (findDeepestBehind(out))
             {
                 // a point of the model is that deep behind a triangle
-                proof.isSure = true;
                 proof.provenDepth = out.depth;
             }
             else if (findDeepestOverlap(out))

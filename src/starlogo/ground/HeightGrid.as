@@ -92,22 +92,16 @@ package starlogo.ground
             if (_spare == null || _spare.isHeld)
             {
                 _spare = new HeightGrid(columns, rows, cellWidth, x, y);
+                _spare._spare = this;
             }
-            _spare.copyFrom(this);
-            _spare._spare = this;
-            return _spare;
-        }
-
-        /** Gets the surface of a grid of the same cells. */
-        public function copyFrom(other:HeightGrid):void
-        {
-            isBlocky = other.isBlocky;
+            _spare.isBlocky = isBlocky;
             for (var i:int = 0; i < heights.length; i++)
             {
-                heights[i] = other.heights[i];
+                _spare.heights[i] = heights[i];
             }
-            holes = other.holes == null ? null : other.holes.concat();
-            pyramid.copyFrom(other.pyramid);
+            _spare.holes = holes == null ? null : holes.concat();
+            _spare.pyramid.copyFrom(pyramid);
+            return _spare;
         }
 
         /** Writes the surface for a snapshot. */

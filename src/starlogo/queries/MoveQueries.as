@@ -97,35 +97,6 @@ package starlogo.queries
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            return move(agent, dx, dy, dz, filter, contact);
-        }
-
-        /** See AgentWalks.slide. */
-        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
-        {
-            _seen.requireMovable(agent, "slide");
-            return moveSliding(agent, dx, dy, dz, filter, SlideLimits.NONE);
-        }
-
-        /** Slides, but at the agent's height: a slope is an upright wall. The errors are those of <code>slide()</code>. */
-        public function slideLevel(agent:Agent, dx:Number, dy:Number, filter:AgentFilter):Number
-        {
-            _seen.requireMovable(agent, "slide");
-            return moveSliding(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
-        }
-
-        // The body of a question that begins now.
-        private function bodyOfLevel():MovingBody
-        {
-            while (_bodies.length <= _seen.level)
-            {
-                _bodies.push(new MovingBody(_seen));
-            }
-            return _bodies[_seen.level];
-        }
-
-        private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
-        {
             var body:MovingBody = bodyOfLevel();
             body.readAgent(agent);
             var isMet:Boolean = findStops(body, agent, dx, dy, dz, filter, 1, _end) > 0;
@@ -148,8 +119,31 @@ package starlogo.queries
             return fraction;
         }
 
+        /** See AgentWalks.slide. */
+        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
+        {
+            return moveSliding(agent, dx, dy, dz, filter, SlideLimits.NONE);
+        }
+
+        /** Slides, but at the agent's height: a slope is an upright wall. The errors are those of <code>slide()</code>. */
+        public function slideLevel(agent:Agent, dx:Number, dy:Number, filter:AgentFilter):Number
+        {
+            return moveSliding(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
+        }
+
+        // The body of a question that begins now.
+        private function bodyOfLevel():MovingBody
+        {
+            while (_bodies.length <= _seen.level)
+            {
+                _bodies.push(new MovingBody(_seen));
+            }
+            return _bodies[_seen.level];
+        }
+
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
+            _seen.requireMovable(agent, "slide");
             var body:MovingBody = bodyOfLevel();
             body.readAgent(agent);
             requireMotion(dx, dy, dz, agent);

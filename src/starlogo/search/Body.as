@@ -4,6 +4,7 @@ package starlogo.search
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Points;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -290,6 +291,12 @@ package starlogo.search
         public function get leastHalf():Number
         {
             return Math.min(halfX, Math.min(halfY, halfZ));
+        }
+
+        /** Half of the length of the extents along the normal of a contact. */
+        public function halfAlong(contact:ContactPoint):Number
+        {
+            return halfX * Math.abs(contact.normalX) + halfY * Math.abs(contact.normalY) + halfZ * Math.abs(contact.normalZ);
         }
 
         /** The rank of an agent that is in no list. */

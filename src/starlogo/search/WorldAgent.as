@@ -59,9 +59,21 @@ package starlogo.search
             revision++;
             if (surface.grid.isHeld)
             {
-                surface = ModelShape.ofWorld(surface.grid.copy(), null, surface.addTests);
+                takeGrid(surface.grid.copy());
             }
             return surface.grid;
+        }
+
+        /** Gets other heights of the same cells. A frame that holds the present ones keeps them. */
+        public function restoreGrid(grid:HeightGrid):void
+        {
+            revision++;
+            takeGrid(grid);
+        }
+
+        private function takeGrid(grid:HeightGrid):void
+        {
+            surface = ModelShape.ofWorld(grid, null, surface.addTests);
         }
     }
 }

@@ -32,6 +32,7 @@ package starlogo.convex
                         needle.y = _random.between(-2, 2);
                         needle.z = _random.between(-0.5, 1.5);
                         _cores.setShapes(disc, needle);
+                        _cores.maxDistance = Infinity;
                         search.find(_cores, _witness);
                         var most:Number = Math.max(0, _witness.separation) + 1e-14 * (disc.extent + needle.extent);
                         _wrong.addIf(!(_witness.distance <= most), "distance", count + " points, " + thickness + " thick: " + _witness.distance + ", proven "

@@ -131,7 +131,7 @@ package starlogo.collision.snapshots
             SnapshotPlatforms.restore(parts.platforms, agents);
             if (parts.ground != null)
             {
-                ground.beginChange().copyFrom(parts.ground);
+                ground.restoreGrid(parts.ground);
             }
             frame.touches = parts.touches;
             frame.keep(agents, search);

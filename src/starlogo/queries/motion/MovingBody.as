@@ -20,7 +20,6 @@ package starlogo.queries.motion
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.pairs.PairTests;
-    import starlogo.search.penetration.OverlapMiddle;
 
     use namespace engine;
 
@@ -304,7 +303,7 @@ package starlogo.queries.motion
         {
             var form:int = bodyOf(row).form;
             var isTree:Boolean = form == ModelShape.TREE;
-            var allowed:Number = OverlapMiddle.halfAlong(source, contact);
+            var allowed:Number = source.halfAlong(contact);
             if (!isTree)
             {
                 allowed *= WITH_ROOM;

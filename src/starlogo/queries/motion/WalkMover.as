@@ -7,7 +7,6 @@ package starlogo.queries.motion
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
     import starlogo.search.ModelShape;
-    import starlogo.search.penetration.OverlapMiddle;
 
     use namespace engine;
 
@@ -112,27 +111,15 @@ package starlogo.queries.motion
                     // beyond a gap there may be ground again
                     stands ||= !beginsInAir && goDown(walk, walk.closeDepth);
                 }
-                if (!stands)
+                if (stands)
+                {
+                    stands = goOnGround(walk);
+                }
+                else
                 {
                     // in the air all surfaces are walls, except of level floors
                     slide(walk, walk.start, 0, SlideLimits.LEVEL_Z, _along);
                     walk.place.copyFrom(_along.place);
-                }
-                else if (walk.pieceLength == 0)
-                {
-                    // it stays exactly where it is
-                    walk.place.copyFrom(walk.start);
-                }
-                else
-                {
-                    slide(walk, walk.place, riseOf(walk), walk.cosine, _along);
-                    if (!(_along.metWall && stepUp(walk, _along.place)))
-                    {
-                        walk.place.copyFrom(_along.place);
-                        // the ground may have led up only for a part of the piece: on a ramp, and over the edge of a step
-                        var height:Number = Math.max(0, walk.place.z - walk.start.z);
-                        stands = goDown(walk, height + walk.options.snap + walk.closeDepth);
-                    }
                 }
             }
             var dx:Number = walk.place.x - startX;
@@ -141,6 +128,26 @@ package starlogo.queries.motion
             stands ||= walk.body.hasShape && fall(walk);
             _slider.restoreClearance(walk.body, walk.place);
             return stands;
+        }
+
+        // Goes a piece along the ground, and up or down with it. Returns whether the agent stands then.
+        private function goOnGround(walk:Walk):Boolean
+        {
+            if (walk.pieceLength == 0)
+            {
+                // it stays exactly where it is
+                walk.place.copyFrom(walk.start);
+                return true;
+            }
+            slide(walk, walk.place, riseOf(walk), walk.cosine, _along);
+            if (_along.metWall && stepUp(walk, _along.place))
+            {
+                return true;
+            }
+            walk.place.copyFrom(_along.place);
+            // the ground may have led up only for a part of the piece: on a ramp, and over the edge of a step
+            var height:Number = Math.max(0, walk.place.z - walk.start.z);
+            return goDown(walk, height + walk.options.snap + walk.closeDepth);
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
@@ -201,7 +208,7 @@ package starlogo.queries.motion
                 body.warnIfInside(row, _overlap);
                 _overlap.depth += body.core.clearance;
                 // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-                if (body.bodyOf(row).form != ModelShape.TREE || _overlap.depth <= OverlapMiddle.halfAlong(body.source, _overlap))
+                if (body.bodyOf(row).form != ModelShape.TREE || _overlap.depth <= body.source.halfAlong(_overlap))
                 {
                     sum += _overlap.depth;
                     if (_overlap.depth > out.depth)

@@ -21,7 +21,8 @@ package starlogo.search.penetration
         /** Another direction counts as better if its depth is less than this times the old depth. */
         internal static const GAIN:Number = 0.95;
 
-        // How often a normal is improved at most.
+        // How often a normal is improved at most. Without improvements 7 % of the contacts of random trees are longer, up to 11 times as long. With more
+        // than two none is shorter.
         private static const IMPROVEMENTS:int = 2;
 
         // The interval is halved until it is shorter than this fraction of the larger extent. The rest is swept.

@@ -22,13 +22,14 @@ package starlogo.search.penetration
      */
     public final class GroundExitSearch
     {
-        // The most pushes that are tried.
+        // The most pushes that are tried. With 20, 18 % of the contacts of random agents in jagged ground are longer. With 250, 1 % are shorter.
         private static const MOST_PUSHES:int = 80;
 
-        // No other way is tried if the least length of a way out is at least this fraction of the push.
+        // No other way is tried if the least length of a way out is at least this fraction of the push. From 0.7 to 0.97 hardly a contact differs.
         private static const LEAST_SHARE_TAKEN:Number = 0.85;
 
-        // The factor by which the search distance for other ways grows.
+        // The factor by which the search distance for other ways grows. With 1.5 a search takes a sixth longer. With 10, 3 % of the contacts are longer,
+        // up to 1.3 times as long.
         private static const FARTHER:Number = 3;
 
         private var _tests:GroundPairTests;

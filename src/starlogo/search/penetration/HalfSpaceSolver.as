@@ -49,12 +49,6 @@ package starlogo.search.penetration
             count++;
         }
 
-        /** Adds a half-space of another solver. */
-        public function addFrom(other:HalfSpaceSolver, index:int):void
-        {
-            add(other._xs[index], other._ys[index], other._zs[index], other._depths[index]);
-        }
-
         /**
          * Finds the shortest displacement.
          *

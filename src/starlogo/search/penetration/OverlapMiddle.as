@@ -56,13 +56,7 @@ package starlogo.search.penetration
             {
                 return 2 * body.halfX;
             }
-            return 2 * halfAlong(body, out);
-        }
-
-        /** Half of the length of a body's extents along the normal of a contact. */
-        public static function halfAlong(body:Body, contact:ContactPoint):Number
-        {
-            return body.halfX * Math.abs(contact.normalX) + body.halfY * Math.abs(contact.normalY) + body.halfZ * Math.abs(contact.normalZ);
+            return 2 * body.halfAlong(out);
         }
     }
 }

@@ -23,27 +23,21 @@ package starlogo.search.penetration
         /** Its length. A push in the list that was taken has the length Infinity. Read only. */
         public var length:Number = 0;
 
-        // The pushes, and their number. Their planes are numbered as the contacts are.
+        // The pushes; by push, the contact that it was added for, whose depth is counted from the start; and the number of both. A push's planes are
+        // indices of these contacts.
         private var _pushes:Vector.<ShortestExit> = new Vector.<ShortestExit>();
+        private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
         private var _count:int = 0;
 
-        // All contacts of pushes as half-spaces; and of these the new contact and those that decide about the current push.
-        private var _contacts:HalfSpaceSolver = new HalfSpaceSolver();
+        // The new contact and those that decide about the current push.
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
 
         /** Begins again, with a push of length 0. */
         public function begin():void
         {
-            _contacts.begin();
             _count = 0;
             length = 0;
             current = AT_START;
-        }
-
-        /** Whether the current push is the one that was added first. */
-        public function get isFirst():Boolean
-        {
-            return current === _pushes[0];
         }
 
         /** Goes on to the shortest push that is left. Returns false if there is none. */
@@ -76,26 +70,33 @@ package starlogo.search.penetration
             _halfSpaces.begin();
             for (var i:int = 0; i < current.planeCount; i++)
             {
-                _halfSpaces.addFrom(_contacts, current.planes[i]);
+                addHalfSpace(_contacts[current.planes[i]]);
                 slack *= 2;
             }
-            var along:Number = contact.along(current.displacement);
-            _halfSpaces.add(contact.normalX, contact.normalY, contact.normalZ, contact.depth + slack + along);
             if (_count == _pushes.length)
             {
                 _pushes.push(new ShortestExit());
+                _contacts.push(new ContactPoint());
             }
             var found:ShortestExit = _pushes[_count];
+            var added:ContactPoint = _contacts[_count];
+            added.copyFrom(contact);
+            added.depth = contact.depth + slack + contact.along(current.displacement);
+            addHalfSpace(added);
             // if the new contact does not decide, the current push is out of it, and leads nowhere
             if (_count < MOST && _halfSpaces.solve(3, 0, found) && found.planes[0] == current.planeCount && isNew(found.displacement, slack))
             {
                 // its planes are those of _halfSpaces: the contacts of the current push, and then the new one
-                found.planes[0] = _contacts.count;
+                found.planes[0] = _count;
                 found.planes[1] = current.planes[found.planes[1]];
                 found.planes[2] = current.planes[found.planes[2]];
-                _contacts.addFrom(_halfSpaces, current.planeCount);
                 _count++;
             }
+        }
+
+        private function addHalfSpace(contact:ContactPoint):void
+        {
+            _halfSpaces.add(contact.normalX, contact.normalY, contact.normalZ, contact.depth);
         }
 
         // Whether a displacement differs from all pushes, except the current one, by more than the slack.

@@ -115,7 +115,8 @@ package starlogo.models
          */
         engine function get isMirror():Boolean
         {
-            return AffineTransform.of(new Placement(), _scale.x, _scale.y, _scale.z).isMirror;
+            // of three factors, one or all are negative
+            return (_scale.x < 0) != (_scale.y < 0) != (_scale.z < 0);
         }
 
         /** The text of a transform file with the same meaning. */

@@ -6,6 +6,7 @@ package starlogo.libraries
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNotNull;
+    import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
@@ -27,6 +28,7 @@ package starlogo.libraries
     import starlogo.models.ModelTransform;
     import starlogo.models.ObjModel;
     import starlogo.models.cooked.CookedFile;
+    import starlogo.models.cooked.CookedReader;
     import starlogo.queries.AgentQueries;
     import starlogo.solid.SolidContents;
     import starlogo.steps.StepSequence;
@@ -102,6 +104,40 @@ package starlogo.libraries
                 assertEquals(model.materials.join(), read.materials.join());
                 assertEquals(model.meshes.join(), read.meshes.join());
             }
+        }
+
+        // A step is a call of a game's frame.
+        [Test]
+        public function materialsAreReadInSteps():void
+        {
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            var numbers:Vector.<int> = new Vector.<int>();
+            var names:Vector.<String> = new Vector.<String>();
+            for (var i:int = 0; i < 20000; i++)
+            {
+                triangles.push(0, 1, 2);
+                numbers.push(i);
+                names.push(i % 3 == 0 ? null : "n" + i);
+            }
+            var model:Model = new Model("striped", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], triangles);
+            var plain:int = stepsOf(CookedReader.of("striped", _greatLand.cook(model)));
+            model.setMaterials(numbers, names);
+            var bytes:ByteArray = _greatLand.cook(model);
+            assertTrue(stepsOf(CookedReader.of("striped", bytes)) - plain > 20);
+            var read:Model = CookedModel.fromBytes("striped", bytes);
+            assertEquals(numbers.join(), read.materials.join());
+            assertEquals(names.join(), read.materialNames.join());
+            assertNull(read.meshes);
+        }
+
+        private static function stepsOf(work:Steps):int
+        {
+            var count:int = 1;
+            while (work.step())
+            {
+                count++;
+            }
+            return count;
         }
 
         [Test]

@@ -29,6 +29,11 @@ package starlogo.models
                 {
                     json.asset.minVersion = "2.5";
                 });
+            // a value whose toString() is no function
+            refuses("asset.version", "found an object", changed("asset", {version: {toString: 1}}));
+            refuses("extensionsRequired", "the extension \"an object\"", changed("extensionsRequired", [ {toString: 1}]));
+            refuses("extensionsRequired", "the extension \"a list\"", changed("extensionsRequired", [["KHR_mesh_quantization"]]));
+            refuses("nodes[0].mesh", "one of 1 meshes, but found \"\uE0020\"", setIn("nodes", {mesh: "\uE0020"}));
             refuses("asset", "expected an object, but found a list", changed("asset", []));
             refuses("nodes", "expected a list, but found an object", changed("nodes", {}));
             refuses("nodes[0]", "expected an object, but found null", changed("nodes", [null]));
@@ -121,7 +126,7 @@ package starlogo.models
             }
             refusesText("nested deeper than 100", '{"asset":{"version":"2.0"},"extras":' + deep);
             refusesText("character 26: its JSON can't be read: it is cut off", '{"asset":{"version":"2.0"}');
-            refusesText("character 28: its JSON can't be read: a bracket closes nothing", '{"asset":{"version":"2.0"}}]');
+            refusesText("character 28: its JSON can't be read: unexpected \"]\"", '{"asset":{"version":"2.0"}}]');
             refusesText("can't be read", '{"asset":{"version":"2.0"},"a":"');
             refusesText("can't be read", '{"asset":{"version":"2.0"},"a":"\\');
             refusesText("no object", "[]");

@@ -104,7 +104,7 @@ package starlogo.models
                 var text:String = _file.toText().replace("987", word).replace("\"count\":4", "\"count\":4.000000000000");
                 assertEquals(word, Decimal.of(word), GltfModel.fromBytes("a", encoded(text), "z", Model.AS_GIVEN).vertices[0]);
             }
-            Failures.assertFails("", "its JSON can't be read", GltfModel.fromBytes, "a", encoded(text.replace("[7", "[123456.7.8901")));
+            Failures.assertFails("character " + (text.indexOf("[7") + 2), "its JSON can't be read", GltfModel.fromBytes, "a", encoded(text.replace("[7", "[123456.7.8901")));
         }
 
         [Test]

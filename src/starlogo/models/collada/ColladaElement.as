@@ -36,8 +36,8 @@ package starlogo.models.collada
         // the key is "@" and the name, which differs from every property that each Object has
         private var _attributes:Object = {};
 
-        // The first child of each name, of each name and id, the first input of each semantic, and the first bound material of each symbol. It is made
-        // when it is first needed.
+        // The first child of each name, and of each name and label. It is made when it is first needed. The "<" keeps a key different from every
+        // property of an Object.
         private var _first:Object = null;
 
         // for an element that is a transform: the transform, after it was first needed
@@ -98,10 +98,28 @@ package starlogo.models.collada
             return found;
         }
 
-        /** The first child element with a name, or null. */
-        public function child(name:String):ColladaElement
+        /**
+         * The first child element with a name, or null.
+         *
+         * @param label its id; of an input its semantic, and of an instance_material its symbol. Null for any
+         */
+        public function child(name:String, label:String = null):ColladaElement
         {
-            return first("<" + name);
+            if (_first == null)
+            {
+                _first = {};
+                for each (var each:ColladaElement in children)
+                {
+                    _first["<" + each.name] ||= each;
+                    _first["<" + each.name + "#" + each.label] ||= each;
+                }
+            }
+            return _first["<" + name + (label == null ? "" : "#" + label)];
+        }
+
+        private function get label():String
+        {
+            return attribute(name == "input" ? "semantic" : (name == "instance_material" ? "symbol" : "id"));
         }
 
         /** The first child element with a name. @throws ModelError if there is none */
@@ -110,43 +128,6 @@ package starlogo.models.collada
             var found:ColladaElement = child(name);
             refuseIf(found == null, "expected a <" + name + "> in it");
             return found;
-        }
-
-        /** The first child element "input" with a semantic, or null. */
-        public function input(semantic:String):ColladaElement
-        {
-            return first("@" + semantic);
-        }
-
-        /** The first child element "instance_material" with a symbol, or null. */
-        public function boundMaterial(symbol:String):ColladaElement
-        {
-            return first("$" + symbol);
-        }
-
-        private function first(key:String):ColladaElement
-        {
-            if (_first == null)
-            {
-                _first = {};
-                for each (var child:ColladaElement in children)
-                {
-                    var keys:Array = ["<" + child.name, "<" + child.name + "#" + child.id];
-                    if (child.name == "input")
-                    {
-                        keys.push("@" + child.attribute("semantic"));
-                    }
-                    else if (child.name == "instance_material")
-                    {
-                        keys.push("$" + child.attribute("symbol"));
-                    }
-                    for each (var each:String in keys)
-                    {
-                        _first[each] ||= child;
-                    }
-                }
-            }
-            return _first[key];
         }
 
         /**
@@ -164,7 +145,7 @@ package starlogo.models.collada
                     TextWords.shorten(url) + "\"");
             for each (var targetName:String in names)
             {
-                var found:ColladaElement = (scope == null ? null : scope.first("<" + targetName + url)) || elementsById[targetName + url];
+                var found:ColladaElement = (scope == null ? null : scope.child(targetName, url.substr(1))) || elementsById[targetName + url];
                 if (found != null)
                 {
                     return found;
@@ -173,16 +154,10 @@ package starlogo.models.collada
             throw error("there is no <" + names[0] + "> with the id \"" + TextWords.shorten(url.substr(1)) + "\"");
         }
 
-        /** The element's own text. */
+        /** The element's own text. Long texts are split into words in steps, by TextWords.splitting(). */
         public function get text():String
         {
             return texts.join(" ");
-        }
-
-        /** Splits the element's own text into words. For long texts, TextWords.splitting() does the same in steps. */
-        public function splitText():Array
-        {
-            return TextWords.of(text);
         }
 
         /**
@@ -192,7 +167,7 @@ package starlogo.models.collada
          */
         public function numbers(count:int):Vector.<Number>
         {
-            var all:Array = splitText();
+            var all:Array = TextWords.of(text);
             refuseIf(all.length != count, "expected " + count + " numbers, but found " + all.length);
             var result:Vector.<Number> = new Vector.<Number>(count);
             for (var i:int = 0; i < count; i++)

@@ -36,20 +36,14 @@ package starlogo.models.collada
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
             var triangulator:Triangulator = new Triangulator(geometry.limits, vertices, triangles);
             var isUsed:Vector.<uint> = new Vector.<uint>();
-            var hasPrimitives:Boolean = false;
             for each (var element:ColladaElement in _mesh == null ? null : _mesh.children)
             {
                 if (ColladaPrimitive.isSurface(element))
                 {
                     addPrimitive(element, triangulator, isUsed);
-                    hasPrimitives = true;
                 }
             }
-            if (!hasPrimitives)
-            {
-                begin(readingPoints);
-            }
-            begin(function():Steps
+            begin(readingPoints).begin(function():Steps
                 {
                     hasSurfaces = isUsed.indexOf(1) >= 0;
                     return hasSurfaces ? new VertexFilter(vertices, triangles, isUsed) : null;
@@ -71,9 +65,10 @@ package starlogo.models.collada
                 });
         }
 
+        // The steps that read all points, if there is no primitive.
         private function readingPoints():Steps
         {
-            var element:ColladaElement = _mesh == null ? null : _mesh.child("vertices");
+            var element:ColladaElement = _mesh == null || symbols.length > 0 ? null : _mesh.child("vertices");
             return element == null ? null : pointsOf(sourceOfVertices(element));
         }
 
@@ -86,7 +81,7 @@ package starlogo.models.collada
 
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement
         {
-            var input:ColladaElement = vertices.input("POSITION");
+            var input:ColladaElement = vertices.child("input", "POSITION");
             vertices.refuseIf(input == null, "expected an <input> with the semantic POSITION");
             return input.target("source", ["source"], _mesh);
         }

@@ -66,7 +66,7 @@ package starlogo.models.collada
          */
         internal static function positionInput(element:ColladaElement):ColladaElement
         {
-            var input:ColladaElement = element.input("VERTEX") || element.input("POSITION");
+            var input:ColladaElement = element.child("input", "VERTEX") || element.child("input", "POSITION");
             element.refuseIf(input == null, "expected an <input> with the semantic VERTEX");
             return input;
         }
@@ -200,7 +200,7 @@ package starlogo.models.collada
 
         private function readLoop(list:ColladaElement):Vector.<uint>
         {
-            var indices:Array = list.splitText();
+            var indices:Array = TextWords.of(list.text);
             return readCorners(indices, 0, cornersIn(indices));
         }
 

@@ -6,7 +6,6 @@ package starlogo.models.collada
     import starlogo.models.refuseIf;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
-    import starlogo.models.turnToZUp;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -27,7 +26,7 @@ package starlogo.models.collada
         private var _data:ModelData;
 
         /**
-         * @param data takes what is read, turned to z up
+         * @param data takes what is read
          * @param text the document's text
          * @param isAxisNamed whether the axis that points up in the data counts, instead of the one that the document names
          */
@@ -62,9 +61,8 @@ package starlogo.models.collada
             root.refuseIf(root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + root.name + ">");
             var asset:ColladaElement = root.child("asset");
             _data.unit = unitOf(asset);
-            var scene:ColladaScene = new ColladaScene(root, turnToZUp(isAxisNamed ? _data.upAxis : upAxisOf(asset)));
-            // the scene turns its points
-            _data.upAxis = "z";
+            _data.upAxis = isAxisNamed ? _data.upAxis : upAxisOf(asset);
+            var scene:ColladaScene = new ColladaScene(root);
             return new StepSequence().add(scene).begin(function():Steps
                 {
                     return readingInstances(scene.instances);
@@ -142,7 +140,7 @@ package starlogo.models.collada
         {
             var binding:ColladaElement = instance.child("bind_material");
             var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
-            var bound:ColladaElement = technique == null ? null : technique.boundMaterial(symbol);
+            var bound:ColladaElement = technique == null ? null : technique.child("instance_material", symbol);
             return bound == null ? null : instance.elementsById["material" + bound.attribute("target")];
         }
 
@@ -181,7 +179,7 @@ package starlogo.models.collada
             {
                 return "y";
             }
-            var axis:String = element.splitText().join(" ");
+            var axis:String = TextWords.of(element.text).join(" ");
             refuseIf(!/^[XYZ]_UP$/.test(axis), _data.name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextWords.shorten(axis) + "\"", element);
             return axis.charAt(0).toLowerCase();
         }

@@ -20,26 +20,27 @@ package starlogo.models.collada
 
         private var _meshes:Object = {}; // of geometries in the scene; the key is "#" and the geometry's id
 
-        // The elements that are to be visited, the next one last, and the node that each is in.
+        // The elements that are to be visited, the next one last. Null stands for the end of the innermost node.
         private var _pending:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-        private var _nodes:Vector.<ColladaPlace> = new Vector.<ColladaPlace>();
 
-        /**
-         * @param root the document's root element
-         * @param up turns the scene to z up
-         */
-        public function ColladaScene(root:ColladaElement, up:AffineTransform)
+        // The scene and the nodes around the next element, each in the one before. What takes points of each to the scene grows with each of its
+        // transform elements that is visited.
+        private var _nodes:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+        private var _transforms:Vector.<AffineTransform> = new Vector.<AffineTransform>();
+
+        /** @param root the document's root element */
+        public function ColladaScene(root:ColladaElement)
         {
             var scene:ColladaElement = root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
             {
-                enter(new ColladaPlace(instance.target("url", ["visual_scene"]), null, up));
+                enter(instance.target("url", ["visual_scene"]), new AffineTransform());
                 repeat(visitSome);
             }
             else
             {
-                addLibrary(root, up);
+                addLibrary(root);
             }
         }
 
@@ -47,56 +48,65 @@ package starlogo.models.collada
         {
             for (var i:int = 0; i < ELEMENTS_PER_STEP && _pending.length > 0; i++)
             {
-                visit(_pending.pop(), _nodes.pop());
+                visit(_pending.pop(), _nodes.length - 1);
             }
             return _pending.length > 0;
         }
 
-        private function addLibrary(root:ColladaElement, up:AffineTransform):void
+        private function addLibrary(root:ColladaElement):void
         {
             for each (var library:ColladaElement in root.childrenNamed("library_geometries"))
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaPlace(geometry, null, up, new ColladaMesh(geometry)));
+                    instances.push(new ColladaPlace(geometry, new ColladaMesh(geometry), new AffineTransform()));
                 }
             }
         }
 
-        // All elements of a node are visited next.
-        private function enter(node:ColladaPlace):void
+        // All elements of a node are visited next. @param transform takes points of what is around the node to the scene
+        private function enter(node:ColladaElement, transform:AffineTransform):void
         {
-            var children:Vector.<ColladaElement> = node.element.children;
-            node.element.refuseIf(node.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
-            node.element.limits.count(FileLimits.THINGS, THINGS_PER_ELEMENT * (1 + children.length), node.element);
-            for (var i:int = children.length - 1; i >= 0; i--)
+            node.refuseIf(_nodes.length > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
+            node.limits.count(FileLimits.THINGS, THINGS_PER_ELEMENT * (1 + node.children.length), node);
+            _nodes.push(node);
+            _transforms.push(transform);
+            _pending.push(null);
+            for (var i:int = node.children.length - 1; i >= 0; i--)
             {
-                _pending.push(children[i]);
-                _nodes.push(node);
+                _pending.push(node.children[i]);
             }
         }
 
-        private function visit(element:ColladaElement, node:ColladaPlace):void
+        // Visits an element of the innermost node, whose index is given.
+        private function visit(element:ColladaElement, node:int):void
         {
+            if (element == null)
+            {
+                _nodes.pop();
+                _transforms.pop();
+                return;
+            }
+            var transform:AffineTransform = _transforms[node];
             switch (element.name)
             {
                 case "instance_geometry":
-                    addInstance(element, element.target("url", ["geometry"]), node.transform);
+                    addInstance(element, element.target("url", ["geometry"]), transform);
                     break;
                 case "instance_controller":
-                    addController(element, node.transform);
+                    addController(element, transform);
                     break;
                 case "instance_node":
                     var inner:ColladaElement = element.target("url", ["node"]);
-                    element.refuseIf(node.isWithin(inner), "recursive instance_node: it places the node \"" + TextWords.shorten(inner.id) + "\" within itself");
-                    enter(new ColladaPlace(inner, node, node.transform));
+                    element.refuseIf(_nodes.indexOf(inner) >= 0, "recursive instance_node: it places the node \"" + TextWords.shorten(inner.id) + "\" within itself");
+                    enter(inner, transform);
                     break;
                 case "node":
-                    enter(new ColladaPlace(element, node, node.transform));
+                    enter(element, transform);
                     break;
                 default:
                     var local:AffineTransform = element.toTransform();
-                    node.transform = local == null ? node.transform : node.transform.after(local);
+                    _transforms[node] = local == null ? transform : transform.after(local);
             }
         }
 
@@ -122,7 +132,7 @@ package starlogo.models.collada
         private function addInstance(element:ColladaElement, geometry:ColladaElement, transform:AffineTransform):void
         {
             var mesh:ColladaMesh = _meshes["#" + geometry.id] ||= new ColladaMesh(geometry);
-            instances.push(new ColladaPlace(element, null, transform, mesh));
+            instances.push(new ColladaPlace(element, mesh, transform));
         }
     }
 }

@@ -184,7 +184,9 @@ package starlogo.models.collada
 
         private static function characterOf(entity:String, name:String, ...rest):String
         {
-            return name.charAt(0) == "#" ? String.fromCharCode(Number("0" + name.substr(1))) : ENTITIES[name];
+            var code:Number = Number("0" + name.substr(1));
+            // a string has two units for a character above 0xFFFF
+            return name.charAt(0) != "#" ? ENTITIES[name] : (code > 0xFFFF ? String.fromCharCode(0xD7C0 + (code >> 10), 0xDC00 | code & 0x3FF) : String.fromCharCode(code));
         }
     }
 }

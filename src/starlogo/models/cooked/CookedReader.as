@@ -36,6 +36,7 @@ package starlogo.models.cooked
 
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
+        private static const LABELS_PER_STEP:int = 1500;
 
         private var _data:ModelData;
         private var _bytes:ByteArray;
@@ -116,39 +117,43 @@ package starlogo.models.cooked
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     readNumbers(first, end, form);
-                }).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners).call(readAllLabels);
+                }).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners).begin(readingAllLabels);
         }
 
-        // A model without materials and meshes ends before them.
-        private function readAllLabels():void
+        // The steps that read the materials and the meshes. A model without them ends before them.
+        private function readingAllLabels():Steps
         {
-            if (_bytes.bytesAvailable > 0)
-            {
-                _data.materials = readLabels();
-                _data.meshes = readLabels();
-            }
+            return new StepSequence().beginEach(_bytes.bytesAvailable > 0 ? 2 : 0, function(index:int):Steps
+                {
+                    return readingLabels(index == 0 ? _data.materials : _data.meshes);
+                });
         }
 
-        private function readLabels():TriangleLabels
+        private function readingLabels(labels:TriangleLabels):Steps
         {
             var nameCount:int = VarInt.read(_bytes);
-            var names:Vector.<String> = new Vector.<String>();
-            for (var i:int = 0; i < nameCount; i++)
-            {
-                var length:int = VarInt.read(_bytes);
-                names.push(length < 0 ? null : _bytes.readUTFBytes(length));
-            }
-            var labels:TriangleLabels = new TriangleLabels(nameCount < 0 ? null : names);
-            var runCount:int = readCount(int.MAX_VALUE);
             var start:Number = 0;
-            for (i = 0; i < runCount; i++)
-            {
-                start = Math.min(start + readCount(int.MAX_VALUE), _data.triangles.length / 3);
-                var number:int = VarInt.read(_bytes);
-                refuseIf(number < -1 || nameCount >= 0 && number >= nameCount, _data.name, "the cooked file has a wrong number: " + number);
-                labels.beginRun(number, start);
-            }
-            return labels;
+            labels.names = nameCount < 0 ? null : labels.names;
+            return new StepSequence().slices(Math.max(0, nameCount), LABELS_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = first; i < end; i++)
+                    {
+                        var length:int = VarInt.read(_bytes);
+                        labels.addName(length < 0 ? null : _bytes.readUTFBytes(length));
+                    }
+                }).begin(function():Steps
+                {
+                    return new StepSequence().slices(readCount(int.MAX_VALUE), LABELS_PER_STEP, function(first:int, end:int):void
+                        {
+                            for (var i:int = first; i < end; i++)
+                            {
+                                start = Math.min(start + readCount(int.MAX_VALUE), _data.triangles.length / 3);
+                                var number:int = VarInt.read(_bytes);
+                                refuseIf(number < -1 || nameCount >= 0 && number >= nameCount, _data.name, "the cooked file has a wrong number: " + number);
+                                labels.beginRun(number, start);
+                            }
+                        });
+                });
         }
 
         private function readCount(most:int):int

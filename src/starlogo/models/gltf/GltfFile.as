@@ -3,12 +3,12 @@ package starlogo.models.gltf
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.models.FileLimits;
-    import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
     import starlogo.models.text.FileAddress;
     import starlogo.models.text.FileText;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
     /**
@@ -23,7 +23,8 @@ package starlogo.models.gltf
         private static const HEADER_LENGTH:int = 12;
         private static const CHUNK_HEADER_LENGTH:int = 8;
 
-        private static const BUFFERS_PER_STEP:int = 100;
+        private static const READ_VERSION:RegExp = /^2\.0/;
+        private static const VERSIONS:RegExp = /^2\.\d/;
 
         // the beginning of the address of data inside the file, and the end of what is before the data; the case does not matter (RFC 2397)
         private static const DATA:RegExp = /^data:/i;
@@ -31,9 +32,9 @@ package starlogo.models.gltf
 
         // extensions that are read (quantization), or that do not change shapes
         private static const SUPPORTED:RegExp = /^(KHR_mesh_quantization|KHR_(materials|techniques?|texture|lights|xmp|node)_|EXT_(texture|lights)_|MSFT_texture_|KHR_animation_pointer)/;
-        private static const DRACO:String = "KHR_draco_mesh_compression";
+        internal static const DRACO:String = "KHR_draco_mesh_compression";
         private static const MESHOPT:RegExp = /^(EXT|KHR)_meshopt_compression$/;
-        private static const DRACO_PROBLEM:String = "compressed with Draco (" + DRACO +
+        internal static const DRACO_PROBLEM:String = "compressed with Draco (" + DRACO +
             "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")";
         private static const MESHOPT_PROBLEM:String = "compressed with meshopt, which is not read: " +
             "save the model without compression (gltfpack without -c, or \"gltf-transform copy\")";
@@ -75,10 +76,12 @@ package starlogo.models.gltf
             }
             text = TextWords.withoutByteOrderMark(text);
             limits = new FileLimits(name, text.length);
-            var scanner:JsonScanner = new JsonScanner(text, limits);
-            add(scanner).call(function():void
+            var reader:JsonReader = new JsonReader(text, limits);
+            add(reader).call(function():void
                 {
-                    parse(scanner.marked);
+                    json = new GltfJson(name, reader.root);
+                    checkNeeds();
+                    beginEach(json.count("buffers"), readingBuffer).call(fetchOthers);
                 });
         }
 
@@ -193,27 +196,19 @@ package starlogo.models.gltf
             return bytes.readUnsignedInt();
         }
 
-        private function parse(text:String):void
+        private function checkNeeds():void
         {
-            try
-            {
-                var root:Object = JSON.parse(text);
-            }
-            catch (failure:Error)
-            {
-                throw new ModelError(limits.modelName, "", "its JSON can't be read: " + failure.message);
-            }
-            json = new GltfJson(limits.modelName, root);
             var asset:GltfJson = json.object("asset");
             // a file of a later 2.x can be read, unless it says that it needs one
-            var version:String = asset == null ? "none" : String(asset.value.minVersion || asset.value.version);
-            json.refuseIf(!/^2\.\d/.test(version) || asset.value.minVersion && !/^2\.0/.test(version),
-                    "expected glTF 2.0, but found \"" + TextWords.shorten(version) + "\": save the model as 2.0", "asset.version");
+            var least:String = asset == null ? null : asset.text("minVersion");
+            var version:* = asset == null ? undefined : least || asset.value.version;
+            var readable:RegExp = least == null ? VERSIONS : READ_VERSION;
+            json.refuseIf(!(version is String && readable.test(version)),
+                    "expected glTF 2.0, but found " + GltfJson.shown(version) + ": save the model as 2.0", "asset.version");
             for each (var extension:* in json.list("extensionsRequired"))
             {
-                checkExtension(String(extension));
+                checkExtension(extension is String ? extension : GltfJson.shown(extension));
             }
-            slices(json.count("buffers"), BUFFERS_PER_STEP, readBuffers);
         }
 
         private function checkExtension(extension:String):void
@@ -222,26 +217,6 @@ package starlogo.models.gltf
             json.refuseIf(MESHOPT.test(extension), "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
             json.refuseIf(!SUPPORTED.test(extension), "it needs the extension \"" + TextWords.shorten(extension) +
                     "\", which is not known: save the model without it", "extensionsRequired");
-        }
-
-        /** Throws if a primitive's geometry is only present in Draco's form. */
-        internal static function refuseDraco(primitive:GltfJson):void
-        {
-            primitive.refuseIf(primitive.hasExtension(DRACO), "it is " + DRACO_PROBLEM);
-        }
-
-        private function readBuffers(first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                _buffers.push(null);
-                readBuffer(i, json.fileEntry("buffers", i));
-            }
-            if (end == json.count("buffers"))
-            {
-                // after the steps that decode
-                call(fetchOthers);
-            }
         }
 
         private function fetchOthers():void
@@ -266,8 +241,12 @@ package starlogo.models.gltf
             };
         }
 
-        private function readBuffer(index:int, buffer:GltfJson):void
+        // The steps that decode a buffer. Without steps, it is in the binary chunk, in another file, or missing.
+        private function readingBuffer(index:int):Steps
         {
+            var work:StepSequence = new StepSequence();
+            var buffer:GltfJson = json.fileEntry("buffers", index);
+            _buffers.push(null);
             // keep() reads the length; here a wrong one is refused before the buffer is fetched or decoded
             buffer.whole("byteLength", FileLimits.MOST_BYTES);
             var uri:* = buffer.value.uri;
@@ -279,9 +258,8 @@ package starlogo.models.gltf
                     limits.addBytes(_chunk.length);
                     keep(0, _chunk);
                 }
-                return;
             }
-            if (DATA.test(uri))
+            else if (DATA.test(uri))
             {
                 var comma:int = uri.indexOf(",");
                 buffer.refuseIf(!BASE64.test(uri.substring(0, comma)), "expected data in base64", "uri");
@@ -290,14 +268,21 @@ package starlogo.models.gltf
                     uri = uri.substring(0, comma + 1) + unescape(uri.substring(comma + 1));
                 }
                 var bytes:ByteArray = new ByteArray();
-                add(Base64.decoding(limits.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
+                work.add(Base64.decoding(limits.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
                     {
                         keep(index, bytes);
                     });
-                return;
             }
-            buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
-                    TextWords.shorten(uri) + "\"", "uri");
+            else
+            {
+                addOtherFile(uri, index, buffer);
+            }
+            return work;
+        }
+
+        private function addOtherFile(uri:String, index:int, buffer:GltfJson):void
+        {
+            buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
             var file:int = _otherFiles.indexOf(uri);
             if (file < 0)
             {

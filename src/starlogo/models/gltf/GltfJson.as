@@ -5,11 +5,11 @@ package starlogo.models.gltf
 
     /**
      * An object in the JSON of a glTF file. Its methods check what they read, and errors name the place. Only texts are never refused, and
-     * <code>value</code> is as it was parsed. The outermost object has the file's lists: its nodes, for example.
+     * <code>value</code> is as it was read. The outermost object has the file's lists: its nodes, for example.
      */
     internal final class GltfJson
     {
-        /** The object, as the player has parsed it. */
+        /** The object, as it was read. */
         public var value:Object;
 
         /** Its place in the JSON, for errors; "" for the outermost object. */
@@ -116,7 +116,6 @@ package starlogo.models.gltf
         private function checkedIndex(index:*, key:String, list:String):int
         {
             var most:int = _root.count(list);
-            index = JsonScanner.restored(index);
             if (!isWhole(index, most - 1))
             {
                 throw error("expected the number of one of " + most + " " + list + ", but found " + shown(index), key);
@@ -127,7 +126,7 @@ package starlogo.models.gltf
         /** An integer property from 0 to a maximum. @param preset the value if there is none; -1 if there must be one */
         public function whole(key:String, most:int, preset:int = -1):int
         {
-            var found:* = JsonScanner.restored(value[key]);
+            var found:* = value[key];
             if (found === undefined && preset >= 0)
             {
                 return preset;
@@ -148,7 +147,7 @@ package starlogo.models.gltf
             var all:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < found.length; i++)
             {
-                var number:* = JsonScanner.restored(found[i]);
+                var number:* = found[i];
                 refuseIf(!(number is Number) || number - number != 0, "expected a finite number, but found " + shown(number), key + "[" + i + "]");
                 all.push(number);
             }
@@ -180,7 +179,6 @@ package starlogo.models.gltf
         /** A value of the JSON, as errors show it. */
         public static function shown(value:*):String
         {
-            value = JsonScanner.restored(value);
             if (value === undefined || value === null)
             {
                 return value === null ? "null" : "nothing";

@@ -27,7 +27,7 @@ package starlogo.models.gltf
         private var _loosePoints:Vector.<Number> = new Vector.<Number>();
 
         /**
-         * @param data takes what is read, turned to z up
+         * @param data takes what is read
          * @param file the file; its steps may be done
          * @param animation moves the scene; null at rest
          * @param time the time of the animation, in seconds
@@ -38,9 +38,7 @@ package starlogo.models.gltf
             _file = file;
             add(file).begin(function():Steps
                 {
-                    _scene = new GltfScene(file, turnToZUp(data.upAxis), animation, time);
-                    // the scene turns its points
-                    data.upAxis = "z";
+                    _scene = new GltfScene(file, animation, time);
                     return _scene;
                 }).begin(readingNodes).begin(droppingUnused);
         }
@@ -64,6 +62,7 @@ package starlogo.models.gltf
             var data:ModelData = dataFor(file, upAxis, null);
             file.limits.restart();
             finish(new GltfReader(data, file, animation, time));
+            finish(turnToZUp(data.upAxis).transformingPoints(data.vertices));
             return data.vertices;
         }
 
@@ -107,7 +106,7 @@ package starlogo.models.gltf
         private function readingPrimitive(node:int, label:String, primitive:GltfJson, weights:Vector.<Number>, placed:Object):Steps
         {
             var work:StepSequence = new StepSequence();
-            GltfFile.refuseDraco(primitive);
+            primitive.refuseIf(primitive.hasExtension(GltfFile.DRACO), "it is " + GltfFile.DRACO_PROBLEM);
             var attributes:GltfJson = primitive.object("attributes");
             var position:int = attributes == null ? -1 : attributes.reference("POSITION", "accessors");
             if (position < 0)

@@ -96,16 +96,13 @@ package starlogo.models.gltf
         {
             var a:Vector.<Number> = keyOf(low, 0);
             var b:Vector.<Number> = keyOf(high, 0);
+            var ofA:Number = 1 - share;
+            var ofB:Number = share;
             if (_isRotation)
             {
                 // those of integers are rounded
                 normalise(a);
                 normalise(b);
-            }
-            var ofA:Number = 1 - share;
-            var ofB:Number = share;
-            if (_isRotation)
-            {
                 var cosine:Number = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
                 var sign:Number = cosine < 0 ? -1 : 1;
                 if (sign * cosine < STRAIGHT)

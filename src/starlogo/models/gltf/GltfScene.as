@@ -14,7 +14,6 @@ package starlogo.models.gltf
         public var nodes:Vector.<int> = new Vector.<int>();
 
         private var _file:GltfFile;
-        private var _root:AffineTransform;
         private var _animation:GltfAnimation;
         private var _time:Number;
         private var _parents:Vector.<int>;
@@ -25,14 +24,12 @@ package starlogo.models.gltf
 
         /**
          * @param file the file; all its steps must be done
-         * @param root is applied to the whole scene
          * @param animation moves the nodes; null at rest
          * @param time the time of the animation, in seconds
          */
-        public function GltfScene(file:GltfFile, root:AffineTransform, animation:GltfAnimation, time:Number)
+        public function GltfScene(file:GltfFile, animation:GltfAnimation, time:Number)
         {
             _file = file;
-            _root = root;
             _animation = animation;
             _time = time;
             var count:int = file.json.count("nodes");
@@ -59,7 +56,7 @@ package starlogo.models.gltf
                 _file.json.refuseIf(chain.length > _globalTransforms.length, "it contains itself", "nodes[" + node + "]");
                 chain.push(i);
             }
-            var transform:AffineTransform = i < 0 ? _root : _globalTransforms[i];
+            var transform:AffineTransform = i < 0 ? new AffineTransform() : _globalTransforms[i];
             while (chain.length > 0)
             {
                 i = chain.pop();

@@ -4,15 +4,14 @@ package starlogo.models.polygons
     import starlogo.steps.Steps;
 
     /**
-     * Cuts a ring of corners into triangles, one ear at a time, after its holes are joined to it. It adds only triangles with an area. This
-     * holds for corners in a straight line, and for rings that cross or cover themselves.
+     * Cuts a ring of corners into triangles, one ear at a time. It adds only triangles with an area. This holds for corners in a straight line,
+     * and for rings that cross or cover themselves.
      *
      * <p>It ends for every ring, because any corner is cut off after two rounds without an ear.</p>
      */
     internal final class EarClipper implements Steps
     {
         private var _rings:PolygonRings;
-        private var _bridges:HoleBridges;
         private var _triangles:Vector.<uint>;
 
         // the present node, the number of corners left, and the number of corners passed since the last ear
@@ -23,25 +22,17 @@ package starlogo.models.polygons
         /**
          * @param rings contains the ring
          * @param start a node of the ring, which must be counter-clockwise
-         * @param bridges joins the holes to the ring first; null if there are none
          * @param triangles takes the triangles
          */
-        public function EarClipper(rings:PolygonRings, start:int, bridges:HoleBridges, triangles:Vector.<uint>)
+        public function EarClipper(rings:PolygonRings, start:int, triangles:Vector.<uint>)
         {
             _rings = rings;
-            _bridges = bridges;
             _triangles = triangles;
             _node = start;
         }
 
-        /** @inheritDoc */
+        /** @inheritDoc Cuts until two corners are left, or for one step. */
         public function step():Boolean
-        {
-            return _bridges != null && _bridges.join() || cut();
-        }
-
-        // Cuts until two corners are left, or for one step. Returns whether there is more to cut.
-        private function cut():Boolean
         {
             var next:Vector.<int> = _rings.next;
             var vertex:Vector.<uint> = _rings.vertex;

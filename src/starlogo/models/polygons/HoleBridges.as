@@ -1,11 +1,12 @@
 package starlogo.models.polygons
 {
     import starlogo.models.FileLimits;
+    import starlogo.steps.Steps;
 
     /**
      * Joins each hole of a polygon to the outline by a bridge, so that one ring is left (D. Eberly, "Triangulation by Ear Clipping", 2002).
      */
-    internal final class HoleBridges
+    internal final class HoleBridges implements Steps
     {
         private var _rings:PolygonRings;
         private var _outline:int;
@@ -30,8 +31,8 @@ package starlogo.models.polygons
             _nodes.sort(compareByX);
         }
 
-        /** Joins holes until none is left, or for one step. Holes outside the outline are left out. Returns whether holes are left. */
-        internal function join():Boolean
+        /** @inheritDoc Joins holes until none is left, or for one step. Holes outside the outline are left out. */
+        public function step():Boolean
         {
             var limits:FileLimits = _rings.limits;
             var end:Number = limits.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;

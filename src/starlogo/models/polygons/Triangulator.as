@@ -116,8 +116,9 @@ package starlogo.models.polygons
                     nodes.push(rings.addLoop(hole, false));
                 }
             }
-            var clipper:EarClipper = new EarClipper(rings, start, nodes.length == 0 ? null : new HoleBridges(rings, start, nodes), triangles);
-            return clipper.step() ? clipper : null;
+            var clipper:EarClipper = new EarClipper(rings, start, triangles);
+            var cutting:Steps = nodes.length == 0 ? clipper : new StepSequence().add(new HoleBridges(rings, start, nodes)).add(clipper);
+            return cutting.step() ? cutting : null;
         }
 
         /** Adds a triangle, if its three corners are different. */

@@ -4,6 +4,7 @@ package starlogo.models.collada
     import org.flexunit.asserts.assertNull;
     import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.finish;
     import support.assertThrows;
 
@@ -17,7 +18,7 @@ package starlogo.models.collada
             assertEquals("1", root.attribute("b"));
             assertEquals(">\"2", root.attribute("c"));
             assertEquals("", root.attribute("toString"));
-            assertEquals("one,two", root.splitText().join());
+            assertEquals("one,two", TextWords.of(root.text).join());
             assertEquals(2, root.childrenNamed("d").length);
             assertEquals("d#e", String(root.children[1]));
             assertEquals("d[1]", String(read("<a><d/><d/></a>").children[0]));
@@ -38,12 +39,13 @@ package starlogo.models.collada
             var root:ColladaElement = read("<a b='&lt;&#65;&#x42;&gt;'>&amp;&quot;&apos;&other;&LT;</a>");
             assertEquals("<AB>", root.attribute("b"));
             assertEquals("&\"'&other;&LT;", root.texts.join(""));
+            assertEquals("\uD83D\uDE00 \uFFFD \uDBFF\uDFFF", read("<a>&#x1F600; &#xFFFD; &#1114111;</a>").text);
         }
 
         [Test]
         public function passesOverComments():void
         {
-            assertEquals("1,2,<b>,3", read("<a>1<!-- <b> -- > -->2<![CDATA[ <b> ]]>3<?d <e> ?></a>").splitText().join());
+            assertEquals("1,2,<b>,3", TextWords.of(read("<a>1<!-- <b> -- > -->2<![CDATA[ <b> ]]>3<?d <e> ?></a>").text).join());
         }
 
         [Test]

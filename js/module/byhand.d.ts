@@ -26,13 +26,13 @@ export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Mode
 
 /** What is taken for an AgentFilter: one, or a literal with some of its properties. */
 export interface AgentFilterInit<A extends Agent = Agent> {
-	/** See AgentFilter.breeds. */
+	/** Only agents of these breeds count. If the list is empty, no agent counts. */
 	readonly breeds?: readonly string[] | null | undefined;
-	/** See AgentFilter.exceptBreeds. */
+	/** Agents of these breeds do not count. */
 	readonly exceptBreeds?: readonly string[] | null | undefined;
-	/** See AgentFilter.except. */
+	/** These agents do not count. Null among them is nobody. */
 	readonly except?: readonly (Agent | null | undefined)[] | null | undefined;
-	/** See AgentFilter.accepts. */
+	/** Returns true if an agent counts. It is called last, for as few agents as the answer needs: see {@link AgentFilter.accepts}. */
 	readonly accepts?: { accept(agent: A): boolean }["accept"] | null | undefined;
 }
 

@@ -113,6 +113,7 @@ import {
 	AgentPlaces,
 	AgentRays,
 	AgentWalks,
+	LevelCollider,
 	LevelShapes,
 	SeenAgents,
 } from "starlogo-collision";
@@ -226,6 +227,7 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const seenInLevel = new SeenAgents(level);
 	seenInLevel.update(agents);
 	if (new AgentRays(seenInLevel).castAll(eye, ahead).length > hits.length) log.push("other hits");
+	if (new LevelCollider(level).findCollisions(agents).length % 2 !== 0) log.push("half a pair");
 	log.push(`${hit?.agent} at ${hit?.distance}, ${hits.length} hits, ${queries.canSee(agents[0], agents[1])}`);
 	const bump: ShapeHit | null = queries.castShape(new Sphere(eye, 0.5), 20, 0, 0, filter, new ShapeHit());
 	const bumps: ShapeHit[] = queries.castAgentAll(agents[0], 0, 0, 9, null, []);

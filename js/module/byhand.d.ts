@@ -18,6 +18,14 @@ export interface PointTaker {
 	z: number;
 }
 
+/** What is taken for a picture: the platform's ImageData, or the same numbers from elsewhere. */
+export interface Picture {
+	readonly width: number;
+	readonly height: number;
+	/** Red, green, blue and alpha of each pixel, from 0 to 255, row by row from the top. */
+	readonly data: ArrayLike<number>;
+}
+
 /** Which axis of a file points up, or what turns it otherwise. */
 export type UpAxis = "x" | "y" | "z" | ModelTransform;
 

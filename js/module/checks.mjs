@@ -226,7 +226,7 @@ function optionsOf({ name }) {
 /** Where a literal is likely to be passed, the text says how such an object is made. */
 function article(name) {
 	if (name === "AgentFilter") return 'an AgentFilter, or a literal such as { breeds: ["sheep"] }';
-	if (name === "AgentPredicate") return 'an AgentFilter, for example AgentFilter.ofBreeds("sheep")';
+	if (name === "AgentPredicate") return 'an AgentFilter, for example new AgentFilter({ breeds: ["sheep"] })';
 	if (name === "WalkOptions") return "WalkOptions, or a literal such as { stepHeight: 0.3 }";
 	if (name === "BoundingStructure") return "this package's Sphere, Capsule, Box or Hull";
 	if (name === "CollisionSystem") return "a CollisionSystem, for example new TightestFitCollider(greatLand)";

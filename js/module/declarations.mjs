@@ -19,8 +19,13 @@ const BY_NAME = new Map([
 	["getQuaternion", "[x: number, y: number, z: number, w: number]"],
 	["collisionOrShapes", "Collision<object, A> | CollisionSystem | LevelShapes"],
 	["collisionOrSystem", "Collision<object, A> | CollisionSystem"],
+	["edgeNames", "string[]"],
+	["picture", "Picture"],
 	["scaling", "Scaling"],
+	["sideNames", "string[]"],
+	["solidBreeds", "string[]"],
 	["structureNames", "string[]"],
+	["subject", "Agent | string"],
 	["systemNames", "string[]"],
 	["toObject", "CollisionRecord"],
 	["upAxis", "UpAxis"],
@@ -159,7 +164,7 @@ class Writer {
 			case "set": {
 				const getter = type.members.find((other) => other.kind === "get" && other.name === member.name);
 				const orNull = getter && this.#mayBeNull({ ...getter, doc: docOf(type, getter, this.#exported) }) ? " | null" : "";
-				const union = getter && this.#unionOf(type, getter.result, docOf(type, getter, this.#exported));
+				const union = BY_NAME.get(member.name) ?? (getter && this.#unionOf(type, getter.result, docOf(type, getter, this.#exported)));
 				return `${visible}\t${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
 			}
 			default:

@@ -233,7 +233,7 @@ test("the documentation has no remarks for those who maintain the engine, and no
 	assert.doesNotMatch(text, /for the engine alone/);
 	assert.match(text, /constructor\(name: string, vertices: Numbers, triangles\?: Numbers \| null, scaling\?: Scaling\);/, "the fifth argument of a model is the engine's own");
 	const known = new Set([...text.matchAll(/^(?:export |declare )+(?:class|function|interface|type) (\w+)/gm)].map(([, name]) => name));
-	const platform = /^(?:AbortController|AbortError|AbortSignal|ArrayBuffer|ByteArrays|InstancedMesh|JavaScript|LineSegments|StarLogo|NaN|RangeError|TypeError|Vector3Ds|WebAssembly)$/;
+	const platform = /^(?:AbortController|AbortError|AbortSignal|ArrayBuffer|ByteArrays|ImageData|InstancedMesh|JavaScript|LineSegments|StarLogo|NaN|RangeError|TypeError|Vector3Ds|WebAssembly)$/;
 	for (const { of, said } of documentation()) {
 		assert.doesNotMatch(said, /\bthis file\b|\bwritten out\b|\bflash\.|\bFlash|\bRuffle|\bAdobe|ActionScript|\bplayer (?:takes|lets|that compiles)|\bas in the player\b|display list/i, of);
 		assert.doesNotMatch(said, /\bV8\b|\buint\b|: ?int\b|\bVector\b|function\(/, of);

@@ -76,6 +76,7 @@ import {
 	NaiveSphereFitter,
 	ObjModel,
 	OrientedBoxFitter,
+	Picture,
 	Placement,
 	Point,
 	PointTaker,
@@ -259,6 +260,8 @@ function useBlocks(greatLand: GreatLand, agents: Agent[]): void {
 	new TraitBlocks(agents).collideAs("bears", Agent.BOX);
 	structures.show("bears", true);
 	log.push(`${new CollisionLines(greatLand).linesOf(agents[0], new BinCollider(greatLand), []).length / 6} lines of a sphere`);
+	const picture: Picture = { width: 2, height: 3, data: new Uint8Array(24) };
+	if (Terrain.fromPicture(picture, 1).rows !== 3) log.push("another picture");
 	const ground: Terrain = collisions.collision.terrain = new Terrain(9, 9, 1, -4, -4);
 	const groundBlocks = new TerrainBlocks(collisions, new DetectionBlocks(collisions));
 	groundBlocks.buildMound(agents[0], 3, 1);

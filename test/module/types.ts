@@ -1,7 +1,7 @@
 // What the types of the package say, and what they refuse: tsc --strict has to accept all of it, and to find an error where one is expected.
 import {
 	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
-	ModelLoader, ModelTransform, ObjModel, RayHit, TightestFitCollider, Vector3D, WalkOptions,
+	ModelLoader, ModelTransform, ObjModel, RayHit, Terrain, TightestFitCollider, TraitBlocks, Vector3D, WalkOptions,
 } from "starlogo-collision";
 import type { AgentFilterInit, CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit, WalkOptionsInit } from "starlogo-collision";
 
@@ -279,3 +279,9 @@ new AgentFilter({ breed: ["heroes"] });
 new WalkOptions({ stepHeight: 0.3, filter: { breeds } }).stepHeight = 0.5;
 // @ts-expect-error a number
 new WalkOptions({ stepHeight: "0.3" });
+declare const imageData: { width: number; height: number; data: Uint8ClampedArray };
+Terrain.fromPicture(imageData, 3);
+// @ts-expect-error an address is no picture
+Terrain.fromPicture("hills.png", 3);
+// @ts-expect-error neither an agent nor a breed
+new TraitBlocks([]).setOneWay(3, true);

@@ -41,10 +41,10 @@ package starlogo.queries
         /** @private */
         override engine function narrowPhaseFor(choice:BaseShapeChoice):NarrowPhase
         {
-            var tests:NarrowPhase = LevelChoice(choice).narrowPhase;
-            StructurePairTests.addTo(tests);
-            TreePairTests.addTo(tests);
-            return tests;
+            var shared:LevelChoice = LevelChoice(choice);
+            StructurePairTests.addTo(shared.narrowPhase);
+            TreePairTests.addTo(shared.narrowPhase);
+            return shared.narrowPhase;
         }
     }
 }

@@ -47,7 +47,10 @@ package starlogo.queries
                 combination.maxDepth = _shapes.maxDepth = 3;
                 var expected:Array = [];
                 var found:Array = [];
-                var collisions:Array = [listenTo(new Collision(combination), expected), listenTo(new Collision(new LevelCollider(_shapes)), found)];
+                var others:Array = [];
+                var game:Collision = listenTo(new Collision(combination), expected);
+                var level:Collision = listenTo(new Collision(new LevelCollider(_shapes)), found);
+                var sharing:Collision = listenTo(new Collision(new LevelCollider(_shapes)), others);
                 var agents:Vector.<Agent> = randomAgents(random);
                 for (var frame:int = 0; frame < 20; frame++)
                 {
@@ -56,9 +59,11 @@ package starlogo.queries
                         agent.moveTo(agent.x + random.between(-0.5, 0.5), agent.y + random.between(-0.5, 0.5), agent.z);
                         agent.pitch += random.between(0, 20);
                     }
-                    collisions[0].update(agents);
-                    collisions[1].update(agents);
+                    game.update(agents);
+                    level.update(agents);
+                    sharing.update(agents);
                     assertEquals("frame " + frame, expected.join("\n"), found.join("\n"));
+                    assertEquals("with the same shapes, frame " + frame, found.join("\n"), others.join("\n"));
                 }
                 calls += expected.length;
             }

@@ -18,6 +18,14 @@ export interface PointTaker {
 	z: number;
 }
 
+/** What is taken for a picture: the platform's ImageData, or the same numbers from elsewhere. */
+export interface Picture {
+	readonly width: number;
+	readonly height: number;
+	/** Red, green, blue and alpha of each pixel, from 0 to 255, row by row from the top. */
+	readonly data: ArrayLike<number>;
+}
+
 /** Which axis of a file points up, or what turns it otherwise. */
 export type UpAxis = "x" | "y" | "z" | ModelTransform;
 
@@ -26,13 +34,13 @@ export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Mode
 
 /** What is taken for an AgentFilter: one, or a literal with some of its properties. */
 export interface AgentFilterInit<A extends Agent = Agent> {
-	/** See AgentFilter.breeds. */
+	/** Only agents of these breeds count. If the list is empty, no agent counts. */
 	readonly breeds?: readonly string[] | null | undefined;
-	/** See AgentFilter.exceptBreeds. */
+	/** Agents of these breeds do not count. */
 	readonly exceptBreeds?: readonly string[] | null | undefined;
-	/** See AgentFilter.except. */
+	/** These agents do not count. Null among them is nobody. */
 	readonly except?: readonly (Agent | null | undefined)[] | null | undefined;
-	/** See AgentFilter.accepts. */
+	/** Returns true if an agent counts. It is called last, for as few agents as the answer needs: see {@link AgentFilter.accepts}. */
 	readonly accepts?: { accept(agent: A): boolean }["accept"] | null | undefined;
 }
 

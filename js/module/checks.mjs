@@ -7,7 +7,7 @@
  * names the object too, as for agents, they are checked in place. null is accepted if the documentation mentions it, and for names and files. Numbers that
  * are not finite are accepted if the documentation mentions errors. In these cases the engine itself throws the error.
  */
-import { docOf, docOfParameter, endingBooleans, isWritten, mayHaveNull } from "./signatures.mjs";
+import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isWritten, mayHaveNull } from "./signatures.mjs";
 
 /** Classes that are recognised by a mark of their own. Naming them would bring all the classes that they use into every bundle. */
 const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore", "starlogo.terrain.Terrain", "starlogo.terrain.WorldBounds"]);
@@ -27,18 +27,22 @@ const ANSWERED = new Set(["ByteArray", "String"]);
 /** What methods call first while a game is developed. addModel looks at its object's properties, because settings are often made just before. */
 const WARNINGS = new Map([
 	["starlogo.GreatLand.addModel", ["$warnOfUnknownProperties(this, true);"]],
-	["starlogo.collision.Collision.update", ["$warnOfSilence(this, agents);", "if ($walks.size > 0) $warnOfStops(this);", "$warnOfLaterProperties(this, agents);"]],
+	...["addModel", "addStructure"].map((name) => [`starlogo.queries.LevelShapes.${name}`, ["$warnOfUnknownProperties(this, true);"]]),
+	["starlogo.collision.Collision.update", ["$warnOfTime(\"Collision.update\", arguments);", "$warnOfSilence(this, agents);", "$warnOfNewAgents(this, agents);", "if ($walks.size > 0) $warnOfStops(this);", "$warnOfLaterProperties(this, agents);"]],
 	["starlogo.collision.Collision.removeHandler", ["$warnOfRemoval(breed, otherBreed, handler);"]],
-	["starlogo.queries.AgentQueries.update", ["$warnOfStale(this, agents, null);", "$warnOfLaterProperties(this, agents);"]],
-	...["refresh", "moveUntilTouch", "slide"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, agent);"]]),
-	["starlogo.queries.AgentQueries.walk", ["$warnOfStale(this, null, agent);", "$warnOfFall(agent, dx, dy);", "$warnOfWalk(this, agent, dx, dy, options);"]],
+	["starlogo.queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],
+	["starlogo.queries.AgentQueries.update", ["$warnOfTime(\"AgentQueries.update\", arguments);", "$warnOfLaterProperties(this, agents);"]],
+	["starlogo.queries.SeenAgents.update", ["$warnOfStale(this, agents, null);"]],
+	["starlogo.queries.SeenAgents.refresh", ["$warnOfStale(this, null, agent);"]],
+	...["AgentQueries", "AgentWalks"].map((name) => [`starlogo.queries.${name}.walk`, ["$warnOfFall(agent, dx, dy);", "$warnOfWalk(this, agent, dx, dy, options);"]]),
 	["starlogo.queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
-	["starlogo.queries.AgentWalks.walk", ["$warnOfFall(agent, dx, dy);", "$warnOfWalk(this, agent, dx, dy, options);"]],
-	...["cast", "near", "nearest"].map((name) => [`starlogo.queries.AgentQueries.${name}`, ["$warnOfStale(this, null, null);"]]),
 ]);
 
 /** Classes whose settings are set after the constructor. Those of agents are too, but a subclass may pass all that it gets on to `super()`. */
-const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.Collision|queries\.(?:AgentFilter|LevelShapes|WalkOptions))$/;
+const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.Collision|queries\.LevelShapes)$/;
+
+/** Classes whose methods with a filter are questions about a SeenAgents. */
+const ASKING = /^starlogo\.queries\.Agent(?:Places|Queries|Rays)$/;
 
 /** The angles that an agent is turned by. */
 const ANGLES = /^starlogo\.agents\.Agent\.(?:heading|pitch|roll)$/;
@@ -85,7 +89,13 @@ export class Checks {
 	/** The statements that check a new value of such a field. */
 	ofSetting(qname, field) {
 		const member = { ...field, kind: "set", parameters: [] };
-		return this.#check(this.#signatures.get(qname), member, { name: "value", type: field.result, value: field.initial, isRest: false });
+		return [...WARNINGS.get(`${qname}.${field.name}`) ?? [], ...this.#check(this.#signatures.get(qname), member, { name: "value", type: field.result, value: field.initial, isRest: false })];
+	}
+
+	/** The statements at the end of a constructor, which may take its settings as a literal. */
+	ofLiteral(qname) {
+		const { name } = this.#signatures.get(qname) ?? {};
+		return TAKES_LITERAL.has(qname) ? [`if (arguments[0] != null) $options(null, "new ${name}: settings", arguments[0], this, ${JSON.stringify(article(name))});`] : [];
 	}
 
 	/** Whether a class is recognised by its mark. */
@@ -195,7 +205,9 @@ function warningsOf(qname, name, kind, parameters) {
 	if (kind === "constructor" && (isCollider || SET_AFTER.test(qname))) return [`$warnOfMore("${name}", arguments, ${parameters.length});`];
 	if (kind === "constructor" && qname === "starlogo.agents.Agent") return [`if (arguments.length > ${parameters.length} && new.target === Agent) $warnOfMore("Agent", arguments, ${parameters.length});`];
 	if (kind === "set" && ANGLES.test(`${qname}.${name}`)) return [`$warnOfAngle(this, "${name}", value);`];
-	return kind === "method" ? WARNINGS.get(`${qname}.${name}`) ?? [] : [];
+	if (kind !== "method") return [];
+	const isQuestion = ASKING.test(qname) && parameters.some(({ type }) => /^(?:AgentFilter|WalkOptions)$/.test(type));
+	return [...isQuestion ? ["$warnOfStale(this._seen, null, null);"] : [], ...WARNINGS.get(`${qname}.${name}`) ?? []];
 }
 
 // The names are quoted, because users write them: they are never shortened.
@@ -214,7 +226,7 @@ function optionsOf({ name }) {
 /** Where a literal is likely to be passed, the text says how such an object is made. */
 function article(name) {
 	if (name === "AgentFilter") return 'an AgentFilter, or a literal such as { breeds: ["sheep"] }';
-	if (name === "AgentPredicate") return 'an AgentFilter, for example AgentFilter.ofBreeds("sheep")';
+	if (name === "AgentPredicate") return 'an AgentFilter, for example new AgentFilter({ breeds: ["sheep"] })';
 	if (name === "WalkOptions") return "WalkOptions, or a literal such as { stepHeight: 0.3 }";
 	if (name === "BoundingStructure") return "this package's Sphere, Capsule, Box or Hull";
 	if (name === "CollisionSystem") return "a CollisionSystem, for example new TightestFitCollider(greatLand)";

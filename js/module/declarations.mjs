@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
 import { PLATFORM_NAMES, ROOT } from "./names.mjs";
-import { docOf, docOfParameter, endingBooleans, isShown, isWritten, mayHaveNull } from "./signatures.mjs";
+import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isShown, isWritten, mayHaveNull } from "./signatures.mjs";
 import { PRIMITIVES, docComment } from "./tsdoc.mjs";
 
 /** The types that no class of ActionScript has. */
@@ -16,10 +16,16 @@ const BY_NAME = new Map([
 	["EDGE", '"*edge"'],
 	["TERRAIN", '"*terrain"'],
 	["buffers", "Record<string, Bytes>"],
+	["getQuaternion", "[x: number, y: number, z: number, w: number]"],
 	["collisionOrShapes", "Collision<object, A> | CollisionSystem | LevelShapes"],
 	["collisionOrSystem", "Collision<object, A> | CollisionSystem"],
+	["edgeNames", "string[]"],
+	["picture", "Picture"],
 	["scaling", "Scaling"],
+	["sideNames", "string[]"],
+	["solidBreeds", "string[]"],
 	["structureNames", "string[]"],
+	["subject", "Agent | string"],
 	["systemNames", "string[]"],
 	["toObject", "CollisionRecord"],
 	["upAxis", "UpAxis"],
@@ -27,6 +33,9 @@ const BY_NAME = new Map([
 
 /** The values that a text lists: "x", "y" or "z". */
 const LISTED = /"\w+"(?:, "\w+")* or "\w+"/;
+
+/** What the documentation says of a list that belongs to the engine. */
+const OF_ENGINE = /\bdo not change it\b|\bread only\b/i;
 
 /** What the documentation says of a handler. Its types are the two agents', which may be of different classes. */
 const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
@@ -65,6 +74,16 @@ function isGeneric(type, types) {
 	const hasAgent = (member) => member.kind === "var" && member.isPublic && !member.isPrivate && member.result === "Agent";
 	const isAboutThem = (member) => member.kind === "constructor" && member.parameters[0]?.type === "SeenAgents";
 	return type?.kind === "class" && (type.bases.some((name) => isGeneric(types.get(name), types)) || type.members.some((member) => hasAgents(member) || hasAgent(member) || isAboutThem(member)));
+}
+
+/** A member's documentation with the values that only ActionScript shows in its signature: of arguments that are left out, of a switch at first. */
+function withValues(said, { kind, parameters, result, initial }) {
+	if (kind === "var" && result === "Boolean" && initial && !/@default\b/.test(said)) return `${said}\n\n@default ${initial}`;
+	return parameters.filter(({ value }) => value !== null && value !== "null").reduce((text, { name, value }) => {
+		const about = docOfParameter(name, text);
+		if (about === "" || /\bwithout it\b/.test(about)) return text;
+		return text.replace(`@param ${name} ${about}`, () => `@param ${name} ${about.replace(/\.?\s*$/, "")}. Default: ${value.replace("Number.NEGATIVE_INFINITY", "-Infinity")}`);
+	}, said);
 }
 
 class Writer {
@@ -121,7 +140,8 @@ class Writer {
 		const visible = member.isProtected ? "protected " : "";
 		this.#agent = this.#isGeneric(type) && !member.isStatic ? "A" : "Agent";
 		const said = docOf(type, member, this.#exported);
-		const text = docComment(said, "\t");
+		const takesLiteral = member.kind === "constructor" && TAKES_LITERAL.has(type.qname);
+		const text = docComment(takesLiteral ? `${said}\n\n@param settings a literal with some of its properties` : withValues(said, member), "\t");
 		if (/^(add|remove)EventListener$/.test(member.name)) {
 			const priority = member.name === "addEventListener" ? ", priority?: number" : "";
 			return `${text}\t${member.name}(type: string, listener: Listener, options?: boolean | ListenerOptions${priority}): void;`;
@@ -132,18 +152,19 @@ class Writer {
 		const result = this.#resultOf(type, member, said, generic === FINDING);
 		switch (member.kind) {
 			case "constructor":
-				return `${text}\tconstructor(${this.#parameters(member, type)});`;
+				return `${text}\tconstructor(${takesLiteral ? `settings?: ${type.name}Init | null` : this.#parameters(member, type)});`;
 			case "method":
 				return `${text}\t${visible}${isStatic}${member.name}${generic}(${this.#parameters(member, type, generic)}): ${result};`;
 			case "get": {
 				const isReadOnly = !type.members.some((other) => other.kind === "set" && other.name === member.name);
+				if (OF_ENGINE.test(said) && result.includes("[]")) return `${text}\t${isStatic}get ${member.name}(): readonly ${result};`;
 				if (type.kind === "interface") return `${text}\t${isReadOnly ? "readonly " : ""}${member.name}: ${result};`;
 				return `${text}\t${visible}${isStatic}get ${member.name}(): ${result};`;
 			}
 			case "set": {
 				const getter = type.members.find((other) => other.kind === "get" && other.name === member.name);
 				const orNull = getter && this.#mayBeNull({ ...getter, doc: docOf(type, getter, this.#exported) }) ? " | null" : "";
-				const union = getter && this.#unionOf(type, getter.result, docOf(type, getter, this.#exported));
+				const union = BY_NAME.get(member.name) ?? (getter && this.#unionOf(type, getter.result, docOf(type, getter, this.#exported)));
 				return `${visible}\t${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
 			}
 			default:
@@ -248,7 +269,7 @@ class Writer {
 	}
 
 	#parameterText({ name, type, value }, said) {
-		const orNull = value === "null" || /\bnull\b/.test(said) ? " | null" : "";
+		const orNull = value === "null" || /(?<!\bnot )\bnull\b/.test(said) ? " | null" : "";
 		if (BY_NAME.has(name)) return BY_NAME.get(name) + orNull;
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
 		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(said) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;

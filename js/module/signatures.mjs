@@ -8,6 +8,9 @@ const DOC = String.raw`(/\*\*(?:(?!\*/)[\s\S])*\*/\s*)?`;
 const TYPE = new RegExp(String.raw`^    ${DOC}((?:public|internal|final|dynamic|static)\s+)*(class|interface|function) (\w+)(?:(\([\s\S]*?\)):([\w.<>*]+))?(?: extends ([\w, ]+?))?(?:\s+implements ([\w, ]+?))?\s*$`, "m");
 const MEMBER = new RegExp(String.raw`^        ${DOC}((?:(?:override|public|protected|private|internal|engine|static|final|native)\s+)*)(function|var|const) (?:(get|set) )?(\w+)(\([\s\S]*?\))?(?::([\w.<>*]+))?(?: = ([^;\n]+);)?`, "gm");
 
+/** Classes of settings, which a literal stands for. Their constructors take one too. */
+export const TAKES_LITERAL = new Set(["starlogo.queries.AgentFilter", "starlogo.queries.WalkOptions"]);
+
 /** The qualified name of what a file declares; the file's path begins at the sources' folder. */
 export const qnameOf = (file) => file.replace(/\.\w+$/, "").replaceAll(/[\\/]/g, ".");
 

@@ -249,6 +249,7 @@ export class Program {
 		} else {
 			statements = [...taken, ...initial, ...this.#bodies.statements(body)];
 		}
+		statements.push(...this.#checks.ofLiteral(unit.qname));
 		this.#bodies.leave();
 		if (statements.length === 0 && parameters === "") return "";
 		return `constructor(${parameters}) {\n${statements.map(indent).join("\n")}\n}`;

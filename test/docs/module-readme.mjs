@@ -27,7 +27,7 @@ const { fetch } = globalThis;
 globalThis.fetch = (address, ...rest) => fetch(new URL(address, server.url), ...rest);
 
 /** Whether the samples have done what the page says. */
-export async function check({ bear, ball, collision, greatLand, teapot, nextFrame, actors, hero, footing, save, goBackTo, nextStep, runner, gems }) {
+export async function check({ bear, ball, collision, greatLand, teapot, nextFrame, actors, hero, footing, save, goBackTo, nextStep, runner, runners }) {
 	const keys = { right: 1, forward: 0, isJumping: false };
 	for (let i = 0; i < 20; i++) nextFrame(keys);
 	assert.ok(footing.stands && Math.abs(hero.x - 1.6) < 1e-9 && Math.abs(hero.z) < 1e-6, `${hero.x}, ${hero.z}`);
@@ -44,10 +44,10 @@ export async function check({ bear, ball, collision, greatLand, teapot, nextFram
 	assert.deepEqual([hero.x, hero.z, actors.length], after);
 	for (let i = 0; i < 60; i++) nextFrame(keys);
 	assert.ok(footing.stands);
-	assert.equal(gems.length, 1);
+	assert.equal(runners.length, 3);
 	for (let i = 0; i < 20; i++) nextStep(keys);
 	assert.ok(footing.stands && Math.abs(runner.x - 1.6) < 1e-9 && Math.abs(runner.z) < 1e-6, `${runner.x}, ${runner.z}`);
-	assert.equal(gems.length, 0);
+	assert.equal(runners.length, 2);
 	assert.deepEqual([teapot.x, teapot.y, teapot.z, teapot.size], [1, -3, 0, 2]);
 	assert.equal(collision.statistics.handlerCalls, 1);
 	assert.equal(bear.color, ball.color);

@@ -12,7 +12,7 @@ const folder = path.join(root, "bin/module");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
 const engine = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 const {
-	Agent, AgentFilter, AgentPlaces, AgentQueries, AgentRays, AgentWalks, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, SeenAgents, Sphere,
+	Agent, AgentFilter, AgentPlaces, AgentQueries, AgentRays, AgentWalks, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, SeenAgents, Sphere, WalkOptions,
 	TightestFitCollider, Vector3D, sphereSphere,
 } = engine;
 
@@ -351,6 +351,15 @@ test("while a game is developed, an error says which option is the nearest, if o
 	}
 	for (const name of ["gravity", "jump", "speed"]) refused(() => queries.walk(walker, 1, 0, { [name]: 0.5 }), `options.${name} is no option; there are `);
 	refused(() => queries.near(walker, 1, { breed: ["a"] }), "AgentQueries.near: filter.breed is no option; the nearest is breeds; there are ");
+});
+
+test("constructors of settings take a literal", () => {
+	refused(() => new AgentFilter({ breed: ["a"] }), "new AgentFilter: settings.breed is no option; there are ");
+	refused(() => new AgentFilter(["a"]), 'new AgentFilter: settings must be an AgentFilter, or a literal such as { breeds: ["sheep"] }, not ["a"]');
+	refused(() => new WalkOptions({ stepHeight: "1" }), 'stepHeight must be a number, not "1"');
+	const stride = new WalkOptions({ stepHeight: 0.5, filter: { exceptBreeds: ["a"] } });
+	assert.deepEqual([stride.stepHeight, stride.snap, stride.filter.exceptBreeds], [0.5, 0.25, ["a"]]);
+	assert.deepEqual(new AgentFilter(null).breeds, null);
 });
 
 test("a literal serves as a filter", () => {

@@ -417,16 +417,71 @@ test("while a game is developed, settings for a constructor that takes none are 
 		const said = [];
 		console.warn = (text) => said.push(text);
 		new GreatLand(), new AgentFilter(), AgentFilter.ofBreeds("heroes"), new WalkOptions(), new LevelShapes(), new Collision(new BinCollider());
-		new GreatLand({ loadHulls: true }), new AgentFilter({ breeds: ["heroes"] }), new WalkOptions({ stepHeight: 1 }), new LevelShapes(true);
+		new GreatLand({ loadHulls: true }), new LevelShapes(true);
+		new AgentFilter({ breeds: ["heroes"] }), new WalkOptions({ stepHeight: 1 });
 		new Collision(new BinCollider(), { terrain: null });
 		class Wolf extends Agent { constructor(...all) { super(...all); this.all = all; } }
 		new Agent("sphere"), new Agent("sphere", "wolves"), new Wolf("sphere", "wolves", 3), new Agent("sphere", "wolves", { sweeps: true });
 		console.log(JSON.stringify(said));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const none = (name, such) => `starlogo-collision: new ${name} takes no arguments, and does nothing with those that it got: settings${such} are set after it`;
-	assert.deepEqual(run("starlogo-collision.js"), [none("GreatLand", " such as loadHulls"), none("AgentFilter", " such as breeds"), none("WalkOptions", " such as stepHeight"),
+	assert.deepEqual(run("starlogo-collision.js"), [none("GreatLand", " such as loadHulls"),
 		none("LevelShapes", ""), "starlogo-collision: new Collision takes 1 argument, and does nothing with the others: settings such as terrain are set after it",
 		"starlogo-collision: new Agent takes 2 arguments, and does nothing with the others: settings such as sweeps are set after it"]);
+	assert.deepEqual(run("starlogo-collision.min.js"), []);
+});
+
+test("while a game is developed, what is made anew in each frame, traits that do nothing, long strides and forgotten updates are warned of, once", () => {
+	const program = (module) => `import { Agent, AgentFilter, AgentPlaces, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, HierarchicalCollider, LevelShapes, SeenAgents, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.sphere());
+		const wolf = Object.assign(new Agent("sphere", "wolves"), { hierarchical: true, traversalDepth: 3, collideAs: "box" });
+		const pack = [wolf, new Agent("sphere", "sheep")];
+		const game = new Collision(new TightestFitCollider(land));
+		const other = new Collision(new CombinationCollider(land));
+		const exchanged = new Collision(new BinCollider(land));
+		const deep = new Collision(new HierarchicalCollider(land));
+		const anew = new Collision(new BinCollider());
+		const eat = (a, b) => 0;
+		for (let frame = 0; frame < 70; frame++) {
+			for (const collision of [game, other, exchanged, deep]) collision.update(pack);
+			anew.update([new Agent("sphere", "wolves"), new Agent("sphere", "sheep")]);
+			if (frame < 60) game.onCollision("wolves", "sheep", eat);
+			if (frame % 10 === 0) other.onCollision("wolves", "sheep", eat);
+			if (frame === 1) exchanged.collisionSystem = new CombinationCollider(land);
+		}
+		game.update(pack, 0.016);
+		const walker = new Agent("sphere", "wolves");
+		const queries = new AgentQueries(game);
+		const takesMore = { accepts: (agent) => pack.some((each) => { return each === agent; }) };
+		queries.update([pack[1]]);
+		for (let i = 0; i < 29; i++) queries.walk(walker, 3, 0, { fall: 0, filter: takesMore });
+		queries.walk(walker, 1, 0, { fall: 0 });
+		for (let i = 0; i < 29; i++) queries.walk(walker, 3, 0, { fall: 0, filter: { accepts(agent) { throw 3; }, breeds: [] } });
+		if (said.length > 6) throw new Error(said.join());
+		queries.walk(walker, 3, 0, { fall: 0 });
+		new AgentFilter({ accepts: async (agent) => true });
+		queries.near(wolf, 3, { accepts: (agent) => { agent.size > 1; } });
+		const shapes = Object.assign(new LevelShapes(), { exakt: true });
+		shapes.addModel(BuiltInModel.sphere());
+		const seen = new SeenAgents(game);
+		const places = new AgentPlaces(seen);
+		seen.update(pack);
+		for (let i = 0; i < 310; i++) {
+			game.update(pack);
+			pack[1].x += 0.001;
+			places.countNear(wolf, 3);
+		}
+		console.log(JSON.stringify(said));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const said = run("starlogo-collision.js");
+	const expected = [/handlers for "wolves" and "sheep" were added in 30 frames in turn/, /all agents are new in 30 frames in turn/,
+		/hierarchical of agent \d+ \(breed "wolves", shape "sphere"\) does nothing in a TightestFitCollider: it is for a CombinationCollider/, /traversalDepth of agent .* in a TightestFitCollider: it is for a Hier/,
+		/collideAs of agent .* in a HierarchicalCollider/, /Collision\.update takes the list alone: the engine knows no time/, /accepts returns nothing/, /walks 3 patches in each frame/, /accepts is an async function/, /exakt is no property of LevelShapes/, /questions see agent \d+ \(breed "sheep"/];
+	assert.equal(said.length, expected.length, said.join("\n"));
+	for (const pattern of expected) assert.ok(said.some((text) => pattern.test(text)), `${pattern}: ${said.join("\n")}`);
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
 

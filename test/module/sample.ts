@@ -76,6 +76,7 @@ import {
 	NaiveSphereFitter,
 	ObjModel,
 	OrientedBoxFitter,
+	Picture,
 	Placement,
 	Point,
 	PointTaker,
@@ -113,6 +114,7 @@ import {
 	AgentPlaces,
 	AgentRays,
 	AgentWalks,
+	LevelCollider,
 	LevelShapes,
 	SeenAgents,
 } from "starlogo-collision";
@@ -226,6 +228,7 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const seenInLevel = new SeenAgents(level);
 	seenInLevel.update(agents);
 	if (new AgentRays(seenInLevel).castAll(eye, ahead).length > hits.length) log.push("other hits");
+	if (new LevelCollider(level).findCollisions(agents).length % 2 !== 0) log.push("half a pair");
 	log.push(`${hit?.agent} at ${hit?.distance}, ${hits.length} hits, ${queries.canSee(agents[0], agents[1])}`);
 	const bump: ShapeHit | null = queries.castShape(new Sphere(eye, 0.5), 20, 0, 0, filter, new ShapeHit());
 	const bumps: ShapeHit[] = queries.castAgentAll(agents[0], 0, 0, 9, null, []);
@@ -257,6 +260,8 @@ function useBlocks(greatLand: GreatLand, agents: Agent[]): void {
 	new TraitBlocks(agents).collideAs("bears", Agent.BOX);
 	structures.show("bears", true);
 	log.push(`${new CollisionLines(greatLand).linesOf(agents[0], new BinCollider(greatLand), []).length / 6} lines of a sphere`);
+	const picture: Picture = { width: 2, height: 3, data: new Uint8Array(24) };
+	if (Terrain.fromPicture(picture, 1).rows !== 3) log.push("another picture");
 	const ground: Terrain = collisions.collision.terrain = new Terrain(9, 9, 1, -4, -4);
 	const groundBlocks = new TerrainBlocks(collisions, new DetectionBlocks(collisions));
 	groundBlocks.buildMound(agents[0], 3, 1);

@@ -1,7 +1,7 @@
 // What the types of the package say, and what they refuse: tsc --strict has to accept all of it, and to find an error where one is expected.
 import {
 	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
-	ModelLoader, ModelTransform, ObjModel, RayHit, TightestFitCollider, Vector3D,
+	ModelLoader, ModelTransform, ObjModel, RayHit, Terrain, TightestFitCollider, TraitBlocks, Vector3D, WalkOptions,
 } from "starlogo-collision";
 import type { AgentFilterInit, CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit, WalkOptionsInit } from "starlogo-collision";
 
@@ -261,3 +261,27 @@ interface Breeds {
 	heroes: Hero;
 }
 new Collision<Breeds>(bins).onCollision("heroes", "heroes", (a, b) => a.life - b.life);
+// lists of the engine are for reading, and a copy is the game's own
+declare const model: Model;
+// @ts-expect-error the model's own vertices
+model.vertices.push(0);
+// @ts-expect-error the list of the last update
+typed.lastAgents.length = 0;
+const present: (Hero | Coin)[] = [...typed.lastAgents];
+typed.restore(typed.snapshot(), present);
+declare const turn: { set(x: number, y: number, z: number, w: number): void };
+turn.set(...agent.getQuaternion());
+// settings may be given to a constructor
+collision.filter = new AgentFilter({ exceptBreeds: ["coins"], accepts: (hero: Hero) => hero.life > 1 });
+new AgentFilter(null);
+// @ts-expect-error there is no such property
+new AgentFilter({ breed: ["heroes"] });
+new WalkOptions({ stepHeight: 0.3, filter: { breeds } }).stepHeight = 0.5;
+// @ts-expect-error a number
+new WalkOptions({ stepHeight: "0.3" });
+declare const imageData: { width: number; height: number; data: Uint8ClampedArray };
+Terrain.fromPicture(imageData, 3);
+// @ts-expect-error an address is no picture
+Terrain.fromPicture("hills.png", 3);
+// @ts-expect-error neither an agent nor a breed
+new TraitBlocks([]).setOneWay(3, true);

@@ -5,7 +5,10 @@ const $MOST_LOOKED_AT = 1000;
 const $MOST_LOOKED_AT_AGAIN = 100;
 const $LONG_SILENCE = 300;
 const $LONG_FALL = 200;
+const $LONG_STRIDE = 2;
 const $MANY_STOPS = 10;
+const $MANY_FRAMES = 30;
+const $MOST_COLLISIONS = 8;
 const $MANY_ANGLES = 30;
 const $END = 4; // CollisionHandler.END
 const $WORLD_BREEDS = ["*terrain", "*edge"]; // Collision.TERRAIN and EDGE
@@ -13,23 +16,35 @@ const $STRUCTURE = "structure"; // what a cast structure is called: see Body.rea
 const $warned = /* @__PURE__ */ new Set();
 const $checkedBreeds = /* @__PURE__ */ new Map();
 const $checkedObjects = /* @__PURE__ */ new WeakSet();
-const $framesOf = /* @__PURE__ */ new WeakMap();
+const $looksAt = /* @__PURE__ */ new WeakMap();
 const $silentFrames = /* @__PURE__ */ new WeakMap();
 const $updates = /* @__PURE__ */ new WeakMap();
 const $falls = /* @__PURE__ */ new WeakMap();
 const $walks = /* @__PURE__ */ new Map();
 const $stops = /* @__PURE__ */ new Map();
 const $breedsOf = /* @__PURE__ */ new WeakMap();
+const $additions = /* @__PURE__ */ new Map();
+const $lists = /* @__PURE__ */ new WeakMap();
 const $angles = { count: 0, least: 0, most: 0 };
 let $anglesToSee = 20000;
 let $frames = 0;
+let $asked = null;
+let $askedFrame = 0;
 let $lookedAt = 0;
 
 /** What other libraries call traits of an agent, and the engine's names for them. */
 const $OTHER_WORDS = {
 	isHierarchical: "hierarchical", isSweeping: "sweeps", oneWay: "isOneWay", collidesAs: "collideAs", rotation: "heading, pitch and roll in degrees, or setQuaternion()", quaternion: "setQuaternion()",
-	scale: "size", position: "moveTo(x, y, z)", radius: "size", colour: "color",
+	scale: "size", position: "moveTo(x, y, z)", radius: "size", colour: "color", yaw: "heading in degrees", layer: "breed",
 };
+
+/** Names that a game's own class of agents may have for something else. */
+const $OWN_WORDS = /^(?:position|rotation|quaternion|scale|radius|yaw|layer)$/;
+
+/** Which traits of an agent have no effect in a collision system, and where they have one. */
+const $IDLE_TRAITS = { BinCollider: ["hierarchical", "collideAs", "traversalDepth"], TightestFitCollider: ["hierarchical", "traversalDepth"], HierarchicalCollider: ["collideAs"] };
+const $FIRST_TRAITS = { hierarchical: false, collideAs: "tightest", traversalDepth: 0 };
+const $SYSTEMS_OF_TRAITS = { hierarchical: "a CombinationCollider", collideAs: "a TightestFitCollider or a CombinationCollider", traversalDepth: "a HierarchicalCollider or a CombinationCollider" };
 
 /** Writes a warning to the console, once: a warning with numbers that change has a key that does not. */
 export function $warn(message, key) {
@@ -55,12 +70,26 @@ export function $warnOfUnknownProperties(object, isChanging) {
  * frame: at the first hundred of a list, in the second, fourth, eighth frame and so on.
  */
 export function $warnOfLaterProperties(system, agents) {
-	const frames = ($framesOf.get(system) ?? 0) + 1;
-	$framesOf.set(system, frames);
-	if ((frames & (frames - 1)) !== 0 || !Array.isArray(agents)) return;
+	const looks = $looksAt.get(system) ?? { frames: 0, collider: system.collisionSystem };
+	looks.frames++;
+	$looksAt.set(system, looks);
+	if ((looks.frames & (looks.frames - 1)) !== 0 || !Array.isArray(agents)) return;
 	$warnOfNames(system);
 	if (system.collisionSystem) $warnOfNames(system.collisionSystem);
-	for (const agent of agents.slice(0, $MOST_LOOKED_AT_AGAIN)) if ($checkedObjects.has(agent)) $warnOfNames(agent);
+	const few = agents.slice(0, $MOST_LOOKED_AT_AGAIN);
+	for (const agent of few) if ($checkedObjects.has(agent)) $warnOfNames(agent);
+	// a game that exchanges its system may have set them for another one
+	if (looks.collider !== system.collisionSystem) looks.collider = null;
+	else if (looks.frames > $MANY_FRAMES) $warnOfTraits(looks.collider, few);
+}
+
+/** Warns of traits that agents have and their collision system does not look at. */
+function $warnOfTraits(collider, agents) {
+	const type = Object.getPrototypeOf(collider ?? {}).constructor?.name;
+	for (const trait of $IDLE_TRAITS[type] ?? []) {
+		const agent = agents.find((each) => each?.[trait] !== undefined && each[trait] !== $FIRST_TRAITS[trait]);
+		if (agent) $warn(`${trait} of ${agent} does nothing in a ${type}: it is for ${$SYSTEMS_OF_TRAITS[trait]}`, type + trait);
+	}
 }
 
 /** Warns of the names of an object's own properties that do nothing. */
@@ -70,7 +99,7 @@ function $warnOfNames(object) {
 		const type = object.constructor.name;
 		if (name === "exact" || name === "maxDepth") $warn(`${name} does nothing on a ${type}: it is for a HierarchicalCollider or a CombinationCollider`);
 		const names = $settableNames(object).filter((each) => each === name || Math.min(each.length, name.length) > 3 && each !== name.replace(/\d+$/, ""));
-		const other = "sweeps" in object && (type === "Agent" || !/^(?:position|rotation|quaternion|scale|radius)$/.test(name)) ? $OTHER_WORDS[name] : undefined;
+		const other = "sweeps" in object && (type === "Agent" || !$OWN_WORDS.test(name)) ? $OTHER_WORDS[name] : undefined;
 		const meant = names.find((each) => each === name) ?? names.find((each) => each.toLowerCase() === name.toLowerCase() || $changesBetween(name, each) <= 1) ?? other;
 		if (meant === name) $warn(`${name} is a field of ${type} that hides the engine's: set it in the constructor`);
 		else if (meant !== undefined) $warn(`${name} is no property of ${type} that the engine reads; is ${meant} meant?`);
@@ -134,6 +163,7 @@ export function $warnOfHandler(breed, otherBreed, handler, kind) {
 	const breeds = `${JSON.stringify(breed)} and ${JSON.stringify(otherBreed)}`;
 	const name = `the handler ${handler.name || "without a name"} for ${breeds}`;
 	$breedsOf.set(handler, ($breedsOf.get(handler) ?? new Set()).add(breeds));
+	if ($areAddedAlways(breeds)) $warn(`handlers for ${breeds} were added in ${$MANY_FRAMES} frames in turn, and all of them run: add a handler once, before the first frame`);
 	if (handler.length > 3) $warn(`${name} has ${handler.length} parameters, and gets three arguments: the two agents and the contact`);
 	const text = Function.prototype.toString.call(handler);
 	const [first, second, third] = parametersOf(text).split(",").map((each) => each.trim());
@@ -145,6 +175,7 @@ export function $warnOfHandler(breed, otherBreed, handler, kind) {
 export function $warnOfRemoval(breed, otherBreed, handler) {
 	if (typeof handler !== "function") return;
 	const [breeds, added] = [`${JSON.stringify(breed)} and ${JSON.stringify(otherBreed)}`, $breedsOf.get(handler)];
+	$additions.delete(breeds);
 	if (added?.has(breeds)) return;
 	const why = added ? `is one for ${[...added].join(", ")}` : "was never added: a function that => or bind() makes anew is another one. Keep the one that was added";
 	$warn(`removeHandler removes nothing for ${breeds}: the function ${handler.name || "without a name"} ${why}`);
@@ -154,6 +185,41 @@ export function $warnOfRemoval(breed, otherBreed, handler) {
 function $readsBlindly(text, name) {
 	if (!/^\w+$/.test(name)) return /^[{[]/.test(name);
 	return new RegExp(`\\b${name}\\s*[.[]`).test(text) && !new RegExp(`\\b${name}\\s*(?:\\?|&&|\\|\\||[!=]=)|!\\s*${name}\\b|\\(\\s*${name}\\s*\\)`).test(text);
+}
+
+/** Whether handlers of two breeds are added in each frame, now for the last of many. A game may have some Collisions, whose frames count one by one. */
+function $areAddedAlways(breeds) {
+	const before = $additions.get(breeds);
+	if (before?.frame === $frames) return false;
+	const frames = $frames - before?.frame <= $MOST_COLLISIONS ? before.frames + 1 : 1;
+	$additions.set(breeds, { frame: $frames, frames });
+	return frames === $MANY_FRAMES;
+}
+
+/**
+ * Warns of lists whose agents are all made anew in each frame: starts and ends of touches, sweeps and walks are about the same agents. Ids grow, so
+ * it looks at the first of a list and the last of the one before.
+ */
+export function $warnOfNewAgents(collision, agents) {
+	let list = $lists.get(collision);
+	if (!list) $lists.set(collision, list = { lastId: Infinity, newFrames: 0 });
+	list.newFrames = agents?.[0]?.id > list.lastId ? list.newFrames + 1 : 0;
+	list.lastId = agents?.[agents.length - 1]?.id ?? Infinity;
+	if (list.newFrames === $MANY_FRAMES) $warn(`all agents are new in ${$MANY_FRAMES} frames in turn, so no touch lasts, and nothing sweeps: make each agent once, and move it`);
+}
+
+/** Warns of what is given to an update beside the list, probably the time. */
+export function $warnOfTime(name, given) {
+	if (given.length > 1) $warn(`${name} takes the list alone: the engine knows no time and moves nothing. Move an agent by its speed, multiplied by the time since the last frame`);
+}
+
+/** Warns of a function for `accepts` that says nothing, or later. */
+export function $warnOfAccepts(accepts) {
+	if (typeof accepts !== "function") return;
+	const text = Function.prototype.toString.call(accepts);
+	const hasBlock = /^(?:function\b|\w+\s*\(|[^=]*=>\s*\{)/.test(text);
+	if (/^async\b/.test(text)) $warn("accepts is an async function, whose promise counts as true for every agent: it has to answer at once");
+	else if (hasBlock && !/\breturn\b|\bthrow\b|\[native code\]/.test(text)) $warn("accepts returns nothing, so no agent counts: it returns true for those that do");
 }
 
 /**
@@ -179,6 +245,10 @@ export function $warnOfSilence(collision, agents) {
  * @param mover the agent that the question moves or refreshes, or null
  */
 export function $warnOfStale(queries, agents, mover) {
+	// most questions follow others of the same frame
+	if (queries === $asked && $frames === $askedFrame && agents === null && mover === null) return;
+	$asked = queries;
+	$askedFrame = $frames;
 	if ($warned.has("stale")) return;
 	let last = $updates.get(queries);
 	if (agents !== null) {
@@ -195,7 +265,7 @@ export function $warnOfStale(queries, agents, mover) {
 	if (moved) $warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${$frames - last.frameThen} frames ago: call it once a frame, or refresh(agent)`, "stale");
 }
 
-/** Warns of arguments that a constructor does not take: `new CombinationCollider(greatLand, { exact: true })`, `new AgentFilter({ breeds: ["sheep"] })`. */
+/** Warns of arguments that a constructor does not take: `new CombinationCollider(greatLand, { exact: true })`, `new GreatLand({ loadHulls: true })`. */
 export function $warnOfMore(name, given, taken) {
 	if (given.length <= taken) return;
 	const [setting] = given[taken] instanceof Object ? Object.keys(given[taken]) : [];
@@ -206,13 +276,16 @@ export function $warnOfMore(name, given, taken) {
 
 /**
  * Warns of an agent that falls without end: in each of many walks it has come down by more than it went sideways. Steeper than that is no
- * ground that it walks on.
+ * ground that it walks on. And of many walks in turn that are probably each the way of a second.
  */
 export function $warnOfFall(agent, dx, dy) {
 	if (typeof agent?.z !== "number") return;
 	let fall = $falls.get(agent);
-	if (!fall) $falls.set(agent, fall = { walks: 0, from: agent.z, last: agent.z });
-	fall.walks = fall.last - agent.z > Math.hypot(dx, dy) ? fall.walks + 1 : 0;
+	if (!fall) $falls.set(agent, fall = { walks: 0, from: agent.z, last: agent.z, strides: 0 });
+	const way = Math.hypot(dx, dy);
+	fall.strides = way > $LONG_STRIDE * agent.size ? fall.strides + 1 : 0;
+	if (fall.strides === $MANY_FRAMES) $warn(`${agent} walks ${$rounded(way)} patches in each frame. The engine knows no time: if this is the way of a second, multiply it by the time since the last frame`, "stride");
+	fall.walks = fall.last - agent.z > way ? fall.walks + 1 : 0;
 	if (fall.walks === 0) fall.from = agent.z;
 	fall.last = agent.z;
 	if (fall.walks !== $LONG_FALL) return;

@@ -24,15 +24,15 @@ package starlogo.agents
     public class Agent
     {
         /**
-         * The largest coordinate, in patches. Up to this limit all tests are correct, because squares of distances are far below the
+         * The largest coordinate, in patches: 1e9. Up to this limit all tests are correct, because squares of distances are far below the
          * largest Number.
          */
         public static const LARGEST_COORDINATE:Number = Placement.LARGEST_COORDINATE;
 
-        /** The largest size. */
+        /** The largest size: 1e6. */
         public static const LARGEST_SIZE:Number = 1e6;
 
-        /** The smallest size. */
+        /** The smallest size: 1e-6. */
         public static const SMALLEST_SIZE:Number = 1e-6;
 
         /** For <code>collideAs</code>: the structure with the smallest volume. */

@@ -68,10 +68,16 @@ package starlogo.collision
         public function Collider(choice:BaseShapeChoice)
         {
             super();
+            search = new CollisionSearch(narrowPhaseFor(choice));
+            _contactSearch = search;
+        }
+
+        /** @private The tests of pairs that a choice of shapes needs. */
+        engine function narrowPhaseFor(choice:BaseShapeChoice):NarrowPhase
+        {
             var tests:NarrowPhase = new NarrowPhase(choice);
             choice.addTests(tests);
-            search = new CollisionSearch(tests);
-            _contactSearch = search;
+            return tests;
         }
 
         /** @private Has the choice of shapes and the settings, and tests pairs of agents, for questions too. */

@@ -140,7 +140,7 @@ package starlogo.collision
 
         /**
          * The list of the last update as it was when the update began, before handlers changed it. It is empty before the first update. Pass it to
-         * <code>restore()</code>. The next update overwrites it, so copy it to keep it. An update that refuses its list does not change it.
+         * <code>restore()</code>. Do not change it. The next update overwrites it, so copy it to keep it. An update that refuses its list leaves it.
          */
         public function get lastAgents():Vector.<Agent>
         {

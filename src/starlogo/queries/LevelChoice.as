@@ -13,6 +13,7 @@ package starlogo.queries
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.NarrowPhase;
     import starlogo.solid.ModelTree;
 
     use namespace engine;
@@ -25,11 +26,15 @@ package starlogo.queries
      */
     public final class LevelChoice extends BaseShapeChoice
     {
+        /** The tests of its shapes, with the limits for trees: for questions and colliders alike. Each brings the tests that it needs. */
+        public var narrowPhase:NarrowPhase;
+
         private var _models:ModelTable = new ModelTable();
 
         public function LevelChoice()
         {
             super(null);
+            narrowPhase = new NarrowPhase(this);
         }
 
         /** Builds the tree of a model, and prepares its triangles. It replaces what has its name. */

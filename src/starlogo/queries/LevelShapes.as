@@ -10,10 +10,10 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * What questions see agents as, in a game that asks for rays or walks and searches for no collisions. An agent's <code>shape</code> is the name
+     * What agents are seen as in a game that loads little: nothing is fitted, so it needs no GreatLand. An agent's <code>shape</code> is the name
      * of a model or of a structure here. A model is a level, or whatever else stands in it: it is seen as its tree, or as its triangles if
-     * <code>exact</code> is set. A character is best a structure. Nothing is fitted, so such a game needs no GreatLand. The traits
-     * <code>hierarchical</code> and <code>collideAs</code> have no effect. Pass it to SeenAgents.
+     * <code>exact</code> is set. A character is best a structure. The traits <code>hierarchical</code> and <code>collideAs</code> have no effect.
+     * Pass it to SeenAgents for questions, and to a LevelCollider for collisions.
      *
      * <listing version="3.0">
      * var shapes:LevelShapes = new LevelShapes();
@@ -26,13 +26,12 @@ package starlogo.queries
      */
     public final class LevelShapes extends QuerySource
     {
-        private var _choice:LevelChoice = new LevelChoice();
-        private var _narrowPhase:NarrowPhase;
+        /** @private */
+        engine var choice:LevelChoice = new LevelChoice();
 
         /** Creates a LevelShapes without models and structures. */
         public function LevelShapes()
         {
-            _narrowPhase = new NarrowPhase(_choice);
         }
 
         /**
@@ -45,7 +44,7 @@ package starlogo.queries
         public function addModel(model:Model):void
         {
             requireGiven("model", model);
-            _choice.addModel(model);
+            choice.addModel(model);
         }
 
         /**
@@ -58,7 +57,7 @@ package starlogo.queries
          */
         public function addStructure(name:String, structure:BoundingStructure):void
         {
-            _choice.addStructure(name, structure);
+            choice.addStructure(name, structure);
         }
 
         /**
@@ -69,12 +68,12 @@ package starlogo.queries
          */
         public function get maxDepth():int
         {
-            return _narrowPhase.treeLimits.maxDepth;
+            return choice.narrowPhase.treeLimits.maxDepth;
         }
 
         public function set maxDepth(value:int):void
         {
-            _narrowPhase.treeLimits.maxDepth = value;
+            choice.narrowPhase.treeLimits.maxDepth = value;
         }
 
         /**
@@ -84,12 +83,12 @@ package starlogo.queries
          */
         public function get exact():Boolean
         {
-            return _narrowPhase.treeLimits.exact;
+            return choice.narrowPhase.treeLimits.exact;
         }
 
         public function set exact(value:Boolean):void
         {
-            _narrowPhase.treeLimits.exact = value;
+            choice.narrowPhase.treeLimits.exact = value;
         }
 
         /** @private */
@@ -101,7 +100,7 @@ package starlogo.queries
         /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
-            return _narrowPhase;
+            return choice.narrowPhase;
         }
     }
 }

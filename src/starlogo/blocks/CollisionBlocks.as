@@ -6,8 +6,8 @@ package starlogo.blocks
     import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.BaseCollider;
     import starlogo.collision.BinCollider;
-    import starlogo.collision.Collider;
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
@@ -17,6 +17,7 @@ package starlogo.blocks
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.search.CollisionSearch;
+    import starlogo.search.NarrowPhase;
 
     use namespace engine;
 
@@ -52,8 +53,8 @@ package starlogo.blocks
         private var _systemName:String = TIGHTEST_FITS;
         private var _collision:Collision;
 
-        // A search of the collider in use, for present places; null before the first. It never gets a list of agents, so it takes all agents where they
-        // are now.
+        // A search of the system that was in use when it was made, for present places; null before the first. It never gets a list of agents, so it takes
+        // all agents where they are now.
         private var _search:CollisionSearch = null;
 
         /**
@@ -109,12 +110,6 @@ package starlogo.blocks
             return _systemName;
         }
 
-        /** @private The collision system in use. */
-        engine function get colliderInUse():Collider
-        {
-            return _systems[_systemName];
-        }
-
         /**
          * The collision system with a name. The same name always gives the same system.
          *
@@ -139,7 +134,6 @@ package starlogo.blocks
         {
             _collision.collisionSystem = systemNamed(name);
             _systemName = name;
-            _search = null;
         }
 
         /**
@@ -197,11 +191,16 @@ package starlogo.blocks
             resetCount++;
         }
 
-        /** @private How two agents touch where they are now; null if they do not. */
+        /** @private How two agents touch where they are now, in the system in use; null if they do not. */
         engine function contactNow(agent:Agent, other:Agent):Contact
         {
-            _search ||= new CollisionSearch(colliderInUse.narrowPhase);
-            return _search.areColliding(agent, other) ? colliderInUse.contactIn(_search, agent, other, new Contact()) : null;
+            var system:BaseCollider = _collision.systemInUse;
+            var tests:NarrowPhase = system.findNarrowPhase();
+            if (_search == null || _search.table.narrowPhase !== tests)
+            {
+                _search = new CollisionSearch(tests);
+            }
+            return _search.areColliding(agent, other) ? system.equivalentCollider.contactIn(_search, agent, other, new Contact()) : null;
         }
 
         /** @private Moves an agent out of another one by the shortest way, from where both are now. Returns their contact before; null if they did not touch. */

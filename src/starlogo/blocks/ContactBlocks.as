@@ -137,7 +137,7 @@ package starlogo.blocks
         private function contactOf(block:String, agent:Agent, other:Agent):Contact
         {
             BlockSubject.checkBoth(block, agent, other);
-            return _collisions.colliderInUse.contactOf(agent, other);
+            return _collisions.collision.systemInUse.contactOf(agent, other);
         }
     }
 }

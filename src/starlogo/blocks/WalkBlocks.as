@@ -170,8 +170,13 @@ package starlogo.blocks
             {
                 throw new BlockError("jump", "needs a height of 0 or more, but got " + height + ".");
             }
-            // The heights of the frames of a rise with the speed v add up to v (v + g) / 2g.
-            return standsOn(agent) == null ? speed : (Math.sqrt(_gravity * (_gravity + 8 * height)) - _gravity) / 2;
+            if (standsOn(agent) == null)
+            {
+                return speed;
+            }
+            // A rise of n frames has the speeds v, v - g, ... and the height n v - n (n - 1) g / 2. This is the least n that is high enough.
+            var frames:Number = Math.max(1, Math.ceil((Math.sqrt(_gravity * (_gravity + 8 * height)) / _gravity - 1) / 2));
+            return height / frames + (frames - 1) * _gravity / 2;
         }
 
         /**

@@ -334,6 +334,12 @@ package starlogo.collision
             collider.takeContactsFromFrame();
         }
 
+        /** @private The system of the frame under way, which a handler may have exchanged for the next one; or else the collision system. */
+        engine function get systemInUse():BaseCollider
+        {
+            return _updating || _system;
+        }
+
         /** @private Whether a collider is in the collision system, or in the one of the frame under way. It is then no other Collision's. */
         engine function uses(collider:Collider):Boolean
         {

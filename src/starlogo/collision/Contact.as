@@ -36,8 +36,9 @@ package starlogo.collision
         public var time:Number = 1;
 
         /**
-         * The point where they touch, in the world: the middle of the overlap. For hierarchies it is the overlap of the first two nodes or
-         * triangles that touch. For a model inside another that does not touch its surface, it is the overlap of the structures around both.
+         * The point where they touch, in the world: the middle of the overlap along the normal. If one of the two is thinner there than the depth,
+         * the point may be beside that one. For hierarchies it is the overlap of the first two nodes or triangles that touch. For a model inside
+         * another that does not touch its surface, it is the overlap of the structures around both.
          */
         public var point:Vector3D = new Vector3D();
 

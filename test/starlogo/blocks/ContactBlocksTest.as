@@ -64,6 +64,28 @@ package starlogo.blocks
         }
 
         [Test]
+        public function aScriptThatExchangesTheSystemStillAsksAboutItsFrame():void
+        {
+            // the cubes touch, and the spheres do not
+            _wall.size = 2;
+            _wall.moveTo(1.4, 0.5, 0.6);
+            var calls:int = 0;
+            _collisions.onCollision("bears", "walls", function(bear:Agent, wall:Agent, contact:Contact):void
+                {
+                    calls++;
+                    _collisions.useCollisionSystem(CollisionBlocks.UNIT_SPHERES);
+                    assertEquals(contact.point.toString(), _blocks.touchPoint(bear, wall).toString());
+                    _blocks.pushAway(bear, wall);
+                    assertClose(-0.1, bear.x, 1e-9);
+                });
+            _collisions.collision.update(_agents);
+            assertEquals(1, calls);
+            _bear.moveTo(0, 0, 0);
+            _collisions.collision.update(_agents);
+            assertEquals("the spheres do not touch", 1, calls);
+        }
+
+        [Test]
         public function tellsPointAndSpeed():void
         {
             _bear.sweeps = true;

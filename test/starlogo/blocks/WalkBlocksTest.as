@@ -55,7 +55,7 @@ package starlogo.blocks
         public function jumpsAsHighAsTheBlockSays():void
         {
             _hero.moveTo(6, 0, 0);
-            for each (var height:Number in [0.5, 1, 3])
+            for each (var height:Number in [0.025, 0.5, 1, 3])
             {
                 var speed:Number = _blocks.jump(_hero, height, _blocks.fall(_hero, 0));
                 var most:Number = 0;
@@ -69,7 +69,7 @@ package starlogo.blocks
                         assertEquals("no second jump in the air", speed, _blocks.jump(_hero, height, speed));
                     }
                 }
-                assertClose(height, most, 0.01);
+                assertClose(height, most, 1e-8);
                 assertClose(0, _hero.z, 1e-8);
             }
         }
@@ -79,7 +79,7 @@ package starlogo.blocks
         {
             _hero.moveTo(0, 0, 0);
             // through the platform
-            assertClose(2.4, jumpedTo(2.4), 0.02);
+            assertClose(2.4, jumpedTo(2.4), 1e-8);
             _blocks.setSolid("platforms", true);
             _blocks.setSolid("platforms", true);
             assertEquals(["platforms"].toString(), _blocks.solidBreeds.toString());

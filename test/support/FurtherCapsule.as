@@ -66,9 +66,9 @@ package support
             capsule.widenForSurfaces();
         }
 
-        override engine function rotatedBoxInto(placement:Placement, out:Vector.<Number>):void
+        override engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
         {
-            capsule.rotatedBoxInto(placement, out);
+            capsule.boxAroundInto(placement, out);
         }
 
         override engine function shapeInto(out:ConvexShape):void

@@ -6,20 +6,32 @@ import { $hintOfOption } from "./warnings.mjs";
 
 const closures = new WeakMap();
 
-/** `new Vector.<T>(length)`. zero is the first value of a T. */
-export function $vector(length, zero) {
-	return new Array(length).fill(zero);
+/**
+ * Zeros to copy: small integers if the first is 0, doubles if it is not. V8 knows that they have no gaps. It takes for granted that
+ * `new Array(length)` has some, and looks for them at each reading.
+ */
+function zerosAfter(first) {
+	const zeros = [first];
+	while (zeros.length < 1024) zeros.push(0);
+	zeros[0] = 0;
+	return zeros;
 }
 
-/**
- * `new Vector.<Number>(length)`. It begins as an array of doubles, because V8 copies an array of small integers when the first double comes.
- * A short array gets no room to grow.
- */
+const integers = zerosAfter(0);
+const doubles = zerosAfter(0.5);
+
+function copiesOf(zeros, length) {
+	return length < 1024 ? zeros.slice(0, length) : [].concat(...new Array(length >> 10).fill(zeros), zeros.slice(0, length & 1023));
+}
+
+/** `new Vector.<T>(length)`. zero is the first value of a T. */
+export function $vector(length, zero) {
+	return zero === 0 ? copiesOf(integers, length) : new Array(length).fill(zero);
+}
+
+/** `new Vector.<Number>(length)`. It begins as an array of doubles, because V8 copies an array of small integers when the first double comes. */
 export function $doubles(length) {
-	const numbers = length < 100 ? new Array(length) : [0.5];
-	if (length > 0) numbers[0] = 0.5;
-	numbers.length = length;
-	return numbers.fill(0);
+	return copiesOf(doubles, length);
 }
 
 /** `vector.length = length`. As an expression it is the new length. */

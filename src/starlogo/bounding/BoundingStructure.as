@@ -236,7 +236,7 @@ package starlogo.bounding
          */
         public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            rotatedBoxInto(Placement.IDENTITY, sBox);
+            boxAroundInto(Placement.IDENTITY, sBox);
             for (var axis:int = 0; axis < 3; axis++)
             {
                 out[int(offset + 2 * axis)] = sBox[axis] - sBox[int(axis + 3)];
@@ -254,9 +254,9 @@ package starlogo.bounding
          *     sphere are its radius
          * @private
          */
-        engine function rotatedBoxInto(placement:Placement, out:Vector.<Number>):void
+        engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
         {
-            throw new IllegalOperationError(this + " does not implement rotatedBoxInto");
+            throw new IllegalOperationError(this + " does not implement boxAroundInto");
         }
 
         /**

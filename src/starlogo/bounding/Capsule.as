@@ -125,7 +125,7 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function rotatedBoxInto(placement:Placement, out:Vector.<Number>):void
+        override engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;
             var middle:Vector3D = sMiddle;

@@ -225,7 +225,7 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function rotatedBoxInto(placement:Placement, out:Vector.<Number>):void
+        override engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
         {
             var r00:Number = placement.r00;
             var r01:Number = placement.r01;
@@ -339,7 +339,7 @@ package starlogo.bounding
             points = corners;
             setTopology(HullTopology.of(hull));
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
-            rotatedBoxInto(Placement.IDENTITY, extents);
+            boxAroundInto(Placement.IDENTITY, extents);
             var by:Number = (Tolerances.OUTER - 1) * measureRadius();
             _box.setNumbers(new <Number>[extents[0], extents[1], extents[2], 1, 0, 0, 0, 1, 0, 0, 0, 1, extents[3] + by, extents[4] + by, extents[5] + by]);
         }

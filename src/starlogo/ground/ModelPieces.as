@@ -194,7 +194,7 @@ package starlogo.ground
         // Puts the box around a structure of the model.
         private function fitBoxTo(structure:BoundingStructure):void
         {
-            structure.rotatedBoxInto(_placement, _extents);
+            structure.boxAroundInto(_placement, _extents);
             box.x = _extents[0] + _placement.x;
             box.y = _extents[1] + _placement.y;
             box.z = _extents[2] + _placement.z;

@@ -255,15 +255,20 @@ package starlogo.hierarchy
             }
         }
 
-        /** Keeps only the first nodes, so many. The columns are copied, because lists that grew have room to spare. */
+        /** Keeps only the first nodes, so many. Columns with much more room than that are copied. */
         public function cutTo(count:int):void
         {
-            boxes = boxes.slice(0, 6 * count);
-            left = left.slice(0, count);
-            first = first.slice(0, count);
-            end = end.slice(0, count);
-            endsUpToDepth = endsUpToDepth.slice(0, count);
-            splits = splits.slice(0, count);
+            if (4 * count < 3 * left.length)
+            {
+                boxes = boxes.slice(0, 6 * count);
+                left = left.slice(0, count);
+                first = first.slice(0, count);
+                end = end.slice(0, count);
+                endsUpToDepth = endsUpToDepth.slice(0, count);
+                splits = splits.slice(0, count);
+            }
+            boxes.length = 6 * count;
+            left.length = first.length = end.length = endsUpToDepth.length = splits.length = count;
         }
     }
 }

@@ -3,7 +3,8 @@ package starlogo.hierarchy
     /**
      * Makes the nodes of a tree from the root down. A BoxTreeBuilder or a CookedTree says where each node is divided.
      *
-     * <p>Until <code>complete()</code>, the tree's columns are longer than the number of nodes.</p>
+     * <p>Until <code>complete()</code>, the tree's columns are longer than the number of nodes. They begin with room for the nodes of most models,
+     * because longer columns are copies.</p>
      *
      * @private
      */
@@ -19,7 +20,14 @@ package starlogo.hierarchy
          */
         public function NodeMaker(tree:BoxTree)
         {
+            var room:int = Math.min(2 * tree.itemCount, 0.4 * tree.itemCount + 1000);
             _tree = tree;
+            tree.boxes = new Vector.<Number>(6 * room);
+            tree.left = new Vector.<int>(room);
+            tree.first = new Vector.<int>(room);
+            tree.end = new Vector.<int>(room);
+            tree.endsUpToDepth = new Vector.<int>(room);
+            tree.splits = new Vector.<int>(room);
             addNode(0, tree.itemCount, 1);
         }
 
@@ -54,7 +62,7 @@ package starlogo.hierarchy
             var node:int = _count;
             if (node == _tree.left.length)
             {
-                makeRoom(2 * node + 1);
+                makeRoom(2 * node);
             }
             _tree.first[node] = first;
             _tree.end[node] = end;

@@ -103,7 +103,7 @@ package starlogo.search
         public function readStructure(structure:BoundingStructure):void
         {
             requireStructure(structure);
-            structure.rotatedBoxInto(UPRIGHT, sExtents);
+            structure.boxAroundInto(UPRIGHT, sExtents);
             requireInWorld("half of a structure's length", sExtents[3], sExtents[4], sExtents[5]);
             requireInWorld("a structure's middle", sExtents[0], sExtents[1], sExtents[2]);
             takeStructure(structure, sExtents);
@@ -113,7 +113,7 @@ package starlogo.search
         public function readPlaced(whole:Body):void
         {
             setPlaced(whole.shape.structure, whole.placement);
-            _placed.rotatedBoxInto(UPRIGHT, sExtents);
+            _placed.boxAroundInto(UPRIGHT, sExtents);
             takeStructure(_placed, sExtents);
         }
 
@@ -327,7 +327,7 @@ package starlogo.search
         // Finds the extents of the shape, turned and scaled as the placement says.
         private function findExtents():void
         {
-            shape.structure.rotatedBoxInto(placement, sExtents);
+            shape.structure.boxAroundInto(placement, sExtents);
             offsetX = sExtents[0];
             offsetY = sExtents[1];
             offsetZ = sExtents[2];

@@ -236,7 +236,7 @@ package starlogo.bounding
             var extents:Vector.<Number> = new Vector.<Number>(6);
             var rotated:Vector.<Number> = new Vector.<Number>(6);
             placed.extentsInto(extents);
-            hull.rotatedBoxInto(placement, rotated);
+            hull.boxAroundInto(placement, rotated);
             var at:Array = [placement.x, placement.y, placement.z];
             for (var axis:int = 0; axis < 3; axis++)
             {

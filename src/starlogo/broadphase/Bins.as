@@ -1,6 +1,6 @@
 // This room finds which agents are near each other on the ground plane, as rows of a table. Bins sort the rows by their cells, and find all
-// pairs of rows. BinLevels has cells of each width that is needed (BinLevel). CellLists finds what is near single rows that have changed since. Read this
-// file first, then BinLevel, then CellLists.
+// pairs of rows. Extents have the boxes of the rows, and levels of cells of each width that is needed (BinLevel). CellLists finds what is near single rows
+// that have changed since. Read this file first, then BinLevel, then CellLists.
 package starlogo.broadphase
 {
     import starlogo.data.IntList;
@@ -30,9 +30,6 @@ package starlogo.broadphase
      */
     public final class Bins
     {
-        /** The levels of the cells. */
-        public var levels:BinLevels = new BinLevels();
-
         // By slot: the member's row, its middle, and the radius of its circle.
         private var _rows:Vector.<int> = new Vector.<int>();
         private var _xs:Vector.<Number> = new Vector.<Number>();
@@ -52,14 +49,14 @@ package starlogo.broadphase
         /**
          * Finds all pairs whose extents overlap, and some others that are as near. Each pair is passed to the sink once.
          *
-         * @param extents must fit their levels
+         * @param extents with their levels
          * @param members the rows of the members
          * @param sink takes the pairs
          */
         public function findPairs(extents:Extents, members:IntList, sink:PairSink):void
         {
             sort(extents, members);
-            var byWidth:Vector.<BinLevel> = levels.byWidth;
+            var byWidth:Vector.<BinLevel> = extents.byWidth;
             for (var i:int = 0; i < byWidth.length; i++)
             {
                 var level:BinLevel = byWidth[i];
@@ -81,25 +78,25 @@ package starlogo.broadphase
         // Puts the members into the order of their cells, by a counting sort.
         private function sort(extents:Extents, members:IntList):void
         {
-            levels.layOut(extents.level, members);
-            makeRoom(members.count);
+            extents.layOut(members);
+            makeRoom(extents.bucketCount, members.count);
             fillBuckets(extents, members);
-            var slots:int = findStarts();
+            var slots:int = findStarts(extents.bucketCount);
             if (slots > _rows.length)
             {
                 _rows.length = _xs.length = _ys.length = _radii.length = slots;
             }
             sortByBuckets(members);
-            copyFirstBuckets();
+            copyFirstBuckets(extents.byWidth);
             copyCircles(extents, slots);
         }
 
-        private function makeRoom(memberCount:int):void
+        private function makeRoom(bucketCount:int, memberCount:int):void
         {
-            if (levels.bucketCount > _counts.length)
+            if (bucketCount > _counts.length)
             {
-                _counts.length = levels.bucketCount;
-                _starts.length = levels.bucketCount + 1;
+                _counts.length = bucketCount;
+                _starts.length = bucketCount + 1;
             }
             if (memberCount > _buckets.length)
             {
@@ -123,7 +120,7 @@ package starlogo.broadphase
             var stride:int = 0;
             var first:int = 0;
             var copies:int = 0;
-            var byIndex:Vector.<BinLevel> = levels.byIndex;
+            var byIndex:Vector.<BinLevel> = extents.byIndex;
             var bias:Number = BinLevel.BIAS;
             for (var i:int = 0; i < end; i++)
             {
@@ -154,13 +151,12 @@ package starlogo.broadphase
 
         // Computes the slot where each bucket starts, and stores it one place further on: while the bucket is filled, its next free slot is there. When it
         // is full, that is the slot where the next bucket starts. Returns the number of slots.
-        private function findStarts():int
+        private function findStarts(bucketCount:int):int
         {
             var counts:Vector.<int> = _counts;
             var begins:Vector.<int> = _starts;
-            var end:int = levels.bucketCount;
             var sum:int = 0;
-            for (var i:int = 0; i < end; i++)
+            for (var i:int = 0; i < bucketCount; i++)
             {
                 var inBucket:int = counts[i];
                 counts[i] = 0;
@@ -187,9 +183,8 @@ package starlogo.broadphase
         }
 
         // Lists the members of the first buckets of each level after its last bucket once more.
-        private function copyFirstBuckets():void
+        private function copyFirstBuckets(byWidth:Vector.<BinLevel>):void
         {
-            var byWidth:Vector.<BinLevel> = levels.byWidth;
             for (var i:int = 0; i < byWidth.length; i++)
             {
                 if (byWidth[i].count > 0)

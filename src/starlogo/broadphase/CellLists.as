@@ -18,8 +18,7 @@ package starlogo.broadphase
         // The rows that are found near a row.
         private var _near:Vector.<int> = new Vector.<int>();
 
-        private var _levels:BinLevels;
-        private var _extents:Extents;
+        private var _extents:Extents = null;
 
         // By bucket: the first row of its list. By row: its bucket, or NONE; the level's index; the next row in the list.
         private var _heads:Vector.<int> = new Vector.<int>();
@@ -27,16 +26,10 @@ package starlogo.broadphase
         private var _levelIndices:Vector.<int> = new Vector.<int>();
         private var _next:Vector.<int> = new Vector.<int>();
 
-        /** @param levels those of the bins, with the buckets that it takes over */
-        public function CellLists(levels:BinLevels)
-        {
-            _levels = levels;
-        }
-
         /**
          * Begins with the members of the last search of the bins.
          *
-         * @param extents the extents in that search. They are read again in each call
+         * @param extents the extents in that search, with the buckets of their levels. They are read again in each call
          * @param members the rows of the members
          * @param length all rows are less than this number
          */
@@ -44,11 +37,11 @@ package starlogo.broadphase
         {
             _extents = extents;
             count = members.count;
-            if (_levels.bucketCount > _heads.length)
+            if (extents.bucketCount > _heads.length)
             {
-                _heads.length = _levels.bucketCount;
+                _heads.length = extents.bucketCount;
             }
-            for (var i:int = 0; i < _levels.bucketCount; i++)
+            for (var i:int = 0; i < extents.bucketCount; i++)
             {
                 _heads[i] = NONE;
             }
@@ -57,7 +50,7 @@ package starlogo.broadphase
             for (i = 0; i < count; i++)
             {
                 var row:int = members.numbers[i];
-                var level:BinLevel = _levels.byIndex[extents.level[row]];
+                var level:BinLevel = extents.byIndex[extents.level[row]];
                 enter(row, level, level.bucketAt(extents.x[row], extents.y[row]));
             }
         }
@@ -89,7 +82,7 @@ package starlogo.broadphase
         /** Moves a row to the bucket of its extents, and makes it a member if it is none. Returns false if its level has no buckets. */
         public function update(row:int):Boolean
         {
-            var level:BinLevel = _levels.byIndex[_extents.level[row]];
+            var level:BinLevel = _extents.byIndex[_extents.level[row]];
             if (!level.hasBuckets)
             {
                 return false;
@@ -127,16 +120,16 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _buckets[row] = NONE;
-            _levels.byIndex[_levelIndices[row]].count--;
+            _extents.byIndex[_levelIndices[row]].count--;
             count--;
         }
 
         /** Whether each level with members has as many buckets as the bins would give it now. */
         public function haveRightBucketCounts():Boolean
         {
-            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            for (var i:int = 0; i < _extents.byWidth.length; i++)
             {
-                if (!_levels.byWidth[i].hasRightBucketCount())
+                if (!_extents.byWidth[i].hasRightBucketCount())
                 {
                     return false;
                 }
@@ -151,10 +144,10 @@ package starlogo.broadphase
          */
         public function findNear(row:int, marks:Vector.<int>, mark:int, sink:PairSink):void
         {
-            var own:BinLevel = _levels.byIndex[_extents.level[row]];
-            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            var own:BinLevel = _extents.byIndex[_extents.level[row]];
+            for (var i:int = 0; i < _extents.byWidth.length; i++)
             {
-                var level:BinLevel = _levels.byWidth[i];
+                var level:BinLevel = _extents.byWidth[i];
                 var coarser:BinLevel = own.width > level.width ? own : level;
                 var found:int = level.count == 0 ? 0 : findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
                 found = keepNear(row, found, coarser.slack, marks, mark);

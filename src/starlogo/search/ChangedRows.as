@@ -28,7 +28,7 @@ package starlogo.search
         private var _motions:RowMotions;
 
         // The members of the last search.
-        private var _cells:CellLists;
+        private var _cells:CellLists = new CellLists();
 
         // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, to which a Collision adds none
         // later; whether an agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
@@ -50,8 +50,7 @@ package starlogo.search
         {
             _table = table;
             _motions = motions;
-            _cells = new CellLists(table.places.levels);
-        }
+                    }
 
         /** The number of members of the search. */
         public function get memberCount():int

@@ -74,7 +74,7 @@ package starlogo.search
         /** @param narrowPhase may have other searches too */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
-            table = new AgentTable(narrowPhase, _bins.levels);
+            table = new AgentTable(narrowPhase);
             _motions = new RowMotions(table);
             _changedRows = new ChangedRows(table, _motions);
             _pairs = new FoundPairs(table.list);

@@ -3,10 +3,9 @@ package starlogo.broadphase
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
 
-    /** There are few levels of bins, whatever fits them. */
-    public class BinLevelsTest
+    /** There are few levels of cells, whatever the extents. */
+    public class ExtentsTest
     {
-        private var _levels:BinLevels = new BinLevels();
         private var _extents:Extents = new Extents();
 
         [Before]
@@ -22,7 +21,7 @@ package starlogo.broadphase
             {
                 fit(0, place);
                 assertEquals(1, count());
-                assertTrue(String(place), !_levels.assign(_extents, 0));
+                assertTrue(String(place), _extents.levelsEndSquared > 0);
             }
             // with a unit sphere there are two
             fit(0.5, 50);
@@ -39,7 +38,7 @@ package starlogo.broadphase
                 var before:int = count();
                 fit(0, place);
                 assertEquals(before + 1, count());
-                assertTrue(String(place), place * place < _levels.byIndex[_extents.level[0]].maxDistanceSquared);
+                assertTrue(String(place), place * place < _extents.byIndex[_extents.level[0]].maxDistanceSquared);
             }
         }
 
@@ -67,12 +66,12 @@ package starlogo.broadphase
         {
             _extents.halfX[0] = _extents.halfY[0] = half;
             _extents.x[0] = place;
-            _levels.assign(_extents, 0);
+            _extents.assignLevel(0);
         }
 
         private function count():int
         {
-            return _levels.byWidth.length;
+            return _extents.byWidth.length;
         }
     }
 }

@@ -40,7 +40,7 @@ package starlogo.search
         public var table:AgentTable;
 
         private var _bins:Bins = new Bins();
-        private var _motions:RowMotions;
+        private var _rowMotions:RowMotions;
         private var _changedRows:ChangedRows;
         private var _sorter:PairSorter = new PairSorter();
 
@@ -48,6 +48,9 @@ package starlogo.search
         private var _pairs:FoundPairs;
         private var _pairsOfChanged:FoundPairs;
         private var _mayBeKept:Boolean = false;
+
+        // The motions in the search; null if no agent sweeps in it.
+        private var _motions:RowMotions = null;
 
         // The input of the search under way, and what takes the pairs.
         private var _input:FrameInput = null;
@@ -75,8 +78,8 @@ package starlogo.search
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             table = new AgentTable(narrowPhase);
-            _motions = new RowMotions(table);
-            _changedRows = new ChangedRows(table, _motions);
+            _rowMotions = new RowMotions(table);
+            _changedRows = new ChangedRows(table);
             _pairs = new FoundPairs(table.list);
             _pairsOfChanged = new FoundPairs(table.list);
         }
@@ -94,20 +97,22 @@ package starlogo.search
         public function find(input:FrameInput, mayKeep:Boolean, counts:SearchCounts):FoundPairs
         {
             table.read(input.agents);
-            table.readWorld(input.ground, input.edges);
-            _motions.begin(input.isAnySweeping());
+            _rowMotions.begin();
+            _motions = input.isAnySweeping() ? _rowMotions : null;
             // tests since the last search, as those of questions, do not count
             table.narrowPhase.takeCounts(counts);
             var mayBegin:Boolean = mayKeep && _mayBeKept;
             // if the search throws, the next one is of all rows, because the table has been read
             _mayBeKept = false;
-            var memberCount:int = mayBegin && _changedRows.find(input) ? findOfChanged(input) : findOfAll(input, mayKeep);
+            var isOfChanged:Boolean = mayBegin && _changedRows.find(input, _motions);
+            table.readWorld(input.ground, input.edges);
+            var memberCount:int = isOfChanged ? findOfChanged(input) : findOfAll(input, mayKeep);
             table.narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
             counts.candidatePairs = _candidatePairs;
-            counts.sweptPairs = _motions.sweptPairs;
+            counts.sweptPairs = _rowMotions.sweptPairs;
             counts.collisions = _pairs.count;
             return _pairs;
         }
@@ -117,7 +122,7 @@ package starlogo.search
         {
             var members:IntList = findMembers(input);
             var extents:Extents = table.extents;
-            if (_motions.areNeeded)
+            if (_motions != null)
             {
                 _motions.findMotions(table.list.rows);
                 extents = _motions.extents;
@@ -127,7 +132,7 @@ package starlogo.search
             findPairsOfWorldAgent(ListedAgents.GROUND_ROW, members);
             findPairsOfWorldAgent(ListedAgents.EDGES_ROW, members);
             sort();
-            _mayBeKept = mayKeep && _changedRows.noteSearch(members, input);
+            _mayBeKept = mayKeep && _changedRows.noteSearch(members, input, _motions);
             return members.count;
         }
 
@@ -158,7 +163,7 @@ package starlogo.search
 
         private function sort():void
         {
-            _sorter.sort(_out, _motions.areNeeded ? _times : null);
+            _sorter.sort(_out, _motions == null ? null : _times);
         }
 
         // The rows that the bins get, called members: those with a shape that take part and whose breeds are of interest.
@@ -182,7 +187,7 @@ package starlogo.search
                 count = interests.keepOfInterest(table.breeds, row, others, count);
             }
             _candidatePairs += count;
-            var kept:int = _motions.areNeeded ? keepTouchingMotions(row, others, count, level) : keepTouching(row, others, count, level);
+            var kept:int = _motions == null ? keepTouching(row, others, count, level) : keepTouchingMotions(row, others, count, level);
             _out.addPairs(row, others, kept);
         }
 
@@ -197,8 +202,7 @@ package starlogo.search
             _input.listMembers(table, rows, _membersForWorld);
             var others:Vector.<int> = _membersForWorld.numbers;
             var count:int = _input.interests.keepOfInterest(table.breeds, worldRow, others, _membersForWorld.count);
-            var kept:int = _motions.areNeeded ? keepTouchingMotions(worldRow, others, count, null)
-                : keepTouchingWorld(worldRow, others, count);
+            var kept:int = _motions == null ? keepTouchingWorld(worldRow, others, count) : keepTouchingMotions(worldRow, others, count, null);
             _out.addPairs(worldRow, others, kept);
         }
 
@@ -281,7 +285,7 @@ package starlogo.search
         public function forgetSearch():void
         {
             _mayBeKept = false;
-            _motions.begin(false);
+            _motions = null;
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -322,7 +326,7 @@ package starlogo.search
             var rowA:int = table.list.rowOf(a);
             var rowB:int = table.list.rowOf(b);
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
-            if (areSeen && _motions.areNeeded)
+            if (areSeen && _motions != null)
             {
                 _motions.findContact(rowA, rowB, motion, out);
                 return;

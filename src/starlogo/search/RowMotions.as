@@ -16,14 +16,11 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Finds the motions of a table's rows between the last two searches, and when two moving rows touch. They are needed only if an agent sweeps.
-     * Then all rows have motions, because a sweeping agent may meet any other one on its way. Two that do not sweep are tested where they are.
+     * Finds when two rows of a table touch on their motions since the search before. It is used only if an agent sweeps. Then the motions of all rows
+     * count, because a sweeping agent may meet any other one on its way. Two that do not sweep are tested where they are.
      */
     internal final class RowMotions
     {
-        /** Whether an agent sweeps in the search. Otherwise nothing else here counts. Read only. */
-        internal var areNeeded:Boolean = false;
-
         /** By row: the extents of the whole motion. */
         internal var extents:Extents = new Extents();
 
@@ -47,10 +44,9 @@ package starlogo.search
             _motions = table.places.motions;
         }
 
-        /** Begins a search. @param areNeeded whether an agent sweeps in it */
-        public function begin(areNeeded:Boolean):void
+        /** Begins a search in which an agent sweeps. */
+        public function begin():void
         {
-            this.areNeeded = areNeeded;
             sweptPairs = 0;
         }
 

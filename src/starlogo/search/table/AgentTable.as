@@ -48,9 +48,6 @@ package starlogo.search.table
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
 
-        // By the rows of the ground and of the edges: whether they have changed since they were read before.
-        engine var hasWorldChanged:Vector.<Boolean> = new <Boolean>[false, false];
-
         // The rows that are being read: those whose agents have changed; of these, those whose bodies have, and their new shapes.
         private var _changed:IntList = new IntList();
         private var _reshaped:IntList = new IntList();
@@ -138,6 +135,17 @@ package starlogo.search.table
             }
         }
 
+        /**
+         * Whether the ground or the edges of a search are those that were read last, and have not changed since.
+         *
+         * @param row GROUND_ROW or EDGES_ROW
+         * @param agent the ground or the edges of the search, or null
+         */
+        public function isWorldAgentRead(row:int, agent:WorldAgent):Boolean
+        {
+            return list.agents[row] === agent && (agent == null || agent.revision == places.revisions[row]);
+        }
+
         /** Reads the ground and the edges of the world for a search. Either may be null. */
         public function readWorld(ground:WorldAgent, edges:WorldAgent):void
         {
@@ -147,9 +155,7 @@ package starlogo.search.table
 
         private function readWorldAgent(row:int, agent:WorldAgent):void
         {
-            var isOther:Boolean = list.agents[row] !== agent;
-            hasWorldChanged[row] = isOther || agent != null && agent.revision != places.revisions[row];
-            if (isOther)
+            if (list.agents[row] !== agent)
             {
                 list.agents[row] = agent;
                 shapes[row] = null;

@@ -117,10 +117,10 @@ package starlogo.search
             return _marks[worldRow] == _mark ? _table.list.rows : _rows;
         }
 
-        /** Drops the pairs of the changed rows from those of the last search. */
-        public function dropPairs(pairs:FoundPairs):void
+        /** Changes the pairs of the last search to those of this one. @param found the pairs of the changed rows, in order */
+        public function updatePairs(pairs:FoundPairs, found:FoundPairs):void
         {
-            pairs.drop(_marks, _mark);
+            pairs.follow(_marks, _mark, found);
         }
 
         // Whether a search depends on the same as the last one, and few rows were read again.

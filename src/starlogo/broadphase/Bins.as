@@ -1,5 +1,5 @@
 // This room finds which agents are near each other on the ground plane, as rows of a table. Bins sort the rows by their cells, and find all
-// pairs of rows. Extents have the boxes of the rows, and levels of cells of each width that is needed (BinLevel). CellLists finds what is near single rows
+// pairs of rows. Extents have the boxes of the rows; a BinLevel has the cells of one width. CellLists finds what is near single rows
 // that have changed since. Read this file first, then BinLevel, then CellLists.
 package starlogo.broadphase
 {
@@ -30,6 +30,9 @@ package starlogo.broadphase
      */
     public final class Bins
     {
+        /** The levels of cells by their indices, from the finest to the coarsest that was needed so far. The first is none. */
+        public var levels:Vector.<BinLevel> = new <BinLevel>[null];
+
         // By slot: the member's row, its middle, and the radius of its circle.
         private var _rows:Vector.<int> = new Vector.<int>();
         private var _xs:Vector.<Number> = new Vector.<Number>();
@@ -49,26 +52,25 @@ package starlogo.broadphase
         /**
          * Finds all pairs whose extents overlap, and some others that are as near. Each pair is passed to the sink once.
          *
-         * @param extents with their levels
+         * @param extents each has its level
          * @param members the rows of the members
          * @param sink takes the pairs
          */
         public function findPairs(extents:Extents, members:IntList, sink:PairSink):void
         {
             sort(extents, members);
-            var byWidth:Vector.<BinLevel> = extents.byWidth;
-            for (var i:int = 0; i < byWidth.length; i++)
+            for (var i:int = 1; i < levels.length; i++)
             {
-                var level:BinLevel = byWidth[i];
+                var level:BinLevel = levels[i];
                 if (level.count == 0)
                 {
                     continue;
                 }
-                for (var coarser:int = 0; coarser < i; coarser++)
+                for (var coarser:int = i + 1; coarser < levels.length; coarser++)
                 {
-                    if (byWidth[coarser].count > 0)
+                    if (levels[coarser].count > 0)
                     {
-                        findPairsBetween(level, byWidth[coarser], sink);
+                        findPairsBetween(level, levels[coarser], sink);
                     }
                 }
                 findPairsWithin(level, sink);
@@ -78,17 +80,71 @@ package starlogo.broadphase
         // Puts the members into the order of their cells, by a counting sort.
         private function sort(extents:Extents, members:IntList):void
         {
-            extents.layOut(members);
-            makeRoom(extents.bucketCount, members.count);
+            makeLevels(extents.coarsest);
+            countMembers(extents, members);
+            var bucketCount:int = layOutBuckets();
+            makeRoom(bucketCount, members.count);
             fillBuckets(extents, members);
-            var slots:int = findStarts(extents.bucketCount);
+            var slots:int = findStarts(bucketCount);
             if (slots > _rows.length)
             {
                 _rows.length = _xs.length = _ys.length = _radii.length = slots;
             }
             sortByBuckets(members);
-            copyFirstBuckets(extents.byWidth);
+            copyFirstBuckets();
             copyCircles(extents, slots);
+        }
+
+        // Makes the levels up to the coarsest that is needed. Each has cells twice as wide as the one before.
+        private function makeLevels(coarsest:int):void
+        {
+            while (levels.length <= coarsest)
+            {
+                var before:BinLevel = levels[levels.length - 1];
+                levels.push(new BinLevel(levels.length, before == null ? BinLevel.LEAST_WIDTH : 2 * before.width));
+            }
+        }
+
+        // Counts the members of each level.
+        private function countMembers(extents:Extents, members:IntList):void
+        {
+            var rows:Vector.<int> = members.numbers;
+            var end:int = members.count;
+            var indices:Vector.<int> = extents.level;
+            var all:Vector.<BinLevel> = levels;
+            for (var i:int = 1; i < all.length; i++)
+            {
+                all[i].count = 0;
+            }
+            if (extents.finest == extents.coarsest)
+            {
+                all[extents.finest].count = end;
+                return;
+            }
+            // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
+            // the optimised method in every frame.
+            for (i = 0; i < end; i++)
+            {
+                all[indices[rows[i]]].count++;
+            }
+        }
+
+        // Gives each level with members its buckets. Returns the number of all buckets, with the copies of first ones.
+        private function layOutBuckets():int
+        {
+            var bucketCount:int = 0;
+            for (var i:int = 1; i < levels.length; i++)
+            {
+                if (levels[i].count > 0)
+                {
+                    bucketCount = levels[i].takeBuckets(bucketCount);
+                }
+                else
+                {
+                    levels[i].dropBuckets();
+                }
+            }
+            return bucketCount;
         }
 
         private function makeRoom(bucketCount:int, memberCount:int):void
@@ -120,7 +176,7 @@ package starlogo.broadphase
             var stride:int = 0;
             var first:int = 0;
             var copies:int = 0;
-            var byIndex:Vector.<BinLevel> = extents.byIndex;
+            var all:Vector.<BinLevel> = levels;
             var bias:Number = BinLevel.BIAS;
             for (var i:int = 0; i < end; i++)
             {
@@ -128,7 +184,7 @@ package starlogo.broadphase
                 if (indices[row] != index)
                 {
                     index = indices[row];
-                    var level:BinLevel = byIndex[index];
+                    var level:BinLevel = all[index];
                     cellsPerPatch = level.cellsPerPatch;
                     mask = level.mask;
                     stride = level.stride;
@@ -183,13 +239,13 @@ package starlogo.broadphase
         }
 
         // Lists the members of the first buckets of each level after its last bucket once more.
-        private function copyFirstBuckets(byWidth:Vector.<BinLevel>):void
+        private function copyFirstBuckets():void
         {
-            for (var i:int = 0; i < byWidth.length; i++)
+            for (var i:int = 1; i < levels.length; i++)
             {
-                if (byWidth[i].count > 0)
+                if (levels[i].count > 0)
                 {
-                    copyFirstBucketsOf(byWidth[i]);
+                    copyFirstBucketsOf(levels[i]);
                 }
             }
         }

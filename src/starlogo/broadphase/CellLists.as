@@ -18,6 +18,7 @@ package starlogo.broadphase
         // The rows that are found near a row.
         private var _near:Vector.<int> = new Vector.<int>();
 
+        private var _levels:Vector.<BinLevel>;
         private var _extents:Extents = null;
 
         // By bucket: the first row of its list. By row: its bucket, or NONE; the level's index; the next row in the list.
@@ -26,10 +27,16 @@ package starlogo.broadphase
         private var _levelIndices:Vector.<int> = new Vector.<int>();
         private var _next:Vector.<int> = new Vector.<int>();
 
+        /** @param levels those of the bins, with the buckets that it takes over */
+        public function CellLists(levels:Vector.<BinLevel>)
+        {
+            _levels = levels;
+        }
+
         /**
          * Begins with the members of the last search of the bins.
          *
-         * @param extents the extents in that search, with the buckets of their levels. They are read again in each call
+         * @param extents the extents in that search. They are read again in each call
          * @param members the rows of the members
          * @param length all rows are less than this number
          */
@@ -37,20 +44,13 @@ package starlogo.broadphase
         {
             _extents = extents;
             count = members.count;
-            if (extents.bucketCount > _heads.length)
-            {
-                _heads.length = extents.bucketCount;
-            }
-            for (var i:int = 0; i < extents.bucketCount; i++)
-            {
-                _heads[i] = NONE;
-            }
+            emptyBuckets();
             _buckets.length = 0;
             makeRoom(length);
-            for (i = 0; i < count; i++)
+            for (var i:int = 0; i < count; i++)
             {
                 var row:int = members.numbers[i];
-                var level:BinLevel = extents.byIndex[extents.level[row]];
+                var level:BinLevel = _levels[extents.level[row]];
                 enter(row, level, level.bucketAt(extents.x[row], extents.y[row]));
             }
         }
@@ -82,11 +82,12 @@ package starlogo.broadphase
         /** Moves a row to the bucket of its extents, and makes it a member if it is none. Returns false if its level has no buckets. */
         public function update(row:int):Boolean
         {
-            var level:BinLevel = _extents.byIndex[_extents.level[row]];
-            if (!level.hasBuckets)
+            var index:int = _extents.level[row];
+            if (index >= _levels.length || !_levels[index].hasBuckets)
             {
                 return false;
             }
+            var level:BinLevel = _levels[index];
             var bucket:int = level.bucketAt(_extents.x[row], _extents.y[row]);
             if (_buckets[row] != bucket)
             {
@@ -120,16 +121,16 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _buckets[row] = NONE;
-            _extents.byIndex[_levelIndices[row]].count--;
+            _levels[_levelIndices[row]].count--;
             count--;
         }
 
         /** Whether each level with members has as many buckets as the bins would give it now. */
         public function haveRightBucketCounts():Boolean
         {
-            for (var i:int = 0; i < _extents.byWidth.length; i++)
+            for (var i:int = 1; i < _levels.length; i++)
             {
-                if (!_extents.byWidth[i].hasRightBucketCount())
+                if (!_levels[i].hasRightBucketCount())
                 {
                     return false;
                 }
@@ -144,10 +145,10 @@ package starlogo.broadphase
          */
         public function findNear(row:int, marks:Vector.<int>, mark:int, sink:PairSink):void
         {
-            var own:BinLevel = _extents.byIndex[_extents.level[row]];
-            for (var i:int = 0; i < _extents.byWidth.length; i++)
+            var own:BinLevel = _levels[_extents.level[row]];
+            for (var i:int = 1; i < _levels.length; i++)
             {
-                var level:BinLevel = _extents.byWidth[i];
+                var level:BinLevel = _levels[i];
                 var coarser:BinLevel = own.width > level.width ? own : level;
                 var found:int = level.count == 0 ? 0 : findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
                 found = keepNear(row, found, coarser.slack, marks, mark);
@@ -188,6 +189,24 @@ package starlogo.broadphase
                 }
             }
             return found;
+        }
+
+        // No bucket has a member.
+        private function emptyBuckets():void
+        {
+            var end:int = 0;
+            for (var i:int = 1; i < _levels.length; i++)
+            {
+                end = _levels[i].hasBuckets ? _levels[i].endBucket : end;
+            }
+            if (end > _heads.length)
+            {
+                _heads.length = end;
+            }
+            for (i = 0; i < end; i++)
+            {
+                _heads[i] = NONE;
+            }
         }
 
         private function enter(row:int, level:BinLevel, bucket:int):void

@@ -1,19 +1,13 @@
 package starlogo.broadphase
 {
-    import starlogo.data.IntList;
-
     /**
-     * Columns of axis-aligned extents: the middle and the half lengths of each row, in patches. Each row has the level of cells that fits its extents.
-     * There is a level for each width that rows have needed so far.
+     * Columns of axis-aligned extents: the middle and the half lengths of each row, in patches, and the level of cells that fits them. The first level is
+     * the finest, and each further one has cells twice as wide (BinLevel).
      *
      * @private
      */
     public final class Extents extends Points
     {
-        // The width of the finest level, for points too. It is used up to 256 patches from the origin, so points of SpaceLand need no coarser level.
-        // A power of two.
-        private static const LEAST_WIDTH:Number = 1 / (1 << 16);
-
         /** The radius of a circle on the ground around the extents. */
         public var radius:Vector.<Number> = new Vector.<Number>();
 
@@ -29,15 +23,15 @@ package starlogo.broadphase
         /** How far the middle is from the place that it was computed from. That place is rounded too, and may be farther from the origin. */
         public var offset:Vector.<Number> = new Vector.<Number>();
 
-        /** The index of the row's level; 0 if it is not known yet. */
+        /** The index of the row's level, from 1 on; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
-        // The levels by index. The first is none. byWidth has them from the coarsest to the finest.
-        internal var byIndex:Vector.<BinLevel> = new <BinLevel>[null];
-        internal var byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
+        // The finest and the coarsest level that rows have needed so far.
+        internal var finest:int = int.MAX_VALUE;
+        internal var coarsest:int = 0;
 
-        // The number of buckets of all levels, with the copies of first ones.
-        internal var bucketCount:int = 0;
+        // By index, for the levels so far: the width. The first is none.
+        private var _widths:Vector.<Number> = new <Number>[0, BinLevel.LEAST_WIDTH];
 
         // Whether a row ever had a coarser level because it was far out. From then on each row that moves is assigned a level, so it gets a finer one
         // when it comes back.
@@ -90,21 +84,27 @@ package starlogo.broadphase
             {
                 half = other;
             }
-            var present:BinLevel = byIndex[level[row]];
             var middleX:Number = x[row];
             var middleY:Number = y[row];
             var middleZ:Number = z[row];
             var fromPlace:Number = offset[row];
             var distanceSquared:Number = Math.max(middleX * middleX + middleY * middleY + middleZ * middleZ, fromPlace * fromPlace);
-            if (present != null && 2 * half <= present.width && (4 * half > present.width || present.width == LEAST_WIDTH)
-                    && distanceSquared < present.maxDistanceSquared)
+            var width:Number = _widths[level[row]];
+            var end:Number = width * BinLevel.MAX_DISTANCE;
+            if (2 * half <= width && (4 * half > width || width == BinLevel.LEAST_WIDTH) && distanceSquared < end * end)
             {
                 return;
             }
-            var width:Number = widthFor(2 * half);
-            var distant:Number = widthFor(Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
-            level[row] = levelOf(Math.max(width, distant)).index;
-            _wasOneFarOut ||= distant > width;
+            var fitting:int = levelFor(2 * half);
+            var distant:int = levelFor(Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
+            if (distant > fitting)
+            {
+                _wasOneFarOut = true;
+                fitting = distant;
+            }
+            level[row] = fitting;
+            finest = fitting < finest ? fitting : finest;
+            coarsest = fitting > coarsest ? fitting : coarsest;
         }
 
         /**
@@ -117,82 +117,27 @@ package starlogo.broadphase
             {
                 return 0;
             }
-            return byWidth.length == 0 ? Infinity : byWidth[byWidth.length - 1].maxDistanceSquared;
+            if (coarsest == 0)
+            {
+                return Infinity;
+            }
+            var end:Number = _widths[finest] * BinLevel.MAX_DISTANCE;
+            return end * end;
         }
 
-        /**
-         * Counts the members of each level in a search of the bins, and gives each level with members its buckets.
-         *
-         * @param members the rows of the members
-         */
-        internal function layOut(members:IntList):void
+        // The finest level whose width is at least this large.
+        private function levelFor(least:Number):int
         {
-            countMembers(members);
-            bucketCount = 0;
-            for (var i:int = 0; i < byWidth.length; i++)
+            var index:int = 1;
+            while (_widths[index] < least && _widths[index] < Infinity)
             {
-                var next:BinLevel = byWidth[i];
-                if (next.count > 0)
+                if (index + 1 == _widths.length)
                 {
-                    bucketCount = next.takeBuckets(bucketCount);
+                    _widths.push(2 * _widths[index]);
                 }
-                else
-                {
-                    next.dropBuckets();
-                }
-            }
-        }
-
-        // Counts the members of each level.
-        private function countMembers(members:IntList):void
-        {
-            var rows:Vector.<int> = members.numbers;
-            var end:int = members.count;
-            var all:Vector.<BinLevel> = byIndex;
-            var indices:Vector.<int> = level;
-            if (all.length == 2)
-            {
-                all[1].count = end;
-                return;
-            }
-            for (var i:int = 1; i < all.length; i++)
-            {
-                all[i].count = 0;
-            }
-            // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
-            // the optimised method in every frame.
-            for (i = 0; i < end; i++)
-            {
-                all[indices[rows[i]]].count++;
-            }
-        }
-
-        // The smallest power of two that is at least this large, and not less than LEAST_WIDTH.
-        private static function widthFor(least:Number):Number
-        {
-            var width:Number = LEAST_WIDTH;
-            while (width < least && width < Infinity)
-            {
-                width *= 2;
-            }
-            return width;
-        }
-
-        // The level of a width, which is a power of two.
-        private function levelOf(width:Number):BinLevel
-        {
-            var index:int = 0;
-            while (index < byWidth.length && byWidth[index].width > width)
-            {
                 index++;
             }
-            if (index == byWidth.length || byWidth[index].width != width)
-            {
-                var added:BinLevel = new BinLevel(byIndex.length, width);
-                byWidth.splice(index, 0, added);
-                byIndex.push(added);
-            }
-            return byWidth[index];
+            return index;
         }
     }
 }

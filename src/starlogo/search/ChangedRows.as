@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.CellLists;
     import starlogo.broadphase.PairSink;
     import starlogo.data.IntList;
@@ -26,7 +27,7 @@ package starlogo.search
 
         private var _table:AgentTable;
         // The members of the last search.
-        private var _cells:CellLists = new CellLists();
+        private var _cells:CellLists;
 
         // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, to which a Collision adds none
         // later; the motions, or null if no agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
@@ -40,10 +41,14 @@ package starlogo.search
         private var _mark:int = 0;
         private var _rows:IntList = new IntList();
 
-        /** @param table has the rows */
-        public function ChangedRows(table:AgentTable)
+        /**
+         * @param table has the rows
+         * @param levels those of the bins
+         */
+        public function ChangedRows(table:AgentTable, levels:Vector.<BinLevel>)
         {
             _table = table;
+            _cells = new CellLists(levels);
         }
 
         /** The number of members of the search. */

@@ -74,7 +74,7 @@ package starlogo.search
         {
             table = new AgentTable(narrowPhase);
             _rowMotions = new RowMotions(table);
-            _changedRows = new ChangedRows(table);
+            _changedRows = new ChangedRows(table, _bins.levels);
             _pairs = new FoundPairs(table.list);
             _pairsOfChanged = new FoundPairs(table.list);
         }

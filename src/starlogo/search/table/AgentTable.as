@@ -94,7 +94,7 @@ package starlogo.search.table
         }
 
         /**
-         * Reads the agent of one row as it is now, except for its breed. It then has no motion.
+         * Reads the agent of one row as it is now, except for its breed. Call it in a table without searches, where motions mean nothing.
          *
          * @throws ArgumentError if its model is unknown or lacks data that is needed. The row is then unchanged
          * @throws RangeError if its structure is out of the world. The row is then unchanged

@@ -86,8 +86,7 @@ package starlogo.search
         /**
          * Adds the pairs of a row. In each of them the agent that is first in the list comes first.
          *
-         * @param others begins with the other rows of the pairs
-         * @param times begins with the times at which the pairs touch; null if no agent sweeps
+         * @param times begins with the times at which the pairs touch, as others with their rows; null if no agent sweeps
          */
         internal function addPairs(row:int, others:Vector.<int>, othersCount:int, times:Vector.<Number>):void
         {

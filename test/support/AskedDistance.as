@@ -26,7 +26,7 @@ package support
         /** As a collider of these settings sees agents. */
         public function AskedDistance(pairs:NarrowPhase)
         {
-            _table = new AgentTable(pairs, null);
+            _table = new AgentTable(pairs);
         }
 
         /** How far two agents are apart. */

@@ -8,6 +8,10 @@ package starlogo.broadphase
      */
     public final class BinLevel
     {
+        // The width of the finest level, for points too. It is used up to 256 patches from the origin, so points of SpaceLand need no coarser level.
+        // A power of two.
+        internal static const LEAST_WIDTH:Number = 1 / (1 << 16);
+
         // A level is used up to this many widths from the origin, and for places up to this many widths from the middle. So a place is at most twice
         // as far from the origin. At that distance a position is rounded to 2^-28 of a width, and shapes within 2^-20 of a width touch.
         internal static const MAX_DISTANCE:Number = 1 << 24;
@@ -27,17 +31,13 @@ package starlogo.broadphase
         /** So many first buckets of a level are copied after its last one, so that the neighbours of the last cells are in one run too. */
         internal static const COPIED:int = 2;
 
-        // The index among all levels. Extents that fit the level store it.
+        // The index among all levels, as Extents have it.
         internal var index:int;
 
         // A power of two, in patches. The widest members are at most this wide. No member is narrower than half of it, unless it is far
         // out or the level is the finest. Cells are a little wider. So two members that touch are in the same cell or in neighbouring cells.
         internal var width:Number;
         internal var cellsPerPatch:Number;
-
-        // The square of the largest distance from the world's origin at which the level can be used. It is a field because V8 makes an object for
-        // each Number that is returned.
-        internal var maxDistanceSquared:Number;
 
         /**
          * Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller, up to MAX_DISTANCE
@@ -63,7 +63,6 @@ package starlogo.broadphase
             this.index = index;
             this.width = width;
             cellsPerPatch = 1 / (width + 4 * width * SLACK);
-            maxDistanceSquared = width * width * MAX_DISTANCE * MAX_DISTANCE;
             slack = width * SLACK;
         }
 

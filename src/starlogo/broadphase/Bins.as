@@ -1,6 +1,6 @@
 // This room finds which agents are near each other on the ground plane, as rows of a table. Bins sort the rows by their cells, and find all
-// pairs of rows. BinLevels has cells of each width that is needed (BinLevel). CellLists finds what is near single rows that have changed since. Read this
-// file first, then BinLevel, then CellLists.
+// pairs of rows. Extents have the boxes of the rows; a BinLevel has the cells of one width. CellLists finds what is near single rows
+// that have changed since. Read this file first, then BinLevel, then CellLists.
 package starlogo.broadphase
 {
     import starlogo.data.IntList;
@@ -30,8 +30,8 @@ package starlogo.broadphase
      */
     public final class Bins
     {
-        /** The levels of the cells. */
-        public var levels:BinLevels = new BinLevels();
+        /** The levels of cells by their indices, from the finest to the coarsest that was needed so far. The first is none. */
+        public var levels:Vector.<BinLevel> = new <BinLevel>[null];
 
         // By slot: the member's row, its middle, and the radius of its circle.
         private var _rows:Vector.<int> = new Vector.<int>();
@@ -52,26 +52,25 @@ package starlogo.broadphase
         /**
          * Finds all pairs whose extents overlap, and some others that are as near. Each pair is passed to the sink once.
          *
-         * @param extents must fit their levels
+         * @param extents each has its level
          * @param members the rows of the members
          * @param sink takes the pairs
          */
         public function findPairs(extents:Extents, members:IntList, sink:PairSink):void
         {
             sort(extents, members);
-            var byWidth:Vector.<BinLevel> = levels.byWidth;
-            for (var i:int = 0; i < byWidth.length; i++)
+            for (var i:int = 1; i < levels.length; i++)
             {
-                var level:BinLevel = byWidth[i];
+                var level:BinLevel = levels[i];
                 if (level.count == 0)
                 {
                     continue;
                 }
-                for (var coarser:int = 0; coarser < i; coarser++)
+                for (var coarser:int = i + 1; coarser < levels.length; coarser++)
                 {
-                    if (byWidth[coarser].count > 0)
+                    if (levels[coarser].count > 0)
                     {
-                        findPairsBetween(level, byWidth[coarser], sink);
+                        findPairsBetween(level, levels[coarser], sink);
                     }
                 }
                 findPairsWithin(level, sink);
@@ -81,10 +80,12 @@ package starlogo.broadphase
         // Puts the members into the order of their cells, by a counting sort.
         private function sort(extents:Extents, members:IntList):void
         {
-            levels.layOut(extents.level, members);
-            makeRoom(members.count);
+            makeLevels(extents.coarsest);
+            countMembers(extents, members);
+            var bucketCount:int = layOutBuckets();
+            makeRoom(bucketCount, members.count);
             fillBuckets(extents, members);
-            var slots:int = findStarts();
+            var slots:int = findStarts(bucketCount);
             if (slots > _rows.length)
             {
                 _rows.length = _xs.length = _ys.length = _radii.length = slots;
@@ -94,12 +95,64 @@ package starlogo.broadphase
             copyCircles(extents, slots);
         }
 
-        private function makeRoom(memberCount:int):void
+        // Makes the levels up to the coarsest that is needed. Each has cells twice as wide as the one before.
+        private function makeLevels(coarsest:int):void
         {
-            if (levels.bucketCount > _counts.length)
+            while (levels.length <= coarsest)
             {
-                _counts.length = levels.bucketCount;
-                _starts.length = levels.bucketCount + 1;
+                var before:BinLevel = levels[levels.length - 1];
+                levels.push(new BinLevel(levels.length, before == null ? BinLevel.LEAST_WIDTH : 2 * before.width));
+            }
+        }
+
+        // Counts the members of each level.
+        private function countMembers(extents:Extents, members:IntList):void
+        {
+            var rows:Vector.<int> = members.numbers;
+            var end:int = members.count;
+            var indices:Vector.<int> = extents.level;
+            var all:Vector.<BinLevel> = levels;
+            for (var i:int = 1; i < all.length; i++)
+            {
+                all[i].count = 0;
+            }
+            if (extents.finest == extents.coarsest)
+            {
+                all[extents.finest].count = end;
+                return;
+            }
+            // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
+            // the optimised method in every frame.
+            for (i = 0; i < end; i++)
+            {
+                all[indices[rows[i]]].count++;
+            }
+        }
+
+        // Gives each level with members its buckets. Returns the number of all buckets, with the copies of first ones.
+        private function layOutBuckets():int
+        {
+            var bucketCount:int = 0;
+            for (var i:int = 1; i < levels.length; i++)
+            {
+                if (levels[i].count > 0)
+                {
+                    bucketCount = levels[i].takeBuckets(bucketCount);
+                }
+                else
+                {
+                    levels[i].dropBuckets();
+                }
+            }
+            return bucketCount;
+        }
+
+        private function makeRoom(bucketCount:int, memberCount:int):void
+        {
+            if (bucketCount > _counts.length)
+            {
+                _counts.length = bucketCount;
+                _starts.length = bucketCount + 1;
             }
             if (memberCount > _buckets.length)
             {
@@ -123,7 +176,7 @@ package starlogo.broadphase
             var stride:int = 0;
             var first:int = 0;
             var copies:int = 0;
-            var byIndex:Vector.<BinLevel> = levels.byIndex;
+            var all:Vector.<BinLevel> = levels;
             var bias:Number = BinLevel.BIAS;
             for (var i:int = 0; i < end; i++)
             {
@@ -131,7 +184,7 @@ package starlogo.broadphase
                 if (indices[row] != index)
                 {
                     index = indices[row];
-                    var level:BinLevel = byIndex[index];
+                    var level:BinLevel = all[index];
                     cellsPerPatch = level.cellsPerPatch;
                     mask = level.mask;
                     stride = level.stride;
@@ -154,13 +207,12 @@ package starlogo.broadphase
 
         // Computes the slot where each bucket starts, and stores it one place further on: while the bucket is filled, its next free slot is there. When it
         // is full, that is the slot where the next bucket starts. Returns the number of slots.
-        private function findStarts():int
+        private function findStarts(bucketCount:int):int
         {
             var counts:Vector.<int> = _counts;
             var begins:Vector.<int> = _starts;
-            var end:int = levels.bucketCount;
             var sum:int = 0;
-            for (var i:int = 0; i < end; i++)
+            for (var i:int = 0; i < bucketCount; i++)
             {
                 var inBucket:int = counts[i];
                 counts[i] = 0;
@@ -189,12 +241,11 @@ package starlogo.broadphase
         // Lists the members of the first buckets of each level after its last bucket once more.
         private function copyFirstBuckets():void
         {
-            var byWidth:Vector.<BinLevel> = levels.byWidth;
-            for (var i:int = 0; i < byWidth.length; i++)
+            for (var i:int = 1; i < levels.length; i++)
             {
-                if (byWidth[i].count > 0)
+                if (levels[i].count > 0)
                 {
-                    copyFirstBucketsOf(byWidth[i]);
+                    copyFirstBucketsOf(levels[i]);
                 }
             }
         }

@@ -18,8 +18,8 @@ package starlogo.broadphase
         // The rows that are found near a row.
         private var _near:Vector.<int> = new Vector.<int>();
 
-        private var _levels:BinLevels;
-        private var _extents:Extents;
+        private var _levels:Vector.<BinLevel>;
+        private var _extents:Extents = null;
 
         // By bucket: the first row of its list. By row: its bucket, or NONE; the level's index; the next row in the list.
         private var _heads:Vector.<int> = new Vector.<int>();
@@ -28,7 +28,7 @@ package starlogo.broadphase
         private var _next:Vector.<int> = new Vector.<int>();
 
         /** @param levels those of the bins, with the buckets that it takes over */
-        public function CellLists(levels:BinLevels)
+        public function CellLists(levels:Vector.<BinLevel>)
         {
             _levels = levels;
         }
@@ -44,20 +44,13 @@ package starlogo.broadphase
         {
             _extents = extents;
             count = members.count;
-            if (_levels.bucketCount > _heads.length)
-            {
-                _heads.length = _levels.bucketCount;
-            }
-            for (var i:int = 0; i < _levels.bucketCount; i++)
-            {
-                _heads[i] = NONE;
-            }
+            emptyBuckets();
             _buckets.length = 0;
             makeRoom(length);
-            for (i = 0; i < count; i++)
+            for (var i:int = 0; i < count; i++)
             {
                 var row:int = members.numbers[i];
-                var level:BinLevel = _levels.byIndex[extents.level[row]];
+                var level:BinLevel = _levels[extents.level[row]];
                 enter(row, level, level.bucketAt(extents.x[row], extents.y[row]));
             }
         }
@@ -89,11 +82,12 @@ package starlogo.broadphase
         /** Moves a row to the bucket of its extents, and makes it a member if it is none. Returns false if its level has no buckets. */
         public function update(row:int):Boolean
         {
-            var level:BinLevel = _levels.byIndex[_extents.level[row]];
-            if (!level.hasBuckets)
+            var index:int = _extents.level[row];
+            if (index >= _levels.length || !_levels[index].hasBuckets)
             {
                 return false;
             }
+            var level:BinLevel = _levels[index];
             var bucket:int = level.bucketAt(_extents.x[row], _extents.y[row]);
             if (_buckets[row] != bucket)
             {
@@ -127,16 +121,16 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _buckets[row] = NONE;
-            _levels.byIndex[_levelIndices[row]].count--;
+            _levels[_levelIndices[row]].count--;
             count--;
         }
 
         /** Whether each level with members has as many buckets as the bins would give it now. */
         public function haveRightBucketCounts():Boolean
         {
-            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            for (var i:int = 1; i < _levels.length; i++)
             {
-                if (!_levels.byWidth[i].hasRightBucketCount())
+                if (!_levels[i].hasRightBucketCount())
                 {
                     return false;
                 }
@@ -151,10 +145,10 @@ package starlogo.broadphase
          */
         public function findNear(row:int, marks:Vector.<int>, mark:int, sink:PairSink):void
         {
-            var own:BinLevel = _levels.byIndex[_extents.level[row]];
-            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            var own:BinLevel = _levels[_extents.level[row]];
+            for (var i:int = 1; i < _levels.length; i++)
             {
-                var level:BinLevel = _levels.byWidth[i];
+                var level:BinLevel = _levels[i];
                 var coarser:BinLevel = own.width > level.width ? own : level;
                 var found:int = level.count == 0 ? 0 : findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
                 found = keepNear(row, found, coarser.slack, marks, mark);
@@ -195,6 +189,24 @@ package starlogo.broadphase
                 }
             }
             return found;
+        }
+
+        // No bucket has a member.
+        private function emptyBuckets():void
+        {
+            var end:int = 0;
+            for (var i:int = 1; i < _levels.length; i++)
+            {
+                end = _levels[i].hasBuckets ? _levels[i].endBucket : end;
+            }
+            if (end > _heads.length)
+            {
+                _heads.length = end;
+            }
+            for (i = 0; i < end; i++)
+            {
+                _heads[i] = NONE;
+            }
         }
 
         private function enter(row:int, level:BinLevel, bucket:int):void

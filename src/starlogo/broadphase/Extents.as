@@ -1,8 +1,8 @@
 package starlogo.broadphase
 {
     /**
-     * Columns of axis-aligned extents: the middle and the half lengths of each row, in patches, and the level of bins that fits the row.
-     * BinLevels.assign finds the level.
+     * Columns of axis-aligned extents: the middle and the half lengths of each row, in patches, and the level of cells that fits them. The first level is
+     * the finest, and each further one has cells twice as wide (BinLevel).
      *
      * @private
      */
@@ -20,11 +20,22 @@ package starlogo.broadphase
         /** Half the length along z. */
         public var halfZ:Vector.<Number> = new Vector.<Number>();
 
-        /** The index of the level of bins that fits; 0 if it is not known yet. */
-        public var level:Vector.<int> = new Vector.<int>();
-
         /** How far the middle is from the place that it was computed from. That place is rounded too, and may be farther from the origin. */
         public var offset:Vector.<Number> = new Vector.<Number>();
+
+        /** The index of the row's level, from 1 on; 0 if it is not known yet. */
+        public var level:Vector.<int> = new Vector.<int>();
+
+        // The finest and the coarsest level that rows have needed so far.
+        internal var finest:int = int.MAX_VALUE;
+        internal var coarsest:int = 0;
+
+        // By index, for the levels so far: the width. The first is none.
+        private var _widths:Vector.<Number> = new <Number>[0, BinLevel.LEAST_WIDTH];
+
+        // Whether a row ever had a coarser level because it was far out. From then on each row that moves is assigned a level, so it gets a finer one
+        // when it comes back.
+        private var _wasOneFarOut:Boolean = false;
 
         /** Makes room for so many rows, which are more than before. New rows are points at the origin without a level. */
         override public function grow(length:int):void
@@ -62,6 +73,71 @@ package starlogo.broadphase
             var distance:Number = z[a] - z[b];
             var maxDistance:Number = halfZ[a] + halfZ[b] + slack;
             return distance <= maxDistance && distance >= -maxDistance;
+        }
+
+        /** Finds the level for a row's extents, and for the distances of their middle from the world's origin and from the row's place. */
+        public function assignLevel(row:int):void
+        {
+            var half:Number = halfX[row];
+            var other:Number = halfY[row];
+            if (other > half)
+            {
+                half = other;
+            }
+            var middleX:Number = x[row];
+            var middleY:Number = y[row];
+            var middleZ:Number = z[row];
+            var fromPlace:Number = offset[row];
+            var distanceSquared:Number = Math.max(middleX * middleX + middleY * middleY + middleZ * middleZ, fromPlace * fromPlace);
+            var width:Number = _widths[level[row]];
+            var end:Number = width * BinLevel.MAX_DISTANCE;
+            if (2 * half <= width && (4 * half > width || width == BinLevel.LEAST_WIDTH) && distanceSquared < end * end)
+            {
+                return;
+            }
+            var fitting:int = levelFor(2 * half);
+            var distant:int = levelFor(Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
+            if (distant > fitting)
+            {
+                _wasOneFarOut = true;
+                fitting = distant;
+            }
+            level[row] = fitting;
+            finest = fitting < finest ? fitting : finest;
+            coarsest = fitting > coarsest ? fitting : coarsest;
+        }
+
+        /**
+         * The square of the distance from the world's origin up to which each row keeps its level when it moves. Levels without members count too,
+         * because rows outside the search have levels.
+         */
+        public function get levelsEndSquared():Number
+        {
+            if (_wasOneFarOut)
+            {
+                return 0;
+            }
+            if (coarsest == 0)
+            {
+                return Infinity;
+            }
+            var end:Number = _widths[finest] * BinLevel.MAX_DISTANCE;
+            return end * end;
+        }
+
+        // The finest level whose width is at least this large.
+        private function levelFor(least:Number):int
+        {
+            var index:int = 1;
+            while (_widths[index] < least && _widths[index] < Infinity)
+            {
+                if (index + 1 == _widths.length)
+                {
+                    _widths.push(2 * _widths[index]);
+                }
+                index++;
+            }
+            return index;
         }
     }
 }

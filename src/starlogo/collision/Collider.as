@@ -198,7 +198,7 @@ package starlogo.collision
         /** @private Lets no agent have a motion in the next frame. */
         engine function forgetMotions():void
         {
-            search.table.places.last.forgetAll();
+            search.table.places.forgetAll();
         }
 
         private function get isOwned():Boolean

@@ -82,7 +82,7 @@ package starlogo.queries
             {
                 throw QuerySource.errorAbout(collisionOrShapes);
             }
-            table = new AgentTable(_source.findNarrowPhase(), null);
+            table = new AgentTable(_source.findNarrowPhase());
             goToLevel(0);
         }
 
@@ -111,7 +111,7 @@ package starlogo.queries
             requireUnlocked("update");
             var found:NarrowPhase = _source.findNarrowPhase();
             var isOther:Boolean = found !== table.narrowPhase;
-            var next:AgentTable = isOther ? new AgentTable(found, null) : table;
+            var next:AgentTable = isOther ? new AgentTable(found) : table;
             next.read(agents);
             next.readWorld(terrain == null ? null : terrain.worldAgent, null);
             table = next;
@@ -241,7 +241,7 @@ package starlogo.queries
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */
         engine function treeOfPlaces():RowTree
         {
-            return build(_places, table.places.last);
+            return build(_places, table.places);
         }
 
         /**

@@ -88,9 +88,9 @@ package starlogo.queries
             {
                 if (table.narrowPhase.areTouching(body, table.bodyOf(row)))
                 {
-                    var toX:Number = table.places.last.x[row] - body.placement.x;
-                    var toY:Number = table.places.last.y[row] - body.placement.y;
-                    var toZ:Number = table.places.last.z[row] - body.placement.z;
+                    var toX:Number = table.places.x[row] - body.placement.x;
+                    var toY:Number = table.places.y[row] - body.placement.y;
+                    var toZ:Number = table.places.z[row] - body.placement.z;
                     // the ground has no place, so it comes last
                     found.add(row, row == ListedAgents.GROUND_ROW ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }

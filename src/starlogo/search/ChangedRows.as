@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.CellLists;
     import starlogo.broadphase.PairSink;
     import starlogo.data.IntList;
@@ -25,15 +26,13 @@ package starlogo.search
         private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
 
         private var _table:AgentTable;
-        private var _motions:RowMotions;
-
         // The members of the last search.
         private var _cells:CellLists;
 
         // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, to which a Collision adds none
-        // later; whether an agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
+        // later; the motions, or null if no agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
         private var _interests:BreedInterests = null;
-        private var _anySwept:Boolean = false;
+        private var _motions:RowMotions = null;
         private var _isFiltered:Boolean = false;
         private var _maxDepth:int = 0;
 
@@ -44,13 +43,12 @@ package starlogo.search
 
         /**
          * @param table has the rows
-         * @param motions of the rows, if an agent sweeps
+         * @param levels those of the bins
          */
-        public function ChangedRows(table:AgentTable, motions:RowMotions)
+        public function ChangedRows(table:AgentTable, levels:Vector.<BinLevel>)
         {
             _table = table;
-            _motions = motions;
-            _cells = new CellLists(table.places.levels);
+            _cells = new CellLists(levels);
         }
 
         /** The number of members of the search. */
@@ -63,32 +61,34 @@ package starlogo.search
          * Notes a search of all rows that has ended.
          *
          * @param members the members of the search
+         * @param motions the motions of the rows; null if no agent sweeps
          * @return whether <code>find()</code> may be called for the next search: if this one was like the one before, the next is probably like it
          *     too. Otherwise it would hardly be worth it
          */
-        public function noteSearch(members:IntList, input:FrameInput):Boolean
+        public function noteSearch(members:IntList, input:FrameInput, motions:RowMotions):Boolean
         {
-            if (isLikeLast(input))
+            if (isLikeLast(input, motions))
             {
-                _cells.begin(_motions.areNeeded ? _motions.extents : _table.extents, members, _table.list.agents.length);
+                _cells.begin(motions == null ? _table.extents : motions.extents, members, _table.list.agents.length);
                 return true;
             }
             _interests = input.interests;
-            _anySwept = _motions.areNeeded;
+            _motions = motions;
             _isFiltered = input.admitted != null;
             _maxDepth = currentDepth;
             return false;
         }
 
         /**
-         * Finds the rows that have changed, and moves them to their cells. The table has been read.
+         * Finds the rows that have changed, and moves them to their cells. The table has read the agents, but not yet the ground and the edges.
          *
+         * @param motions the motions of the rows; null if no agent sweeps
          * @return false if all rows have to be searched: because the search does not depend on the same as the last one, too many rows have changed,
          *     or the cells need other buckets
          */
-        public function find(input:FrameInput):Boolean
+        public function find(input:FrameInput, motions:RowMotions):Boolean
         {
-            if (!isLikeLast(input))
+            if (!isLikeLast(input, motions))
             {
                 return false;
             }
@@ -97,9 +97,9 @@ package starlogo.search
             {
                 return false;
             }
-            if (_motions.areNeeded)
+            if (motions != null)
             {
-                _motions.findMotions(_rows);
+                motions.findMotions(_rows);
             }
             return updateCells(input) && _cells.haveRightBucketCounts();
         }
@@ -122,16 +122,16 @@ package starlogo.search
             return _marks[worldRow] == _mark ? _table.list.rows : _rows;
         }
 
-        /** Drops the pairs of the changed rows from those of the last search. */
-        public function dropPairs(pairs:FoundPairs):void
+        /** Changes the pairs of the last search to those of this one. @param found the pairs of the changed rows, in order */
+        public function updatePairs(pairs:FoundPairs, found:FoundPairs):void
         {
-            pairs.drop(_marks, _mark);
+            pairs.follow(_marks, _mark, found);
         }
 
         // Whether a search depends on the same as the last one, and few rows were read again.
-        private function isLikeLast(input:FrameInput):Boolean
+        private function isLikeLast(input:FrameInput, motions:RowMotions):Boolean
         {
-            return _interests === input.interests && _anySwept == _motions.areNeeded && _isFiltered == (input.admitted != null)
+            return _interests === input.interests && _motions === motions && _isFiltered == (input.admitted != null)
                 && _maxDepth == currentDepth && areFew(countRead());
         }
 
@@ -145,7 +145,7 @@ package starlogo.search
         private function countRead():int
         {
             var count:int = _table.places.changed.count + _table.list.leftOrReordered.count;
-            if (_motions.areNeeded)
+            if (_motions != null)
             {
                 count += _table.places.previouslyChanged.count;
             }
@@ -170,11 +170,11 @@ package starlogo.search
                 _marks.length = length;
             }
             _cells.makeRoom(length);
-            markWorldAgent(ListedAgents.GROUND_ROW);
-            markWorldAgent(ListedAgents.EDGES_ROW);
+            markWorldAgent(ListedAgents.GROUND_ROW, input.ground);
+            markWorldAgent(ListedAgents.EDGES_ROW, input.edges);
             addAll(_table.places.changed);
             addAll(_table.list.leftOrReordered);
-            if (_motions.areNeeded)
+            if (_motions != null)
             {
                 addAll(_table.places.previouslyChanged);
             }
@@ -185,9 +185,9 @@ package starlogo.search
         }
 
         // The ground and the edges are no members, but their pairs change with them.
-        private function markWorldAgent(worldRow:int):void
+        private function markWorldAgent(worldRow:int, agent:WorldAgent):void
         {
-            if (_table.hasWorldChanged[worldRow])
+            if (!_table.isWorldAgentRead(worldRow, agent))
             {
                 _marks[worldRow] = _mark;
             }

@@ -1,5 +1,5 @@
 // This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; NarrowPhase tests two of them,
-// by a PairTests for each kind of pairs (pairs/); PairSorter puts the pairs into the order of the list; and ChangedRows finds the few rows whose pairs
+// by a PairTests for each kind of pairs (pairs/); FoundPairs has the pairs in the order of the list; and ChangedRows finds the few rows whose pairs
 // may differ from those of the last frame. Read this file first, then AgentTable for the rows, NarrowPhase for the tests, and TreeExitSearch and
 // GroundExitSearch (penetration/) for depths.
 package starlogo.search
@@ -40,14 +40,16 @@ package starlogo.search
         public var table:AgentTable;
 
         private var _bins:Bins = new Bins();
-        private var _motions:RowMotions;
+        private var _rowMotions:RowMotions;
         private var _changedRows:ChangedRows;
-        private var _sorter:PairSorter = new PairSorter();
 
         // The pairs of the search, and those of changed rows that are put between them. Whether the next search may begin with these pairs.
         private var _pairs:FoundPairs;
         private var _pairsOfChanged:FoundPairs;
         private var _mayBeKept:Boolean = false;
+
+        // The motions in the search; null if no agent sweeps in it.
+        private var _motions:RowMotions = null;
 
         // The input of the search under way, and what takes the pairs.
         private var _input:FrameInput = null;
@@ -56,13 +58,9 @@ package starlogo.search
         // The number of candidates whose breeds are of interest.
         private var _candidatePairs:int = 0;
 
-        // By pair, if an agent sweeps: the time of the touch, in the order in which the pairs are found. The number of pairs that touch before the end of
-        // their motions, which come first in the order of the list.
-        private var _times:Vector.<Number> = new Vector.<Number>();
-        private var _earlyPairs:int = 0;
-
-        // The motion of a pair that is tested.
+        // If an agent sweeps: the motion of a pair that is tested, and the times at which a row touches others.
         private var _motion:RelativeMotion = new RelativeMotion();
+        private var _times:Vector.<Number> = new Vector.<Number>();
 
         // The members of a search in which some rows may be none, and those that are tested with the ground or the edges of the world.
         private var _members:IntList = new IntList();
@@ -74,9 +72,9 @@ package starlogo.search
         /** @param narrowPhase may have other searches too */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
-            table = new AgentTable(narrowPhase, _bins.levels);
-            _motions = new RowMotions(table);
-            _changedRows = new ChangedRows(table, _motions);
+            table = new AgentTable(narrowPhase);
+            _rowMotions = new RowMotions(table);
+            _changedRows = new ChangedRows(table, _bins.levels);
             _pairs = new FoundPairs(table.list);
             _pairsOfChanged = new FoundPairs(table.list);
         }
@@ -94,20 +92,22 @@ package starlogo.search
         public function find(input:FrameInput, mayKeep:Boolean, counts:SearchCounts):FoundPairs
         {
             table.read(input.agents);
-            table.readWorld(input.ground, input.edges);
-            _motions.begin(input.isAnySweeping());
+            _rowMotions.begin();
+            _motions = input.isAnySweeping() ? _rowMotions : null;
             // tests since the last search, as those of questions, do not count
             table.narrowPhase.takeCounts(counts);
             var mayBegin:Boolean = mayKeep && _mayBeKept;
             // if the search throws, the next one is of all rows, because the table has been read
             _mayBeKept = false;
-            var memberCount:int = mayBegin && _changedRows.find(input) ? findOfChanged(input) : findOfAll(input, mayKeep);
+            var isOfChanged:Boolean = mayBegin && _changedRows.find(input, _motions);
+            table.readWorld(input.ground, input.edges);
+            var memberCount:int = isOfChanged ? findOfChanged(input) : findOfAll(input, mayKeep);
             table.narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
             counts.candidatePairs = _candidatePairs;
-            counts.sweptPairs = _motions.sweptPairs;
+            counts.sweptPairs = _rowMotions.sweptPairs;
             counts.collisions = _pairs.count;
             return _pairs;
         }
@@ -117,7 +117,7 @@ package starlogo.search
         {
             var members:IntList = findMembers(input);
             var extents:Extents = table.extents;
-            if (_motions.areNeeded)
+            if (_motions != null)
             {
                 _motions.findMotions(table.list.rows);
                 extents = _motions.extents;
@@ -126,8 +126,8 @@ package starlogo.search
             _bins.findPairs(extents, members, this);
             findPairsOfWorldAgent(ListedAgents.GROUND_ROW, members);
             findPairsOfWorldAgent(ListedAgents.EDGES_ROW, members);
-            sort();
-            _mayBeKept = mayKeep && _changedRows.noteSearch(members, input);
+            _pairs.putInOrder(_motions != null);
+            _mayBeKept = mayKeep && _changedRows.noteSearch(members, input, _motions);
             return members.count;
         }
 
@@ -140,25 +140,18 @@ package starlogo.search
             _changedRows.findPairs(this);
             findPairsOfWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             findPairsOfWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
-            sort();
-            _changedRows.dropPairs(_pairs);
-            // the pairs that are kept touch at the end of their motions
-            _pairs.merge(_pairsOfChanged, _earlyPairs);
+            _pairsOfChanged.putInOrder(_motions != null);
+            _changedRows.updatePairs(_pairs, _pairsOfChanged);
             _mayBeKept = true;
             return _changedRows.memberCount;
         }
 
         private function begin(input:FrameInput, out:FoundPairs):void
         {
-            _candidatePairs = _earlyPairs = 0;
+            _candidatePairs = 0;
             out.begin();
             _input = input;
             _out = out;
-        }
-
-        private function sort():void
-        {
-            _sorter.sort(_out, _motions.areNeeded ? _times : null);
         }
 
         // The rows that the bins get, called members: those with a shape that take part and whose breeds are of interest.
@@ -182,8 +175,12 @@ package starlogo.search
                 count = interests.keepOfInterest(table.breeds, row, others, count);
             }
             _candidatePairs += count;
-            var kept:int = _motions.areNeeded ? keepTouchingMotions(row, others, count, level) : keepTouching(row, others, count, level);
-            _out.addPairs(row, others, kept);
+            if (_motions != null)
+            {
+                addTouchingMotions(row, others, count, level);
+                return;
+            }
+            _out.addPairs(row, others, keepTouching(row, others, count, level), null);
         }
 
         // Finds the pairs of rows with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
@@ -197,9 +194,12 @@ package starlogo.search
             _input.listMembers(table, rows, _membersForWorld);
             var others:Vector.<int> = _membersForWorld.numbers;
             var count:int = _input.interests.keepOfInterest(table.breeds, worldRow, others, _membersForWorld.count);
-            var kept:int = _motions.areNeeded ? keepTouchingMotions(worldRow, others, count, null)
-                : keepTouchingWorld(worldRow, others, count);
-            _out.addPairs(worldRow, others, kept);
+            if (_motions != null)
+            {
+                addTouchingMotions(worldRow, others, count, null);
+                return;
+            }
+            _out.addPairs(worldRow, others, keepTouchingWorld(worldRow, others, count), null);
         }
 
         // Keeps the rows that touch a row, and moves them to the beginning of the list. The level has the slack of their extents.
@@ -248,14 +248,13 @@ package starlogo.search
             return kept;
         }
 
-        // Keeps the rows that touch a row on their motions, and notes the times of their pairs, which are added next. The level is null for the ground
-        // and the edges, whose extents say nothing.
-        private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):int
+        // Adds the pairs of the rows that touch a row on their motions, with their times. The level is null for the ground and the edges, whose extents
+        // say nothing.
+        private function addTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
             var ranks:Vector.<int> = table.list.ranks;
             var rank:int = ranks[row];
             var times:Vector.<Number> = _times;
-            var before:int = _out.count;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
@@ -266,22 +265,18 @@ package starlogo.search
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    times[int(before + kept)] = _motion.time;
+                    times[kept] = _motion.time;
                     kept++;
-                    if (_motion.time < 1)
-                    {
-                        _earlyPairs++;
-                    }
                 }
             }
-            return kept;
+            _out.addPairs(row, others, kept, times);
         }
 
         /** The table was read without a search: the next search is one of all rows. */
         public function forgetSearch():void
         {
             _mayBeKept = false;
-            _motions.begin(false);
+            _motions = null;
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -322,7 +317,7 @@ package starlogo.search
             var rowA:int = table.list.rowOf(a);
             var rowB:int = table.list.rowOf(b);
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
-            if (areSeen && _motions.areNeeded)
+            if (areSeen && _motions != null)
             {
                 _motions.findContact(rowA, rowB, motion, out);
                 return;

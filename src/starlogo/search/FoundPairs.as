@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.data.IntList;
+    import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.search.table.ListedAgents;
 
@@ -9,15 +10,22 @@ package starlogo.search
 
     /**
      * The pairs of a frame: two rows of agents each. After a search they are in the order of the list, by the first agent's index and then by the
-     * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
+     * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs come by their times, and pairs of the same
+     * time in the order of the list.
      *
-     * <p>CollisionSearch adds pairs, and PairSorter sorts them. The pairs of a frame may be made from those of the last one. ForeignPairs
-     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairSorter exchanges the rows.</p>
+     * <p>CollisionSearch adds pairs and sorts them. The pairs of a frame may be made from those of the last one. ForeignPairs adds the pairs of a
+     * collision system that is not the engine's, which come in its own order.</p>
      *
      * @private
      */
     public final class FoundPairs
     {
+        // If there are at least so many agents for each pair, comparing pairs is faster than counting those of each agent.
+        private static const MANY_AGENTS:int = 12;
+
+        // The factor of the first rank in a key of both ranks. All ranks are less.
+        private static const RANK_FACTOR:Number = 1 << 26;
+
         /** The number of pairs. */
         public var count:int = 0;
 
@@ -39,6 +47,20 @@ package starlogo.search
         /** The indices of the added pairs among these pairs, in ascending order. */
         public var added:IntList = new IntList();
 
+        // By pair, until the pairs are sorted: the time of the touch. How many touch before the end of their motions.
+        private var _times:Vector.<Number> = new Vector.<Number>();
+        private var _earlyCount:int = 0;
+
+        // For sorting: the indices of the pairs in their new order, and their keys; by rank, where the next pair goes whose first row has it, and
+        // where the next one goes whose second row has it.
+        private var _indices:SortableIntList = new SortableIntList();
+        private var _firsts:Vector.<int> = new Vector.<int>();
+        private var _seconds:Vector.<int> = new Vector.<int>();
+
+        // Where pairs and their times go when their order changes. Then it is exchanged with the list that they come from.
+        private var _spare:Vector.<int> = new Vector.<int>();
+        private var _spareTimes:Vector.<Number> = new Vector.<Number>();
+
         /** @param list has the agent of each row */
         public function FoundPairs(list:ListedAgents)
         {
@@ -48,7 +70,7 @@ package starlogo.search
         /** Begins to write other pairs. */
         internal function begin():void
         {
-            count = 0;
+            count = _earlyCount = 0;
             searches++;
             areKept = false;
         }
@@ -61,9 +83,17 @@ package starlogo.search
             count++;
         }
 
-        /** Adds the pairs of a row. In each of them the agent that is first in the list comes first. */
-        internal function addPairs(row:int, others:Vector.<int>, othersCount:int):void
+        /**
+         * Adds the pairs of a row. In each of them the agent that is first in the list comes first.
+         *
+         * @param times begins with the times at which the pairs touch, as others with their rows; null if no agent sweeps
+         */
+        internal function addPairs(row:int, others:Vector.<int>, othersCount:int, times:Vector.<Number>):void
         {
+            if (times != null)
+            {
+                addTimes(times, othersCount);
+            }
             var to:int = 2 * count;
             var ranks:Vector.<int> = list.ranks;
             var rank:int = ranks[row];
@@ -79,68 +109,98 @@ package starlogo.search
             count += othersCount;
         }
 
-        /** Begins to change the pairs to those of the next frame: drops the pairs of rows with a mark. */
-        internal function drop(marks:Vector.<int>, mark:int):void
+        private function addTimes(times:Vector.<Number>, timesCount:int):void
+        {
+            for (var i:int = 0; i < timesCount; i++)
+            {
+                _times[int(count + i)] = times[i];
+                if (times[i] < 1)
+                {
+                    _earlyCount++;
+                }
+            }
+        }
+
+        /** Puts the pairs into order. @param haveTimes whether an agent sweeps, so the pairs were added with times */
+        internal function putInOrder(haveTimes:Boolean):void
+        {
+            if (!haveTimes && areSorted())
+            {
+                return;
+            }
+            if (MANY_AGENTS * count < list.rows.count)
+            {
+                sortByKeys(haveTimes);
+                return;
+            }
+            countRanks();
+            scatter(1, _seconds, haveTimes);
+            scatter(0, _firsts, haveTimes);
+            if (haveTimes)
+            {
+                sortByTimes();
+            }
+        }
+
+        /**
+         * Changes the pairs to those of the next frame: drops the pairs of rows with a mark, and puts found pairs between the others.
+         *
+         * @param found the pairs of the rows with the mark, in order. The other pairs touch at the end of their motions
+         */
+        internal function follow(marks:Vector.<int>, mark:int, found:FoundPairs):void
         {
             searches++;
             areKept = true;
             dropped.count = added.count = 0;
-            var all:Vector.<int> = rows;
-            var end:int = 2 * count;
-            var kept:int = 0;
-            for (var i:int = 0; i < end; i += 2)
+            makeRoom(count + found.count);
+            var ranks:Vector.<int> = list.ranks;
+            var pair:int = 0;
+            for (var i:int = 0; i < found.count; i++)
             {
-                var a:int = all[i];
-                var b:int = all[int(i + 1)];
-                if (marks[a] != mark && marks[b] != mark)
+                var a:int = found.rows[2 * i];
+                var b:int = found.rows[2 * i + 1];
+                if (i >= found._earlyCount)
                 {
-                    all[kept] = a;
-                    all[int(kept + 1)] = b;
-                    kept += 2;
+                    pair = keepBefore(pair, ranks[a], ranks[b], marks, mark);
                 }
-                else
-                {
-                    dropped.add(i >> 1);
-                }
+                var to:int = pair - dropped.count + i;
+                _spare[2 * to] = a;
+                _spare[2 * to + 1] = b;
+                added.add(to);
             }
-            count = kept >> 1;
+            keepBefore(pair, int.MAX_VALUE, 0, marks, mark);
+            count += found.count - dropped.count;
+            exchangeRows();
         }
 
-        /**
-         * Puts found pairs, which are in order, between the others.
-         *
-         * @param early the number of found pairs that come before all others
-         */
-        internal function merge(found:FoundPairs, early:int):void
+        // Copies the pairs from an index on up to a pair of two ranks, behind those that are copied or added already. Drops the pairs of rows with the
+        // mark. Returns the index of the first pair after these two ranks.
+        private function keepBefore(pair:int, first:int, second:int, marks:Vector.<int>, mark:int):int
         {
-            var from:int = count;
-            count += found.count;
-            var to:int = count;
-            if (rows.length < 2 * to)
+            var from:Vector.<int> = rows;
+            var to:Vector.<int> = _spare;
+            var ranks:Vector.<int> = list.ranks;
+            var end:int = 2 * count;
+            var next:int = 2 * (pair - dropped.count + added.count);
+            for (var i:int = 2 * pair; i < end; i += 2)
             {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                rows.length = 2 * (to + (to >> 3));
-            }
-            added.count = found.count;
-            if (added.numbers.length < found.count)
-            {
-                added.numbers.length = found.count;
-            }
-            for (var i:int = found.count - 1; i >= 0; i--)
-            {
-                var a:int = found.rows[int(2 * i)];
-                var b:int = found.rows[int(2 * i + 1)];
-                for (var end:int = i < early ? 0 : indexFor(a, b, from); from > end; from--)
+                var a:int = from[i];
+                var b:int = from[int(i + 1)];
+                if (marks[a] == mark || marks[b] == mark)
                 {
-                    to--;
-                    rows[int(2 * to)] = rows[int(2 * from - 2)];
-                    rows[int(2 * to + 1)] = rows[int(2 * from - 1)];
+                    dropped.add(i >> 1);
+                    continue;
                 }
-                to--;
-                added.numbers[i] = to;
-                rows[int(2 * to)] = a;
-                rows[int(2 * to + 1)] = b;
+                var rank:int = ranks[a];
+                if (rank > first || rank == first && ranks[b] > second)
+                {
+                    return i >> 1;
+                }
+                to[next] = a;
+                to[int(next + 1)] = b;
+                next += 2;
             }
+            return count;
         }
 
         /** The first agent of a pair. */
@@ -176,38 +236,165 @@ package starlogo.search
             }
         }
 
-        // The number of pairs before a pair, of the first pairs. It looks at the last of them first.
-        private function indexFor(a:int, b:int, end:int):int
+        // Whether the pairs are in order already, as those of agents in one cell are.
+        private function areSorted():Boolean
         {
-            var high:int = end;
-            var step:int = 1;
-            while (high >= step && isAfter(high - step, a, b))
+            var all:Vector.<int> = rows;
+            var ranks:Vector.<int> = list.ranks;
+            var end:int = 2 * count;
+            var row:int = -1;
+            var first:int = -1;
+            var last:int = -1;
+            for (var i:int = 0; i < end; i += 2)
             {
-                high -= step;
-                step *= 2;
-            }
-            var low:int = high >= step ? high - step + 1 : 0;
-            while (low < high)
-            {
-                var middle:int = (low + high) >> 1;
-                if (isAfter(middle, a, b))
+                if (all[i] != row)
                 {
-                    high = middle;
+                    row = all[i];
+                    if (ranks[row] < first)
+                    {
+                        return false;
+                    }
+                    last = first = ranks[row];
                 }
-                else
+                var second:int = ranks[all[int(i + 1)]];
+                if (second <= last)
                 {
-                    low = middle + 1;
+                    return false;
                 }
+                last = second;
             }
-            return low;
+            return true;
         }
 
-        // Whether a pair comes after the pair of two rows.
-        private function isAfter(pair:int, a:int, b:int):Boolean
+        // Sorts by a key of both ranks, and then by times, if there are any.
+        private function sortByKeys(haveTimes:Boolean):void
         {
             var ranks:Vector.<int> = list.ranks;
-            var ahead:int = ranks[rows[int(2 * pair)]] - ranks[a];
-            return ahead > 0 || ahead == 0 && ranks[rows[int(2 * pair + 1)]] > ranks[b];
+            _indices.count = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                _indices.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
+            }
+            _indices.sortFirst(count);
+            if (haveTimes)
+            {
+                for (i = 0; i < count; i++)
+                {
+                    _indices.keys[i] = _times[_indices.numbers[i]];
+                }
+                _indices.sortFirst(count);
+            }
+            arrange();
+        }
+
+        // Sorts by times. Pairs of the same time keep their order.
+        private function sortByTimes():void
+        {
+            _indices.count = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                _indices.add(i, _times[i]);
+            }
+            _indices.sortFirst(count);
+            arrange();
+        }
+
+        // Puts the pairs into the order of the indices.
+        private function arrange():void
+        {
+            makeRoom(count);
+            for (var i:int = 0; i < count; i++)
+            {
+                var pair:int = _indices.numbers[i];
+                _spare[int(2 * i)] = rows[int(2 * pair)];
+                _spare[int(2 * i + 1)] = rows[int(2 * pair + 1)];
+            }
+            exchangeRows();
+        }
+
+        // Finds where the pairs of each rank begin.
+        private function countRanks():void
+        {
+            // the ground and the edges of the world have the ranks after those of the agents
+            var rankCount:int = list.rows.count + ListedAgents.FIRST_LISTED;
+            if (_firsts.length < rankCount)
+            {
+                _firsts.length = _seconds.length = rankCount;
+            }
+            var firsts:Vector.<int> = _firsts;
+            var seconds:Vector.<int> = _seconds;
+            for (var rank:int = 0; rank < rankCount; rank++)
+            {
+                firsts[rank] = seconds[rank] = 0;
+            }
+            var all:Vector.<int> = rows;
+            var ranks:Vector.<int> = list.ranks;
+            var end:int = 2 * count;
+            for (var i:int = 0; i < end; i += 2)
+            {
+                firsts[ranks[all[i]]]++;
+                seconds[ranks[all[int(i + 1)]]]++;
+            }
+            var firstsBefore:int = 0;
+            var secondsBefore:int = 0;
+            for (rank = 0; rank < rankCount; rank++)
+            {
+                var ofRank:int = firsts[rank];
+                firsts[rank] = firstsBefore;
+                firstsBefore += 2 * ofRank;
+                ofRank = seconds[rank];
+                seconds[rank] = secondsBefore;
+                secondsBefore += 2 * ofRank;
+            }
+        }
+
+        // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). Equals keep their
+        // order, so sorting by the second rows and then by the first ones sorts by both. The times, if there are any, go along.
+        private function scatter(side:int, next:Vector.<int>, haveTimes:Boolean):void
+        {
+            makeRoom(count);
+            var ranks:Vector.<int> = list.ranks;
+            var from:Vector.<int> = rows;
+            var to:Vector.<int> = _spare;
+            var times:Vector.<Number> = _times;
+            var timesTo:Vector.<Number> = _spareTimes;
+            var end:int = 2 * count;
+            if (haveTimes && timesTo.length < count)
+            {
+                timesTo.length = times.length;
+            }
+            for (var i:int = 0; i < end; i += 2)
+            {
+                var rank:int = ranks[from[int(i + side)]];
+                var at:int = next[rank];
+                next[rank] = at + 2;
+                to[at] = from[i];
+                to[int(at + 1)] = from[int(i + 1)];
+                if (haveTimes)
+                {
+                    timesTo[at >> 1] = times[i >> 1];
+                }
+            }
+            exchangeRows();
+            _times = timesTo;
+            _spareTimes = times;
+        }
+
+        // Makes room for so many pairs in the spare list.
+        private function makeRoom(pairCount:int):void
+        {
+            if (_spare.length < 2 * pairCount)
+            {
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                _spare.length = 2 * (pairCount + (pairCount >> 3));
+            }
+        }
+
+        private function exchangeRows():void
+        {
+            var before:Vector.<int> = rows;
+            rows = _spare;
+            _spare = before;
         }
     }
 }

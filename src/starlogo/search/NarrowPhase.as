@@ -5,7 +5,6 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
     import starlogo.intersection.ray.ConvexRay;
     import starlogo.search.pairs.EdgePairTests;
     import starlogo.search.pairs.GroundPairTests;
@@ -27,9 +26,6 @@ package starlogo.search
      */
     public final class NarrowPhase
     {
-        // The contact of two that do not touch is no deeper than this many times the gap across which they would touch because places are rounded.
-        private static const GAPS_OF_ROUNDING:Number = 4;
-
         /** Tests pairs of spheres. Every collider has it. It is null in a LevelShapes while only rays are asked for. */
         public var sphereTests:SpherePairTests = null;
 
@@ -85,10 +81,10 @@ package starlogo.search
             motion.time = 1;
             var tests:PairTests = pairTestsFor(a, b);
             tests.findContactOfParts(a, b, motion, out);
-            // structures that are deeper in each other touch; the contact of trees or the ground may be deep without a touch
+            // structures that are this deep in each other touch; the contact of trees or the ground may be deep without a touch
             var areStructures:Boolean = a.form < ModelShape.TREE && b.form < ModelShape.TREE;
-            var most:Number = Tolerances.SEPARATION * tests.extentOf(a, b) + GAPS_OF_ROUNDING * tests.roundingGapOf(a, b);
-            if (!(areStructures && out.depth > most) && !tests.areTouching(a, b))
+            var isDeep:Boolean = areStructures && out.depth > 2 * tests.depthToleranceOf(a, b);
+            if (!isDeep && !tests.areTouching(a, b))
             {
                 tests.separateApart(a, b, out);
                 return;

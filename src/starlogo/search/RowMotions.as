@@ -12,51 +12,46 @@ package starlogo.search
     import starlogo.intersection.boxes.AxisMotion;
     import starlogo.intersection.boxes.ContactInterval;
     import starlogo.search.table.AgentTable;
-    import starlogo.search.table.RowPlaces;
 
     use namespace engine;
 
     /**
-     * Finds the motions of a table's rows between the last two searches, and when two moving rows touch. They are needed only if an agent sweeps.
-     * Then all rows have motions, because a sweeping agent may meet any other one on its way. Two that do not sweep are tested where they are.
+     * Finds when two rows of a table touch on their motions since the search before. It is used only if an agent sweeps. Then the motions of all rows
+     * count, because a sweeping agent may meet any other one on its way. Two that do not sweep are tested where they are.
      */
     internal final class RowMotions
     {
-        /** Whether an agent sweeps in the search. Otherwise nothing else here counts. Read only. */
-        internal var areNeeded:Boolean = false;
-
         /** By row: the extents of the whole motion. */
         internal var extents:Extents = new Extents();
 
         /** The number of pairs that the search has tested along their motions. Read only. */
         internal var sweptPairs:int = 0;
 
-        // By row: the motion, which is 0 if there is none; and whether the agent sweeps and has a motion. The ground and the edges of the world do
-        // not move.
-        private var _motions:Points = new Points();
+        // By row: whether the agent sweeps, and has not come without a motion. The ground and the edges of the world do neither.
         private var _sweeps:Vector.<Boolean> = new Vector.<Boolean>();
 
         private var _table:AgentTable;
+        private var _motions:Points;
 
         // When the extents of a pair overlap.
         private var _interval:ContactInterval = new ContactInterval();
         private var _axisMotion:AxisMotion = new AxisMotion();
 
-        /** @param table has the rows, and the levels for the extents of motions too */
+        /** @param table has the rows */
         public function RowMotions(table:AgentTable)
         {
             _table = table;
+            _motions = table.places.motions;
         }
 
-        /** Begins a search. @param areNeeded whether an agent sweeps in it */
-        public function begin(areNeeded:Boolean):void
+        /** Begins a search in which an agent sweeps. */
+        public function begin():void
         {
-            this.areNeeded = areNeeded;
             sweptPairs = 0;
         }
 
         /**
-         * Finds the motions of rows. The table has just been read.
+         * Finds the extents of the motions of rows, and which rows sweep. The table has just been read.
          *
          * @param rows the rows; those without a shape are left out, because they are members of no search
          */
@@ -65,7 +60,6 @@ package starlogo.search
             if (_table.list.agents.length > _sweeps.length)
             {
                 _sweeps.length = _table.list.agents.length;
-                _motions.grow(_sweeps.length);
                 extents.grow(_sweeps.length);
             }
             for (var i:int = 0; i < rows.count; i++)
@@ -73,26 +67,10 @@ package starlogo.search
                 var row:int = rows.numbers[i];
                 if (_table.shapes[row] != null)
                 {
-                    findMotion(row);
+                    _sweeps[row] = !_table.places.haveJumped[row] && _table.list.agents[row].isSweeping;
                     findExtents(row);
                 }
             }
-        }
-
-        // Finds the motion of a row. If the agent has jumped, or the search before the last has not seen it, it is 0.
-        private function findMotion(row:int):void
-        {
-            var start:RowPlaces = _table.places.previous;
-            var end:RowPlaces = _table.places.last;
-            var agent:Agent = _table.list.agents[row];
-            var hasMotion:Boolean = start.isMotionStart(row, agent);
-            var motionX:Number = hasMotion ? end.x[row] - start.x[row] : 0;
-            var motionY:Number = hasMotion ? end.y[row] - start.y[row] : 0;
-            var motionZ:Number = hasMotion ? end.z[row] - start.z[row] : 0;
-            _motions.x[row] = motionX;
-            _motions.y[row] = motionY;
-            _motions.z[row] = motionZ;
-            _sweeps[row] = hasMotion && agent.isSweeping;
         }
 
         // Finds the extents of the whole motion of a row.
@@ -112,7 +90,7 @@ package starlogo.search
             extents.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
             extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
             extents.offset[row] = standing.offset[row];
-            _table.places.levels.assign(extents, row);
+            extents.assignLevel(row);
         }
 
         /**

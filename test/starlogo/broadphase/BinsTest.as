@@ -2,7 +2,6 @@ package starlogo.broadphase
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.data.IntList;
 
@@ -95,16 +94,18 @@ package starlogo.broadphase
         public function whatIsFarOutGetsWiderCells():void
         {
             add(0, 0, 0.5, 0.5);
-            assertFalse(_bins.levels.assign(_extents, 0));
+            _extents.assignLevel(0);
+            assertTrue("near", _extents.levelsEndSquared > 0);
             var near:int = _extents.level[0];
             _extents.x[0] = 1e12;
-            assertTrue("for the distance", _bins.levels.assign(_extents, 0));
+            _extents.assignLevel(0);
+            assertEquals("for the distance", 0, _extents.levelsEndSquared);
             assertTrue(_extents.level[0] != near);
             // far out the columns of the finer level would not fit an int
             add(1e12, 0.75, 0.5, 0.5);
             assertEquals(1, assertLikeBruteForce("far out"));
             _extents.x[0] = _extents.x[1] = 0;
-            assertFalse(_bins.levels.assign(_extents, 0));
+            _extents.assignLevel(0);
             assertEquals("and back", near, _extents.level[0]);
         }
 
@@ -112,16 +113,16 @@ package starlogo.broadphase
         public function levelsAreOfTheSizeOfTheirMembers():void
         {
             add(3, 4, 0.5, 0.5);
-            _bins.levels.assign(_extents, 0);
+            _extents.assignLevel(0);
             var ofUnits:int = _extents.level[0];
             _extents.halfY[0] = 0.51;
-            _bins.levels.assign(_extents, 0);
+            _extents.assignLevel(0);
             assertTrue(_extents.level[0] != ofUnits);
             _extents.halfY[0] = 0.26;
-            _bins.levels.assign(_extents, 0);
+            _extents.assignLevel(0);
             assertEquals("and back", ofUnits, _extents.level[0]);
             _extents.halfX[0] = _extents.halfY[0] = _extents.x[0] = _extents.y[0] = 0;
-            _bins.levels.assign(_extents, 0);
+            _extents.assignLevel(0);
             assertTrue("a point", _extents.level[0] != ofUnits);
         }
 
@@ -168,7 +169,7 @@ package starlogo.broadphase
             _sink.clear();
             for each (var row:int in _rows)
             {
-                _bins.levels.assign(_extents, row);
+                _extents.assignLevel(row);
             }
             _sink.members = _rows;
             _bins.findPairs(_extents, firstRows(count < 0 ? _rows.length : count), _sink);

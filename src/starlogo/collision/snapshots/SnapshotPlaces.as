@@ -30,7 +30,7 @@ package starlogo.collision.snapshots
          */
         public static function write(bytes:ByteArray, list:Vector.<Agent>, table:AgentTable, keepsMotions:Boolean):void
         {
-            var places:RowPlaces = table.places.last;
+            var places:RowPlaces = table.places;
             for (var i:int = 0; i < list.length; i++)
             {
                 var row:int = table.list.rows.numbers[i];

@@ -8,6 +8,7 @@ package starlogo.search.pairs
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.penetration.OverlapMiddle;
 
@@ -23,6 +24,9 @@ package starlogo.search.pairs
      */
     public class PairTests
     {
+        // For depthToleranceOf: the tolerance is at least this many times the gap across which two touch because places are rounded.
+        private static const GAPS_OF_ROUNDING:Number = 4;
+
         /** Whether two bodies touch. The answer must be the same in either order, to the last bit. */
         public function areTouching(a:Body, b:Body):Boolean
         {
@@ -98,6 +102,12 @@ package starlogo.search.pairs
         public function extentOf(a:Body, b:Body):Number
         {
             return 2 * Math.max(a.largestHalf, b.largestHalf);
+        }
+
+        /** How far a depth may be off, in patches: Tolerances.SEPARATION of the extent. Far from the origin, rounding decides instead. */
+        public function depthToleranceOf(a:Body, b:Body):Number
+        {
+            return Math.max(Tolerances.SEPARATION * extentOf(a, b), GAPS_OF_ROUNDING * roundingGapOf(a, b));
         }
 
         /**

@@ -166,7 +166,7 @@ package starlogo.search.pairs
         private function setToRows(table:AgentTable, a:int, b:int):void
         {
             var extents:Extents = table.extents;
-            var places:RowPlaces = table.places.last;
+            var places:RowPlaces = table.places;
             var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
             var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));
             _gap.x = extents.x[a] - extents.x[b];

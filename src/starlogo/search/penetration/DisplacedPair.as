@@ -25,9 +25,6 @@ package starlogo.search.penetration
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
         private static const LEAST_EXTENT:Number = 1e-100;
 
-        // The tolerance is at least this many times the gap across which the two touch because places are rounded.
-        private static const GAPS_OF_ROUNDING:Number = 4;
-
         /** The first body, at the place that is tried. */
         public var first:Body = new Body();
 
@@ -40,8 +37,8 @@ package starlogo.search.penetration
         public var extent:Number = 0;
 
         /**
-         * How far a depth may be off, in patches: Tolerances.SEPARATION of the extent. Far from the origin, rounding decides instead: two bodies
-         * touch across its gap, so no way out would ever seem free to a search that goes less far than the gap.
+         * How far a depth may be off, in patches: see PairTests.depthToleranceOf. It is more than the gap of rounding, because two bodies touch across
+         * that gap: no way out would ever seem free to a search that goes less far.
          */
         public var tolerance:Number = 0;
 
@@ -77,7 +74,7 @@ package starlogo.search.penetration
             first.readShrunk(a, _from, 0);
             roundingGap = _tests.roundingGapOf(a, b);
             extent = Math.max(_tests.extentOf(a, b), Math.max(roundingGap, LEAST_EXTENT));
-            tolerance = Math.max(Tolerances.SEPARATION * extent, GAPS_OF_ROUNDING * roundingGap);
+            tolerance = Math.max(_tests.depthToleranceOf(a, b), Tolerances.SEPARATION * LEAST_EXTENT);
             probeDistance = tolerance / 4;
         }
 

@@ -1,11 +1,9 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
-    import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
@@ -15,7 +13,7 @@ package starlogo.search.table
 
     /**
      * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. ListedAgents says which
-     * agent has which row, and PlaceHistory where it is and was. It has columns because with thousands of agents reading memory takes most of the
+     * agent has which row, and RowPlaces where it is. It has columns because with thousands of agents reading memory takes most of the
      * time. Each row has a body for tests.
      *
      * <p>A row stays as the last search has read it, even if the agent has changed since: its place, its rotation and its shape. docs/state.md
@@ -31,8 +29,8 @@ package starlogo.search.table
         /** The list that was read last, and the row of each agent. */
         public var list:ListedAgents = new ListedAgents();
 
-        /** Where the agents are and were. */
-        public var places:PlaceHistory;
+        /** Where the agents are. */
+        public var places:RowPlaces = new RowPlaces();
 
         /** By row: the number of the agent's breed. */
         engine var breeds:Vector.<int> = new Vector.<int>();
@@ -50,21 +48,17 @@ package starlogo.search.table
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
 
-        // By the rows of the ground and of the edges: whether they have changed since they were read before.
-        engine var hasWorldChanged:Vector.<Boolean> = new <Boolean>[false, false];
-
-        // The rows that are being read whose bodies have changed, and their new shapes.
+        // The rows that are being read: those whose agents have changed; of these, those whose bodies have, and their new shapes.
+        private var _changed:IntList = new IntList();
         private var _reshaped:IntList = new IntList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         /**
          * @param narrowPhase chooses the shapes, and tests the bodies
-         * @param levels for extents; null if none are needed
          */
-        public function AgentTable(narrowPhase:NarrowPhase, levels:BinLevels)
+        public function AgentTable(narrowPhase:NarrowPhase)
         {
             this.narrowPhase = narrowPhase;
-            places = new PlaceHistory(levels);
             extents = places.extents;
             grow(ListedAgents.FIRST_LISTED);
         }
@@ -80,13 +74,13 @@ package starlogo.search.table
         {
             narrowPhase.choice.forgetReplaced();
             list.beginRead();
-            // readChanged finds out on the way whether the list is the same
-            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && readChanged(agents, list.rows);
+            // findChanged finds out on the way whether the list is the same
+            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && findChanged(agents, list.rows);
             if (!isSame)
             {
                 list.propose(agents);
                 emptyArrived();
-                readChanged(agents, list.proposed);
+                findChanged(agents, list.proposed);
             }
             findShapes(_reshaped, _newShapes);
             // nothing below throws
@@ -95,12 +89,12 @@ package starlogo.search.table
                 list.accept();
                 followList();
             }
-            places.accept(list.rows.count);
+            _changed = places.read(_changed, list.agents);
             loadingCount = takeShapes(_reshaped, _newShapes);
         }
 
         /**
-         * Reads the agent of one row as it is now, except for its breed. It then has no motion.
+         * Reads the agent of one row as it is now, except for its breed. Call it in a table without searches, where motions mean nothing.
          *
          * @throws ArgumentError if its model is unknown or lacks data that is needed. The row is then unchanged
          * @throws RangeError if its structure is out of the world. The row is then unchanged
@@ -126,20 +120,30 @@ package starlogo.search.table
          */
         public function setLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
         {
-            var last:RowPlaces = places.last;
-            if (last.x[row] != x || last.y[row] != y || last.z[row] != z)
+            if (places.x[row] != x || places.y[row] != y || places.z[row] != z)
             {
                 // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump. So the next
                 // search reads the row again, and moves its extents
                 list.agents[row].revision++;
-                last.x[row] = x;
-                last.y[row] = y;
-                last.z[row] = z;
+                places.x[row] = x;
+                places.y[row] = y;
+                places.z[row] = z;
             }
             if (!hasMotion)
             {
-                last.forget(row);
+                places.forget(row);
             }
+        }
+
+        /**
+         * Whether the ground or the edges of a search are those that were read last, and have not changed since.
+         *
+         * @param row GROUND_ROW or EDGES_ROW
+         * @param agent the ground or the edges of the search, or null
+         */
+        public function isWorldAgentRead(row:int, agent:WorldAgent):Boolean
+        {
+            return list.agents[row] === agent && (agent == null || agent.revision == places.revisions[row]);
         }
 
         /** Reads the ground and the edges of the world for a search. Either may be null. */
@@ -151,9 +155,7 @@ package starlogo.search.table
 
         private function readWorldAgent(row:int, agent:WorldAgent):void
         {
-            var isOther:Boolean = list.agents[row] !== agent;
-            hasWorldChanged[row] = isOther || agent != null && agent.revision != places.last.revisions[row];
-            if (isOther)
+            if (list.agents[row] !== agent)
             {
                 list.agents[row] = agent;
                 shapes[row] = null;
@@ -201,7 +203,7 @@ package starlogo.search.table
         {
             narrowPhase.choice.forgetReplaced();
             var row:int = list.rowOf(agent);
-            if (row >= 0 && agent.revision == places.last.revisions[row] && isBodyCurrent(row))
+            if (row >= 0 && agent.revision == places.revisions[row] && isBodyCurrent(row))
             {
                 return bodyOf(row);
             }
@@ -218,7 +220,7 @@ package starlogo.search.table
         public function bodyOf(row:int):Body
         {
             var body:Body = _bodies[row];
-            body.moveToRow(row, places.last);
+            body.moveToRow(row, places);
             return body;
         }
 
@@ -228,22 +230,17 @@ package starlogo.search.table
             return shapes[row] != null && !shapes[row].isVoid && list.agents[row].bodyRevision == _bodyRevisions[row];
         }
 
-        // Reads the places of the rows whose agents have changed since the last search, and finds those whose bodies have changed (_reshaped).
-        // Nothing of the last search changes. Returns false if the rows do not belong to the agents.
-        private function readChanged(agents:Vector.<Agent>, listed:IntList):Boolean
+        // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). Returns false if the rows do not
+        // belong to the agents.
+        private function findChanged(agents:Vector.<Agent>, listed:IntList):Boolean
         {
             var rows:Vector.<int> = listed.numbers;
             var byRow:Vector.<Agent> = list.agents;
-            var seen:Vector.<int> = places.last.revisions;
+            var seen:Vector.<int> = places.revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var shapesSeen:Vector.<ModelShape> = shapes;
             var end:int = agents.length;
-            var changed:IntList = places.proposed;
-            var next:RowPlaces = places.next;
-            var xs:Vector.<Number> = next.x;
-            var ys:Vector.<Number> = next.y;
-            var zs:Vector.<Number> = next.z;
-            var revisions:Vector.<int> = next.revisions;
+            var changed:IntList = _changed;
             var reshaped:IntList = _reshaped;
             changed.count = reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
@@ -264,11 +261,6 @@ package starlogo.search.table
                         reshaped.add(row);
                     }
                     changed.add(row);
-                    var at:Placement = agent.placement;
-                    xs[row] = at.x;
-                    ys[row] = at.y;
-                    zs[row] = at.z;
-                    revisions[row] = agent.revision;
                     // also if the list is refused: then the next search reads the row again
                     breeds[row] = agent.breedNumber;
                 }
@@ -361,7 +353,7 @@ package starlogo.search.table
             var before:ModelShape = shapes[row];
             if (before == null || shape == null || shape.modelName != before.modelName)
             {
-                places.previous.forget(row);
+                places.endMotion(row);
             }
             // writing an object costs Adobe's VM more than comparing it first
             if (shape !== before)

@@ -6,10 +6,9 @@ package starlogo.search
     import starlogo.search.table.ListedAgents;
 
     /** The order of pairs, compared with a sort by comparisons. */
-    public class PairSorterTest
+    public class FoundPairsTest
     {
         private var _random:SeededRandom = new SeededRandom(7215);
-        private var _sorter:PairSorter = new PairSorter();
 
         [Test]
         public function isThatOfTheList():void
@@ -39,7 +38,6 @@ package starlogo.search
         private function check(list:ListedAgents, pairCount:int, haveTimes:Boolean):void
         {
             var pairs:FoundPairs = new FoundPairs(list);
-            var times:Vector.<Number> = new Vector.<Number>();
             var expected:Array = [];
             var timeOf:Object = {};
             pairs.begin();
@@ -51,14 +49,14 @@ package starlogo.search
                 if (timeOf[first + " " + second] == undefined)
                 {
                     expected.push([time, first, second]);
-                    times.push(time);
                     timeOf[first + " " + second] = time;
                     // after the agents comes the ground
-                    pairs.add(list.rows.numbers[first], second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.numbers[second]);
+                    var other:int = second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.numbers[second];
+                    pairs.addPairs(list.rows.numbers[first], new <int>[other], 1, haveTimes ? new <Number>[time] : null);
                 }
             }
             expected.sort(compare);
-            _sorter.sort(pairs, haveTimes ? times : null);
+            pairs.putInOrder(haveTimes);
             assertEquals(pairCount, pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {

@@ -3,11 +3,14 @@ package starlogo.broadphase
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
 
-    /** There are few levels of bins, whatever fits them. */
-    public class BinLevelsTest
+    /** There are few levels of cells, whatever the extents. */
+    public class ExtentsTest
     {
-        private var _levels:BinLevels = new BinLevels();
         private var _extents:Extents = new Extents();
+
+        // The levels that were needed, and how many they are.
+        private var _levels:Object = {};
+        private var _count:int = 0;
 
         [Before]
         public function makeLevels():void
@@ -21,14 +24,14 @@ package starlogo.broadphase
             for each (var place:Number in [0, 1e-9, 1, -50, 150])
             {
                 fit(0, place);
-                assertEquals(1, count());
-                assertTrue(String(place), !_levels.assign(_extents, 0));
+                assertEquals(1, _count);
+                assertTrue(String(place), _extents.levelsEndSquared > 0);
             }
             // with a unit sphere there are two
             fit(0.5, 50);
-            assertEquals(2, count());
+            assertEquals(2, _count);
             fit(1e-200, -30);
-            assertEquals(2, count());
+            assertEquals(2, _count);
         }
 
         [Test]
@@ -36,10 +39,10 @@ package starlogo.broadphase
         {
             for each (var place:Number in [1e6, 1e9, 1e15])
             {
-                var before:int = count();
+                var before:int = _count;
                 fit(0, place);
-                assertEquals(before + 1, count());
-                assertTrue(String(place), place * place < _levels.byIndex[_extents.level[0]].maxDistanceSquared);
+                assertEquals(before + 1, _count);
+                assertTrue(String(place), place < BinLevel.LEAST_WIDTH * Math.pow(2, _extents.level[0] - 1) * BinLevel.MAX_DISTANCE);
             }
         }
 
@@ -50,7 +53,7 @@ package starlogo.broadphase
             {
                 fit(size, 0);
             }
-            assertTrue(count() + " levels", count() < 70);
+            assertTrue(_count + " levels", _count < 70);
         }
 
         [Test]
@@ -67,12 +70,12 @@ package starlogo.broadphase
         {
             _extents.halfX[0] = _extents.halfY[0] = half;
             _extents.x[0] = place;
-            _levels.assign(_extents, 0);
-        }
-
-        private function count():int
-        {
-            return _levels.byWidth.length;
+            _extents.assignLevel(0);
+            if (!_levels[_extents.level[0]])
+            {
+                _levels[_extents.level[0]] = true;
+                _count++;
+            }
         }
     }
 }

@@ -35,16 +35,6 @@ package starlogo.search.penetration
         // contacts of random trees are longer, up to 11 times as long. With more than four hardly one is shorter.
         private static const MOST_CONTACTS:int = 4;
 
-        // When a contact after a push out of an agent counts as another side of the same corner. The push is at most LARGEST_CORNER long, as a fraction of
-        // the larger extent: after a longer one the two are deep in each other, and the contact of two of their parts says little about the whole. The
-        // cosine between the contact's normal and the push is at least LEAST_COSINE, because otherwise the contact leads back, as that of an opposite
-        // wall does; and at most MOST_COSINE, because otherwise it is the same side again. If the push is also this short for the smaller extent, the
-        // corner may be acute, and the contact may be of the same side: a face beside an edge that was met first. Then LEAST_ACUTE_COSINE alone counts.
-        private static const LARGEST_CORNER:Number = 1 / 16;
-        private static const LEAST_COSINE:Number = -0.1;
-        private static const LEAST_ACUTE_COSINE:Number = -0.99;
-        private static const MOST_COSINE:Number = 0.8;
-
         // How much farther than its depth a push leads out of each contact, as a fraction of SEPARATION. This is more than the gap across which
         // surfaces touch.
         private static const SLACK:Number = 0.001;
@@ -136,34 +126,17 @@ package starlogo.search.penetration
                 takePush(out);
                 return FREE;
             }
-            if (!findCorner(_tried.distance))
-            {
-                return NONE_LEFT;
-            }
-            add(contact);
+            addBlock();
             return BLOCKED;
         }
 
-        // Finds the contact at a distance along the current push, where the first body is and touches the second. Returns whether it may be a side
-        // of a corner. It may not if it points against the push, or along it after a long one, as for agents deep in each other. In the ground it
-        // always may.
-        private function findCorner(distance:Number):Boolean
+        // Adds the contact of the first body, which is blocked on its way along the current push.
+        private function addBlock():void
         {
-            var isGround:Boolean = _pair.isSecondGround;
-            if (!isGround && _pushes.length > LARGEST_CORNER * _pair.extent)
-            {
-                return false;
-            }
             _pair.findContactOfParts(contact);
-            var cosine:Number = contact.normalX * _tried.x + contact.normalY * _tried.y + contact.normalZ * _tried.z;
             // the body is a little farther than the push
-            contact.depth += (distance - _pushes.length) * cosine;
-            if (isGround)
-            {
-                return true;
-            }
-            var isShort:Boolean = _pushes.length <= 2 * LARGEST_CORNER * Math.min(_pair.first.largestHalf, _pair.second.largestHalf);
-            return isShort ? cosine > LEAST_ACUTE_COSINE : cosine > LEAST_COSINE && cosine < MOST_COSINE;
+            contact.depth += (_tried.distance - _pushes.length) * (contact.normalX * _tried.x + contact.normalY * _tried.y + contact.normalZ * _tried.z);
+            add(contact);
         }
 
         // Tries the current push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there, and _tried

@@ -349,6 +349,58 @@ package starlogo.search.penetration
             return new Model("corner", corners, triangles, Model.AS_GIVEN);
         }
 
+        // The way out of one sheet often leads into another.
+        [Test]
+        public function noWayOutOfALargeCrossIsTwiceAsLongAsNeeded():void
+        {
+            var land:GreatLand = new GreatLand();
+            for each (var degrees:Number in [15, 40, 80])
+            {
+                var cross:Model = cornerOf(degrees * Math.PI / 180, 1);
+                land.addModel(new Model(String(degrees), cross.vertices, cross.triangles));
+            }
+            var collider:HierarchicalCollider = new HierarchicalCollider(land);
+            for (var rest:int = Effort.choose(200, 3000); rest > 0; )
+            {
+                var small:Agent = turnedCross(_random.between(0.1, 0.3));
+                var large:Agent = turnedCross(1);
+                place(small, large, 0.7, 0);
+                if (collider.areColliding(small, large))
+                {
+                    rest--;
+                    var contact:Contact = collider.contactOf(small, large);
+                    _wrong.addIf(isFreeNearby(collider, small, large, contact.depth / 2), "a way out that is too long", describe(small, large, contact));
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        private function turnedCross(size:Number):Agent
+        {
+            var agent:Agent = new Agent(_random.pick(["15", "40", "80"]));
+            agent.size = size;
+            agent.heading = _random.between(0, 360);
+            agent.pitch = _random.between(-80, 80);
+            agent.roll = _random.between(0, 360);
+            return agent;
+        }
+
+        // Whether one agent would be free of another at one of some random places at a distance.
+        private function isFreeNearby(collider:Collider, agent:Agent, other:Agent, distance:Number):Boolean
+        {
+            var at:Vector3D = new Vector3D(agent.x, agent.y, agent.z);
+            var isFree:Boolean = false;
+            for (var i:int = 0; i < 60 && !isFree; i++)
+            {
+                var way:Vector3D = new Vector3D(_random.between(-1, 1), _random.between(-1, 1), _random.between(-1, 1));
+                way.normalize();
+                agent.moveTo(at.x + distance * way.x, at.y + distance * way.y, at.z + distance * way.z);
+                isFree = !collider.areColliding(agent, other);
+            }
+            agent.moveTo(at.x, at.y, at.z);
+            return isFree;
+        }
+
         // Where a sheet meets another on its way, a little back against the normal the two are apart too.
         [Test]
         public function noDepthIsNegative():void

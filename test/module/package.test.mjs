@@ -474,6 +474,11 @@ test("while a game is developed, what is made anew in each frame, traits that do
 			pack[1].x += 0.001;
 			places.countNear(wolf, 3);
 		}
+		for (let i = 0; i < 40; i++) {
+			const other = new Collision(new TightestFitCollider(new GreatLand()));
+			other.onCollision("cats", "dogs", () => {});
+			other.update([]);
+		}
 		console.log(JSON.stringify(said));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const said = run("starlogo-collision.js");

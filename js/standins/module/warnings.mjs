@@ -23,7 +23,7 @@ const $falls = /* @__PURE__ */ new WeakMap();
 const $walks = /* @__PURE__ */ new Map();
 const $stops = /* @__PURE__ */ new Map();
 const $breedsOf = /* @__PURE__ */ new WeakMap();
-const $additions = /* @__PURE__ */ new Map();
+const $additions = /* @__PURE__ */ new WeakMap();
 const $lists = /* @__PURE__ */ new WeakMap();
 const $angles = { count: 0, least: 0, most: 0 };
 let $anglesToSee = 20000;
@@ -163,7 +163,6 @@ export function $warnOfHandler(breed, otherBreed, handler, kind) {
 	const breeds = `${JSON.stringify(breed)} and ${JSON.stringify(otherBreed)}`;
 	const name = `the handler ${handler.name || "without a name"} for ${breeds}`;
 	$breedsOf.set(handler, ($breedsOf.get(handler) ?? new Set()).add(breeds));
-	if ($areAddedAlways(breeds)) $warn(`handlers for ${breeds} were added in ${$MANY_FRAMES} frames in turn, and all of them run: add a handler once, before the first frame`);
 	if (handler.length > 3) $warn(`${name} has ${handler.length} parameters, and gets three arguments: the two agents and the contact`);
 	const text = Function.prototype.toString.call(handler);
 	const [first, second, third] = parametersOf(text).split(",").map((each) => each.trim());
@@ -172,10 +171,10 @@ export function $warnOfHandler(breed, otherBreed, handler, kind) {
 }
 
 /** Warns of a handler that removeHandler cannot find, because it was added for other breeds, or is another function with the same text. */
-export function $warnOfRemoval(breed, otherBreed, handler) {
+export function $warnOfRemoval(collision, breed, otherBreed, handler) {
 	if (typeof handler !== "function") return;
 	const [breeds, added] = [`${JSON.stringify(breed)} and ${JSON.stringify(otherBreed)}`, $breedsOf.get(handler)];
-	$additions.delete(breeds);
+	$additions.get(collision)?.delete(breeds);
 	if (added?.has(breeds)) return;
 	const why = added ? `is one for ${[...added].join(", ")}` : "was never added: a function that => or bind() makes anew is another one. Keep the one that was added";
 	$warn(`removeHandler removes nothing for ${breeds}: the function ${handler.name || "without a name"} ${why}`);
@@ -187,13 +186,19 @@ function $readsBlindly(text, name) {
 	return new RegExp(`\\b${name}\\s*[.[]`).test(text) && !new RegExp(`\\b${name}\\s*(?:\\?|&&|\\|\\||[!=]=)|!\\s*${name}\\b|\\(\\s*${name}\\s*\\)`).test(text);
 }
 
-/** Whether handlers of two breeds are added in each frame, now for the last of many. A game may have some Collisions, whose frames count one by one. */
-function $areAddedAlways(breeds) {
-	const before = $additions.get(breeds);
-	if (before?.frame === $frames) return false;
+/**
+ * Warns of handlers of two breeds that are added in each frame, at the last of many in turn. A game may have some Collisions, whose frames count one by
+ * one.
+ */
+export function $warnOfAddition(collision, breed, otherBreed) {
+	const breeds = `${JSON.stringify(breed)} and ${JSON.stringify(otherBreed)}`;
+	let additions = $additions.get(collision);
+	if (!additions) $additions.set(collision, additions = new Map());
+	const before = additions.get(breeds);
+	if (before?.frame === $frames) return;
 	const frames = $frames - before?.frame <= $MOST_COLLISIONS ? before.frames + 1 : 1;
-	$additions.set(breeds, { frame: $frames, frames });
-	return frames === $MANY_FRAMES;
+	additions.set(breeds, { frame: $frames, frames });
+	if (frames === $MANY_FRAMES) $warn(`handlers for ${breeds} were added in ${$MANY_FRAMES} frames in turn, and all of them run: add a handler once, before the first frame`);
 }
 
 /**

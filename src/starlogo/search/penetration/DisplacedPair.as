@@ -9,7 +9,6 @@ package starlogo.search.penetration
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
-    import starlogo.search.ModelShape;
     import starlogo.search.pairs.PairTests;
 
     use namespace engine;
@@ -116,12 +115,6 @@ package starlogo.search.penetration
             OverlapMiddle.movePoint(first, second, out);
             OverlapMiddle.keepWithin(first, out);
             OverlapMiddle.keepWithin(second, out);
-        }
-
-        /** Whether the second body is the ground. */
-        public function get isSecondGround():Boolean
-        {
-            return second.form == ModelShape.GROUND;
         }
 
         /** Puts the first body where it was at the touch. */

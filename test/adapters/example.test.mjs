@@ -58,7 +58,7 @@ async function play(name, frames, pattern, ask = () => null) {
 
 test("the example's models collide, turn away and are drawn", () => play("three", 25, /^A (?:bear|seagull) turns away from a (?:bear|seagull|tree)$/));
 
-const figures = /^[\d.]+ ms a frame for 41 who walk, \d+ bullets? and the camera; \d+ shots?, \d+ hits?$/;
+const figures = /^[\d.]+ ms a frame for 41 walkers, \d+ bullets? and the camera; \d+ shots?, \d+ hits?$/;
 
 test("the level's game goes on by itself, and going back to what was saved gives the same game again", () => play("level", 20, figures, async (page) => {
 	const { first, again, moved } = await page.evaluate(async () => {

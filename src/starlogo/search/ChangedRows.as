@@ -26,6 +26,7 @@ package starlogo.search
         private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
 
         private var _table:AgentTable;
+
         // The members of the last search.
         private var _cells:CellLists;
 

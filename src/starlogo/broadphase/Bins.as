@@ -80,7 +80,7 @@ package starlogo.broadphase
         // Puts the members into the order of their cells, by a counting sort.
         private function sort(extents:Extents, members:IntList):void
         {
-            makeLevels(extents.coarsest);
+            makeLevels(extents);
             countMembers(extents, members);
             var bucketCount:int = layOutBuckets();
             makeRoom(bucketCount, members.count);
@@ -95,13 +95,12 @@ package starlogo.broadphase
             copyCircles(extents, slots);
         }
 
-        // Makes the levels up to the coarsest that is needed. Each has cells twice as wide as the one before.
-        private function makeLevels(coarsest:int):void
+        // Makes the levels up to the coarsest that is needed.
+        private function makeLevels(extents:Extents):void
         {
-            while (levels.length <= coarsest)
+            while (levels.length <= extents.coarsest)
             {
-                var before:BinLevel = levels[levels.length - 1];
-                levels.push(new BinLevel(levels.length, before == null ? BinLevel.LEAST_WIDTH : 2 * before.width));
+                levels.push(new BinLevel(levels.length, extents.levelWidths[levels.length]));
             }
         }
 

@@ -30,8 +30,8 @@ package starlogo.broadphase
         internal var finest:int = int.MAX_VALUE;
         internal var coarsest:int = 0;
 
-        // By index, for the levels so far: the width. The first is none.
-        private var _widths:Vector.<Number> = new <Number>[0, BinLevel.LEAST_WIDTH];
+        // By index, for the levels so far: the width of the cells. The first is none.
+        internal var levelWidths:Vector.<Number> = new <Number>[0, BinLevel.LEAST_WIDTH];
 
         // Whether a row ever had a coarser level because it was far out. From then on each row that moves is assigned a level, so it gets a finer one
         // when it comes back.
@@ -89,7 +89,7 @@ package starlogo.broadphase
             var middleZ:Number = z[row];
             var fromPlace:Number = offset[row];
             var distanceSquared:Number = Math.max(middleX * middleX + middleY * middleY + middleZ * middleZ, fromPlace * fromPlace);
-            var width:Number = _widths[level[row]];
+            var width:Number = levelWidths[level[row]];
             var end:Number = width * BinLevel.MAX_DISTANCE;
             if (2 * half <= width && (4 * half > width || width == BinLevel.LEAST_WIDTH) && distanceSquared < end * end)
             {
@@ -121,7 +121,7 @@ package starlogo.broadphase
             {
                 return Infinity;
             }
-            var end:Number = _widths[finest] * BinLevel.MAX_DISTANCE;
+            var end:Number = levelWidths[finest] * BinLevel.MAX_DISTANCE;
             return end * end;
         }
 
@@ -129,11 +129,11 @@ package starlogo.broadphase
         private function levelFor(least:Number):int
         {
             var index:int = 1;
-            while (_widths[index] < least && _widths[index] < Infinity)
+            while (levelWidths[index] < least && levelWidths[index] < Infinity)
             {
-                if (index + 1 == _widths.length)
+                if (index + 1 == levelWidths.length)
                 {
-                    _widths.push(2 * _widths[index]);
+                    levelWidths.push(2 * levelWidths[index]);
                 }
                 index++;
             }

@@ -12,8 +12,8 @@ package starlogo.models
      * <listing version="3.0">model.pose(animations.verticesAt(0, seconds % animations.durationOf(0)));</listing>
      *
      * <p>Nodes that move, turn and scale, skins, and the weights of morph targets are animated, with linear, stepped and cubic keys. What
-     * extensions animate (KHR_animation_pointer) is ignored, and so are sparse changes of a file's visibility. An animation of a node with a
-     * matrix is refused. COLLADA's animations are not read.</p>
+     * extensions animate (KHR_animation_pointer) is ignored. An animation of a node with a matrix is refused. COLLADA's animations are not
+     * read.</p>
      */
     public final class GltfAnimations
     {

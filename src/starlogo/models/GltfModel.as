@@ -16,7 +16,8 @@ package starlogo.models
      * GltfAnimations reads animations.</p>
      *
      * <p>A file is refused if it is compressed with Draco or meshopt, or if it requires an unknown extension. Optional extensions are
-     * ignored. Extensions for materials, textures and lights are ignored too. The y axis points up in glTF and is turned to z. In a
+     * ignored. Extensions for materials, textures and lights are ignored too. A node counts even if it is invisible
+     * (KHR_node_visibility). The y axis points up in glTF and is turned to z. In a
      * mirrored node, the corner order of each triangle is reversed, so that triangles still face outwards. Vertices that no triangle uses
      * are left out. Cost: linear in the file and in the geometry that its nodes place.</p>
      */

@@ -17,7 +17,7 @@ package starlogo.steps
      * cut().</p>
      *
      * <p>Nothing is called before the first step. A part is released when it is done. If a part is added when no step was left, there are
-     * steps again.</p>
+     * steps again. A step that throws is not done: the next call does it again.</p>
      *
      * <p>Use it in every class of the engine that works in phases. An internal class extends this one and adds its parts in the
      * constructor. A class that clients name keeps a sequence in a field, and its <code>step()</code> calls the sequence's. To do the work
@@ -63,9 +63,9 @@ package starlogo.steps
             var next:int = 0;
             return repeat(function():Boolean
                 {
-                    var first:int = next;
-                    next = Math.min(first + size, count);
-                    work(first, next);
+                    var end:int = Math.min(next + size, count);
+                    work(next, end);
+                    next = end;
                     return next < count;
                 });
         }
@@ -98,7 +98,8 @@ package starlogo.steps
                 {
                     if (made == null || !made.step())
                     {
-                        made = next < count ? make(next++) : null;
+                        made = next < count ? make(next) : null;
+                        next++;
                     }
                     return made != null;
                 });

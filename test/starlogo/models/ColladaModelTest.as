@@ -33,6 +33,9 @@ package starlogo.models
             }
             var cooked:ByteArray = new GreatLand().cook(new ColladaModel("a", text, null, Model.AS_GIVEN));
             assertEquals("0,0,0,2,0,0,0,4,0", CookedModel.fromBytes("a", cooked).vertices.join());
+            // the file's own numbers are cooked, and the unit as a transform: 72 bytes
+            var plain:ByteArray = new GreatLand().cook(new ColladaModel("a", text.replace("0.01", "1"), null, Model.AS_GIVEN));
+            assertTrue(cooked.length + " bytes", cooked.length < plain.length + 80);
         }
 
         [Test]

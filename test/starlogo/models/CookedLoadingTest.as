@@ -149,6 +149,28 @@ package starlogo.models
         }
 
         [Test(async, timeout="150000")]
+        public function aCookedFileThatIsRefusedLeavesTheProgress():void
+        {
+            var cooked:ByteArray = newGame().cook(new ObjModel("bear", OBJ));
+            var offering:ModelLoader = watched(new OfferingLoader(_greatLand, 0.001, {"m.json": encoded(MANIFEST), "bear.obj.cooked": cooked, "bear.obj": encoded(OBJ)}));
+            offering.manifest = "m.json";
+            var progress:Array = [];
+            offering.addEventListener(ProgressEvent.PROGRESS, function(event:ProgressEvent):void
+                {
+                    progress.push(event.bytesLoaded);
+                });
+            offering.load("y", "bear.obj", "y");
+            whenComplete(offering, function():void
+                {
+                    assertTrue("" + progress, progress.length > 4);
+                    for (var i:int = 1; i < progress.length; i++)
+                    {
+                        assertTrue("" + progress, progress[i] >= progress[i - 1]);
+                    }
+                });
+        }
+
+        [Test(async, timeout="150000")]
         public function aTransformBesideTheModelIsCookedWithIt():void
         {
             var transform:ModelTransform = ModelTransform.fromText("rotate 0 90 0\nscale 1 2 3");
@@ -245,6 +267,21 @@ package starlogo.models
             assertEquals(null, manifest.addressFor("a/bear.obj"));
             fetch(manifest, "x");
             assertEquals("a/x", manifest.addressFor("a/bear.obj"));
+        }
+
+        [Test]
+        public function anEntryThatIsNoObjectHidesNoOther():void
+        {
+            var manifest:CookedManifest = new CookedManifest("m.json");
+            manifest.fetch(function():URLLoader
+                {
+                    return new OfferingURLLoader({"m.json": encoded("{\"models\": {\"a.obj\": \"x\", \"b.obj\": 3, \"c.obj\": null, \"bear.obj\": {\"cooked\": \"x\"}}}")});
+                });
+            for each (var file:String in ["a.obj", "b.obj", "c.obj"])
+            {
+                assertEquals(null, manifest.addressFor(file));
+            }
+            assertEquals("x", manifest.addressFor("bear.obj"));
         }
 
         // Has a list come in which the bear's cooked file has an address.

@@ -91,6 +91,9 @@ package starlogo.models
                     StlModel.fromBytes("a", binaryOf([TETRAHEDRON[0], [0, 0, 0, 1, NaN, 3, 0, 0, 0]]));
                 });
             Failures.assertFails("", "no vertices", StlModel.fromBytes, "a", binaryOf([]));
+            var other:ByteArray = binaryOf([]);
+            other.length = 200;
+            Failures.assertFails("", "no STL file", StlModel.fromBytes, "a", other);
             Failures.assertFails("", "the up axis must be", StlModel.fromBytes, "a", binaryOf(TETRAHEDRON), "up");
             var whole:ByteArray = binaryOf(TETRAHEDRON);
             for (var length:int = 0; length < whole.length; length++)

@@ -93,6 +93,30 @@ package starlogo.steps
         }
 
         [Test]
+        public function aStepThatThrowsIsDoneAgain():void
+        {
+            var work:StepSequence = new StepSequence().slices(3, 1, function(first:int, end:int):void
+                {
+                    noteSlice(first, end);
+                    if (first == 1)
+                    {
+                        throw new ArgumentError("broken");
+                    }
+                });
+            assertTrue(work.step());
+            assertThrows(ArgumentError, /broken/, work.step);
+            assertThrows(ArgumentError, /broken/, work.step);
+            assertEquals("0-1,1-2,1-2", _log.join());
+
+            work = new StepSequence().beginEach(2, function(index:int):Steps
+                {
+                    throw new ArgumentError("work " + index);
+                });
+            assertThrows(ArgumentError, /work 0/, work.step);
+            assertThrows(ArgumentError, /work 0/, work.step);
+        }
+
+        [Test]
         public function finishDoesAllThatIsLeft():void
         {
             var work:StepSequence = new StepSequence().call(note("a")).repeat(countDown).begin(makeTwo);

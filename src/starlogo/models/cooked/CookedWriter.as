@@ -27,27 +27,31 @@ package starlogo.models.cooked
         public static function of(model:Model):ByteArray
         {
             var source:Vector.<Number> = model.source.toSource(model.vertices);
-            for (var form:int = 0; form <= CookedReader.SINGLE; form++)
+            var transform:ModelTransform = transformOf(model.data);
+            // a transform that mirrors would reverse the triangles and what they have once more
+            var isMirror:Boolean = transform != null && transform.isMirror;
+            for (var form:int = 0; form <= CookedReader.SINGLE && !isMirror; form++)
             {
                 var points:Vector.<Number> = form < CookedReader.SINGLE ? multiples(source, CookedReader.divisorOf(form)) : singles(source);
-                if (areSourceOf(points, model))
+                if (areSourceOf(points, model, transform))
                 {
-                    return write(model, form, points);
+                    return write(model, form, points, transform);
                 }
             }
             refuseIf(SourceFrame.of(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
-            return write(model, CookedReader.DOUBLE, model.vertices);
+            return write(model, CookedReader.DOUBLE, model.vertices, null);
         }
 
-        // Whether a model of these points and the model's triangles is the model: the vertices and the place in the source are equal to the last bit. It is
-        // not if the transform mirrors, because that reverses the triangles and what they have.
-        private static function areSourceOf(points:Vector.<Number>, model:Model):Boolean
+        // The transform that takes the source to the model; null for none. A file's unit is a scale.
+        private static function transformOf(data:ModelData):ModelTransform
         {
-            var transform:ModelTransform = model.data.transform;
-            if (transform != null && transform.isMirror)
-            {
-                return false;
-            }
+            var hasUnit:Boolean = data.transform == null && data.scaling == Model.AS_GIVEN && data.unit != 1;
+            return hasUnit ? new ModelTransform(null, new Vector3D(data.unit, data.unit, data.unit)) : data.transform;
+        }
+
+        // Whether a model of these points and the model's triangles is the model: the vertices and the place in the source are equal to the last bit.
+        private static function areSourceOf(points:Vector.<Number>, model:Model, transform:ModelTransform):Boolean
+        {
             var made:ModelData = ModelData.of(model.name, points, model.triangles, model.data.scaling, transform);
             return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.frame.numbers, model.source.numbers);
         }
@@ -78,11 +82,10 @@ package starlogo.models.cooked
             return points;
         }
 
-        private static function write(model:Model, form:int, points:Vector.<Number>):ByteArray
+        private static function write(model:Model, form:int, points:Vector.<Number>, transform:ModelTransform):ByteArray
         {
             var out:ByteArray = CookedFile.newBytes();
             var data:ModelData = model.data;
-            var transform:ModelTransform = form == CookedReader.DOUBLE ? null : data.transform;
             var triangles:Vector.<uint> = model.triangles || new Vector.<uint>();
             VarInt.write(Model.SCALINGS.indexOf(data.scaling), out);
             VarInt.write(form, out);

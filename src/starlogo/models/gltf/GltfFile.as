@@ -30,7 +30,7 @@ package starlogo.models.gltf
         private static const DATA:RegExp = /^data:/i;
         private static const BASE64:RegExp = /;base64$/i;
 
-        // extensions that are read (quantization), or that do not change shapes
+        // extensions that are read (quantization), or that do not change shapes: an invisible node counts too
         private static const SUPPORTED:RegExp = /^(KHR_mesh_quantization|KHR_(materials|techniques?|texture|lights|xmp|node)_|EXT_(texture|lights)_|MSFT_texture_|KHR_animation_pointer)/;
         internal static const DRACO:String = "KHR_draco_mesh_compression";
         private static const MESHOPT:RegExp = /^(EXT|KHR)_meshopt_compression$/;

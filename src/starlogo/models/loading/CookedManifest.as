@@ -50,8 +50,7 @@ package starlogo.models.loading
             }
             _models ||= read(bytes);
             var name:String = parts[1].substr(folder.length);
-            var entry:Object = _models["#" + name];
-            var cooked:Object = entry == null ? null : entry["cooked"];
+            var cooked:Object = _models["#" + name];
             // the model's own address may be anywhere, because the game chose it
             var own:String = cooked is String ? String(cooked) : "";
             own = own.indexOf(name) == 0 ? own.substr(name.length) : own;
@@ -68,7 +67,8 @@ package starlogo.models.loading
                 var listed:Object = JSON.parse(bytes.readUTFBytes(bytes.length)).models;
                 for (var name:String in listed)
                 {
-                    models["#" + name] = listed[name];
+                    var entry:Object = listed[name];
+                    models["#" + name] = entry != null && entry.hasOwnProperty("cooked") ? entry["cooked"] : null;
                 }
             }
             catch (error:Error)

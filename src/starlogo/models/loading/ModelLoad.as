@@ -28,9 +28,9 @@ package starlogo.models.loading
      */
     public final class ModelLoad extends StepSequence
     {
-        // the progress of a model when its file has arrived, and when it is read
-        private static const FETCHED:Number = 0.2;
+        // the progress of a model when it is read, and the share of this that fetching its file is
         private static const READ:Number = 0.5;
+        private static const FETCHING:Number = 0.4;
 
         /** The model's name. */
         public var name:String;
@@ -54,6 +54,9 @@ package starlogo.models.loading
         private var _url:String = null;
         private var _usesTransforms:Boolean = false;
         private var _manifest:CookedManifest = null;
+
+        // the progress of a cooked file that gave no model; 0 if there was none
+        private var _tried:Number = 0;
 
         // The file and its transform file, or its cooked file. Then the other files that its reader asks for, and the function that takes each.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
@@ -91,12 +94,10 @@ package starlogo.models.loading
             {
                 return READ;
             }
-            if (_maker != null)
-            {
-                var before:Number = _url == null ? 0 : FETCHED;
-                return before + (READ - before) * _maker.progress;
-            }
-            return _downloads.length == 0 ? 0 : FETCHED * _downloads[0].progress;
+            var fetching:Number = _url == null ? 0 : FETCHING;
+            var fetched:Number = _downloads.length == 0 ? 0 : _downloads[0].progress;
+            var share:Number = _maker == null ? fetching * fetched : fetching + (1 - fetching) * _maker.progress;
+            return _tried + (READ - _tried) * share;
         }
 
         /**
@@ -186,6 +187,7 @@ package starlogo.models.loading
             }
             catch (error:ModelError)
             {
+                _tried = progress;
                 _maker = null;
                 fetchFile();
             }

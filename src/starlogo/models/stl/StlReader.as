@@ -96,11 +96,13 @@ package starlogo.models.stl
 
         /**
          * Whether the bytes are a binary file: at least as long as the facet count requires. In a text file, four characters stand in the
-         * count's place, so the count would be too large. Binary files that begin with "solid" are recognised too.
+         * count's place, so the count would be too large. Binary files that begin with "solid" are recognised too. A file without facets
+         * ends after the count.
          */
         public static function isBinary(bytes:ByteArray):Boolean
         {
-            return bytes.length >= HEADER_LENGTH && HEADER_LENGTH + Number(FACET_LENGTH) * countIn(bytes) <= bytes.length;
+            var count:uint = countIn(bytes);
+            return count == 0 ? bytes.length == HEADER_LENGTH : HEADER_LENGTH + Number(FACET_LENGTH) * count <= bytes.length;
         }
 
         /** Whether the text is an STL file's text. */

@@ -178,7 +178,10 @@ package starlogo
         public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
             requireGiven("model", model);
-            requireUpAxis(model.name, upAxis, upAxis is SourceTransform);
+            if (!(upAxis is SourceTransform))
+            {
+                requireUpAxis(model.name, upAxis);
+            }
             var preparation:ModelPreparation = preparing(model, null);
             finish(preparation);
             return preparation.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));

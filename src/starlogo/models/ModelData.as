@@ -88,8 +88,11 @@ package starlogo.models
             var data:ModelData = new ModelData(name);
             data.scaling = scaling;
             data.transform = upAxis as ModelTransform;
-            requireUpAxis(name, upAxis, data.transform != null);
-            data.upAxis = data.transform == null ? String(upAxis) : "z";
+            if (data.transform == null)
+            {
+                requireUpAxis(name, upAxis);
+                data.upAxis = String(upAxis);
+            }
             return data;
         }
 

@@ -27,6 +27,7 @@ package starlogo.models
 
         private static const VERTICES_PER_STEP:int = 4000;
         private static const CORNERS_PER_STEP:int = 20000;
+        private static const TRIANGLES_PER_STEP:int = 10000;
 
         private var _data:ModelData;
 
@@ -94,7 +95,12 @@ package starlogo.models
                 _data.frame = new SourceFrame();
                 addPlacing();
             }
-            slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners).call(close);
+            slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners);
+            if (_data.transform != null && _data.transform.isMirror)
+            {
+                slices(_data.triangles.length / 3, TRIANGLES_PER_STEP, turnOver);
+            }
+            call(close);
         }
 
         private function addPlacing():void
@@ -231,22 +237,23 @@ package starlogo.models
             refuseIf(problem != null, _data.name, problem);
         }
 
-        // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.
+        // A mirror image's triangles get the reverse corner order, so that they still face outwards.
+        private function turnOver(first:int, end:int):void
+        {
+            var triangles:Vector.<uint> = _data.triangles;
+            for (var second:int = 3 * first + 1; second < 3 * end; second += 3)
+            {
+                var third:int = second + 1;
+                var corner:uint = triangles[second];
+                triangles[second] = triangles[third];
+                triangles[third] = corner;
+            }
+        }
+
         private function close():void
         {
-            var isMirror:Boolean = _data.transform != null && _data.transform.isMirror;
-            for each (var labels:TriangleLabels in [_data.materials, _data.meshes])
-            {
-                labels.close(_data.triangles.length / 3);
-                if (isMirror)
-                {
-                    labels.reverse();
-                }
-            }
-            if (isMirror)
-            {
-                _data.triangles.reverse();
-            }
+            _data.materials.close(_data.triangles.length / 3);
+            _data.meshes.close(_data.triangles.length / 3);
             _data.vertices.fixed = _data.triangles.fixed = true;
             _data.triangles = _data.triangles.length == 0 ? null : _data.triangles;
         }

@@ -74,18 +74,6 @@ package starlogo.models
             names = null;
         }
 
-        /** Reverses the order of the triangles, after <code>close()</code>. */
-        public function reverse():void
-        {
-            var count:int = _starts[_runs.length];
-            _runs.reverse();
-            _starts.reverse();
-            for (var i:int = 0; i < _starts.length; i++)
-            {
-                _starts[i] = count - _starts[i];
-            }
-        }
-
         /** The number of each triangle, -1 for none, after <code>close()</code>. Always the same list. Null if no triangle has a number. */
         public function get numbers():Vector.<int>
         {

@@ -15,21 +15,22 @@ package starlogo.models
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // A mark for each vertex: 1 if it is used. Then the new index of each vertex that is used.
-        private var _marks:Vector.<uint>;
+        private var _isUsed:Vector.<uint>;
 
+        // the new index of each vertex that is used, and the number of these
+        private var _newIndices:Vector.<int>;
         private var _count:int = 0;
 
         /**
          * @param vertices x, y, z, ...; changed in place
          * @param triangles indices of used vertices; changed to the new indices
-         * @param marks 1 for each vertex that is kept although no triangle uses it, 0 for the others; overwritten
+         * @param isUsed 1 for each vertex that is kept although no triangle uses it, 0 for the others; the triangles' vertices get a 1
          */
-        public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>, marks:Vector.<uint>)
+        public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>)
         {
             _vertices = vertices;
             _triangles = triangles;
-            _marks = marks;
+            _isUsed = isUsed;
             slices(triangles.length, CORNERS_PER_STEP, markUsed).call(addClosing);
         }
 
@@ -37,15 +38,16 @@ package starlogo.models
         {
             for (var i:int = first; i < end; i++)
             {
-                _marks[_triangles[i]] = 1;
+                _isUsed[_triangles[i]] = 1;
             }
         }
 
         private function addClosing():void
         {
-            if (_marks.indexOf(0) >= 0)
+            if (_isUsed.indexOf(0) >= 0)
             {
-                slices(_marks.length, VERTICES_PER_STEP, moveVertices).slices(_triangles.length, CORNERS_PER_STEP, renumber);
+                _newIndices = new Vector.<int>(_isUsed.length);
+                slices(_isUsed.length, VERTICES_PER_STEP, moveVertices).call(cutVertices).slices(_triangles.length, CORNERS_PER_STEP, renumber);
             }
         }
 
@@ -54,25 +56,28 @@ package starlogo.models
         {
             for (var i:int = first; i < end; i++)
             {
-                if (_marks[i] != 0)
+                if (_isUsed[i] != 0)
                 {
                     var from:int = 3 * i;
                     var to:int = 3 * _count;
                     _vertices[to] = _vertices[from];
                     _vertices[int(to + 1)] = _vertices[int(from + 1)];
                     _vertices[int(to + 2)] = _vertices[int(from + 2)];
-                    _marks[i] = _count++;
+                    _newIndices[i] = _count++;
                 }
             }
         }
 
+        private function cutVertices():void
+        {
+            _vertices.length = 3 * _count;
+        }
+
         private function renumber(first:int, end:int):void
         {
-            // also without triangles, because slices() calls this once then
-            _vertices.length = 3 * _count;
             for (var i:int = first; i < end; i++)
             {
-                _triangles[i] = _marks[_triangles[i]];
+                _triangles[i] = _newIndices[_triangles[i]];
             }
         }
     }

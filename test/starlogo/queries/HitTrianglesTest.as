@@ -51,9 +51,11 @@ package starlogo.queries
             var plain:Model = new ObjModel("a", text, "z", Model.AS_GIVEN);
             var mirror:Model = new ObjModel("a", text, new ModelTransform(null, new Vector3D(-1, 1, 1)), Model.AS_GIVEN);
             assertEquals("0,1,1", plain.materials.join());
-            assertEquals("1,1,0", mirror.materials.join());
+            assertEquals("0,1,1", mirror.materials.join());
+            assertEquals("0,2,1,1,4,3,1,2,4", mirror.triangles.join());
             var cooked:Model = CookedModel.fromBytes("a", new GreatLand().cook(mirror));
-            assertEquals("1,1,0", cooked.materials.join());
+            assertEquals("0,1,1", cooked.materials.join());
+            assertEquals(mirror.triangles.join(), cooked.triangles.join());
         }
 
         [Test]

@@ -28,7 +28,7 @@ package starlogo.models.cooked
         {
             var source:Vector.<Number> = model.source.toSource(model.vertices);
             var transform:ModelTransform = transformOf(model.data);
-            // a transform that mirrors would reverse the triangles and what they have once more
+            // a transform that mirrors would turn the triangles over once more
             var isMirror:Boolean = transform != null && transform.isMirror;
             for (var form:int = 0; form <= CookedReader.SINGLE && !isMirror; form++)
             {

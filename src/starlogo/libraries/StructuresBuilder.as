@@ -71,7 +71,7 @@ package starlogo.libraries
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a
          *     coordinate is not finite or beyond 1e60; if a fitter finds a structure that cannot be collided or does not enclose the vertices, or
          *     refuses the vertices; the message names the shape
-         * @throws RangeError as a structure's constructor
+         * @throws RangeError as a structure's constructor; the message names the shape
          */
         override public function step():Boolean
         {
@@ -82,6 +82,10 @@ package starlogo.libraries
             catch (error:ArgumentError)
             {
                 throw ModelTable.errorOf(_name, error.message);
+            }
+            catch (error:RangeError)
+            {
+                throw new RangeError(ModelTable.problemOf(_name, error.message));
             }
             return false;
         }

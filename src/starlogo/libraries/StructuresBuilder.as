@@ -79,13 +79,13 @@ package starlogo.libraries
             {
                 return super.step();
             }
-            catch (error:ArgumentError)
+            catch (error:Error)
             {
-                throw ModelTable.errorOf(_name, error.message);
-            }
-            catch (error:RangeError)
-            {
-                throw new RangeError(ModelTable.problemOf(_name, error.message));
+                if (error is ArgumentError || error is RangeError)
+                {
+                    error.message = ModelTable.problemOf(_name, error.message);
+                }
+                throw error;
             }
             return false;
         }

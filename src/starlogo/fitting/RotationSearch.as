@@ -166,8 +166,8 @@ package starlogo.fitting
             }
         }
 
-        // The extent in a direction of the plane, at least the shortest one. The entries of corners at index and index + 1 are the extreme corners of the last call,
-        // and receive the new ones.
+        // The extent in a direction of the plane of x and y, at least the shortest one. The entries of corners at index and index + 1 are the
+        // extreme corners of the last call, and receive the new ones.
         private function extentAlong(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
         {
             var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
@@ -176,21 +176,21 @@ package starlogo.fitting
             return extent > _shortest ? extent : _shortest;
         }
 
-        // Finds the corner that is farthest in a direction of a plane. Plane 0 is the plane of x and y, and plane 1 that of y and z. The
-        // search spends nearly all its time here.
-        private function climb(corner:int, plane:int, alongFirst:Number, alongSecond:Number):int
+        // Finds the corner that is farthest in a direction, which has two components: along the coordinate at the offset, 0 for x and 1 for y, and
+        // along the next one. The search spends nearly all its time here.
+        private function climb(corner:int, offset:int, alongFirst:Number, alongSecond:Number):int
         {
             var rotated:Vector.<Number> = _rotated;
             var neighbors:Vector.<int> = _hull.neighbors;
             var firstNeighbor:Vector.<int> = _hull.firstNeighbor;
-            var at:int = 3 * corner + plane;
+            var at:int = 3 * corner + offset;
             var best:Number = alongFirst * rotated[at] + alongSecond * rotated[at + 1];
             var end:int = firstNeighbor[corner + 1];
             var i:int = firstNeighbor[corner];
             while (i < end)
             {
                 var neighbor:int = neighbors[i];
-                at = 3 * neighbor + plane;
+                at = 3 * neighbor + offset;
                 var value:Number = alongFirst * rotated[at] + alongSecond * rotated[at + 1];
                 if (value > best)
                 {

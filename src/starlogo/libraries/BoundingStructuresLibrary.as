@@ -126,7 +126,7 @@ package starlogo.libraries
         {
             var builder:StructuresBuilder = newBuilder(name, vertices);
             finish(builder);
-            models.entryToWrite(name).structures = builder.structures;
+            models.entryToWrite(name).setStructures(builder.structures);
         }
 
         /** Whether the library has structures for a shape. */

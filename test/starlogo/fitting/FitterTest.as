@@ -253,6 +253,35 @@ package starlogo.fitting
             assertEquals(2, counting.count);
         }
 
+        [Test]
+        public function fittersOfOneSignatureShareAFit():void
+        {
+            var session:FitSession = new FitSession(PointSets.box(1, 2, 3));
+            assertTrue(session.fitOf(new MinimalSphereFitter()) === session.fitOf(new MinimalSphereFitter()));
+            assertFalse(session.fitOf(new OrientedBoxFitter(10)) === session.fitOf(new OrientedBoxFitter(15)));
+            var counting:CountingFitter = new CountingFitter();
+            session.structureOf(counting);
+            session.structureOf(new CapsuleFitter(new CountingFitter()));
+            assertEquals(1, counting.count);
+            // a cylinder has no signature
+            assertFalse(session.fitOf(new CylinderFitter(counting)) === session.fitOf(new CylinderFitter(counting)));
+        }
+
+        // What a box's setting becomes while the box is found does not count for the capsule either.
+        [Test]
+        public function aCapsuleKeepsTheBoxThatItBeganWith():void
+        {
+            var random:SeededRandom = new SeededRandom(59);
+            var points:Vector.<Number> = PointSets.turned(PointSets.cloud(random, 40, 1, 0.5, 0.2), random);
+            var oriented:OrientedBoxFitter = new OrientedBoxFitter(10);
+            var expected:Number = new CapsuleFitter(oriented).fit(points).volume;
+            var work:Fit = new CapsuleFitter(oriented).fitting(new FitSession(points));
+            oriented.degIncrement = 90;
+            finish(work);
+            assertEquals(expected, work.structure.volume);
+            assertTrue(new CapsuleFitter(oriented).fit(points).volume != expected);
+        }
+
         // Whoever comes first, and however far the other has got.
         [Test]
         public function twoThatNeedTheSameFitShareIt():void

@@ -28,7 +28,7 @@ package starlogo.fitting
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
 
-        // The length up to which a side is a rounding error.
+        // The least length that counts for a side.
         private var _shortest:Number;
 
         private var _stepXY:Number;
@@ -116,8 +116,15 @@ package starlogo.fitting
                 var multiple:int = isForward ? i : count - 1 - i;
                 var cosine:Number = _cosines[multiple];
                 var sine:Number = _sines[multiple];
-                var volume:Number = thickness * extentAlong(corners, 0, cosine, -sine) * extentAlong(corners, 2, sine, cosine);
-                if (volume < _least * (1 - Tolerances.FIT_TIE))
+                var width:Number = extentAlong(corners, 0, cosine, -sine);
+                var depth:Number = extentAlong(corners, 2, sine, cosine);
+                var least:Number = _least * (1 - Tolerances.FIT_TIE);
+                if (thickness * width * depth >= least)
+                {
+                    continue;
+                }
+                var volume:Number = thickness * Math.max(width, _shortest) * Math.max(depth, _shortest);
+                if (volume < least)
                 {
                     _least = volume;
                     _best.setRotation(multiple * _stepZ, aboutY, aboutX);
@@ -166,14 +173,13 @@ package starlogo.fitting
             }
         }
 
-        // The extent in a direction of the plane of x and y, at least the shortest one. The entries of corners at index and index + 1 are the
+        // The extent in a direction of the plane of x and y. The entries of corners at index and index + 1 are the
         // extreme corners of the last call, and receive the new ones.
         private function extentAlong(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
         {
             var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
             var low:int = corners[index + 1] = climb(corners[index + 1], 0, -alongX, -alongY);
-            var extent:Number = (_rotated[3 * high] - _rotated[3 * low]) * alongX + (_rotated[3 * high + 1] - _rotated[3 * low + 1]) * alongY;
-            return extent > _shortest ? extent : _shortest;
+            return (_rotated[3 * high] - _rotated[3 * low]) * alongX + (_rotated[3 * high + 1] - _rotated[3 * low + 1]) * alongY;
         }
 
         // Finds the corner that is farthest in a direction, which has two components: along the coordinate at the offset, 0 for x and 1 for y, and

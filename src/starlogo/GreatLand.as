@@ -266,10 +266,13 @@ package starlogo
             return _boundingStructures.ofKind(name, kind, modelOf(name).vertices);
         }
 
-        /** The names of all models, and of structures that were added to the library without one, in no order: a new list. */
+        /** The names of all models that were added, in no order: a new list. */
         public function get modelNames():Vector.<String>
         {
-            return _models.names;
+            return _models.names.filter(function(name:String, index:int, all:Vector.<String>):Boolean
+                {
+                    return hasModel(name);
+                });
         }
 
         /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */

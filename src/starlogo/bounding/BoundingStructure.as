@@ -180,8 +180,8 @@ package starlogo.bounding
          * throughout. Allocates nothing if <code>out</code> is given.
          *
          * @param placement the model's placement; its numbers are not checked
-         * @param out a structure of the same kind, which receives the result; may be this structure
-         * @return out, or a new structure
+         * @param out a structure of the same class, which receives the result; may be this structure
+         * @return out. A new structure if out is null, or if both have the kind HULL and are of different classes
          * @throws ArgumentError if out is of another kind
          */
         public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure

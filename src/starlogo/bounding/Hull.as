@@ -47,8 +47,12 @@ package starlogo.bounding
          */
         engine var radius:Number = 0;
 
-        // A box around the hull, a little larger than it. Its axes are the coordinate axes of the space in which the hull was made.
+        // A box around the hull, a little larger than it. Its axes are the coordinate axes of the space in which the hull was made. Its own
+        // centre counts only while it is tested.
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+
+        // The middle of the box, relative to the centre.
+        private var _boxMiddle:Vector.<Number> = new Vector.<Number>(3, true);
 
         // Empty until they are needed.
         private var _halfSpaces:Vector.<Number> = new Vector.<Number>();
@@ -178,6 +182,7 @@ package starlogo.bounding
                 placed.points.length = points.length;
             }
             Placement.scaleAndTurnPoints(placement, points, placed.points);
+            Placement.scaleAndTurnPoints(placement, _boxMiddle, placed._boxMiddle);
             placement.place(center, placed.center);
             _box.place(placement, placed._box);
             placed.radius = radius * placement.size;
@@ -283,6 +288,9 @@ package starlogo.bounding
         /** @private */
         override engine function get around():BoundingStructure
         {
+            _box.center.x = center.x + _boxMiddle[0];
+            _box.center.y = center.y + _boxMiddle[1];
+            _box.center.z = center.z + _boxMiddle[2];
             return _box;
         }
 
@@ -341,7 +349,10 @@ package starlogo.bounding
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
             boxAroundInto(Placement.IDENTITY, extents);
             var by:Number = (Tolerances.OUTER - 1) * measureRadius();
-            _box.setNumbers(new <Number>[extents[0], extents[1], extents[2], 1, 0, 0, 0, 1, 0, 0, 0, 1, extents[3] + by, extents[4] + by, extents[5] + by]);
+            _boxMiddle[0] = extents[0] - center.x;
+            _boxMiddle[1] = extents[1] - center.y;
+            _boxMiddle[2] = extents[2] - center.z;
+            _box.setNumbers(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, extents[3] + by, extents[4] + by, extents[5] + by]);
         }
 
         // Sets which corners make the faces, after the corners have changed. The half-spaces are then void.

@@ -96,13 +96,13 @@ package starlogo.data
             }
         }
 
-        // Adds a word to each of the two hashes.
+        // Adds a word to each of the two hashes. The second one also takes the first, because the second word of numbers with few digits is 0.
         private function addWords(low:int, high:int):void
         {
             _low ^= low;
             _low += _low << 10;
             _low ^= _low >>> 6;
-            _high ^= high;
+            _high ^= high ^ _low;
             _high += _high << 10;
             _high ^= _high >>> 6;
         }

@@ -33,18 +33,17 @@ package starlogo.data
             count++;
         }
 
-        /** Removes a number that is in the list once. The others keep their order. */
+        /** Removes a number wherever it is in the list. The others keep their order. */
         public function remove(number:int):void
         {
-            count--;
-            var at:int = 0;
-            while (numbers[at] != number)
+            var end:int = count;
+            count = 0;
+            for (var i:int = 0; i < end; i++)
             {
-                at++;
-            }
-            for (; at < count; at++)
-            {
-                numbers[at] = numbers[at + 1];
+                if (numbers[i] != number)
+                {
+                    add(numbers[i]);
+                }
             }
         }
     }

@@ -24,8 +24,8 @@ package starlogo.fitting
         /**
          * Creates a fitter of capsules along the boxes of another fitter.
          *
-         * @param boxFitter finds the box; if it finds another structure, the fit throws an ArgumentError. If the same object is also in a
-         *     library's list, the library computes the box once
+         * @param boxFitter finds the box; if it finds another structure, the fit throws an ArgumentError. If the same object, or a fitter
+         *     of the same signature, is also in a library's list, the library computes the box once
          * @throws ArgumentError if it is null
          */
         public function CapsuleFitter(boxFitter:Fitter)

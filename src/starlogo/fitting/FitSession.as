@@ -15,8 +15,8 @@ package starlogo.fitting
     {
         private var _hull:ConvexHull;
 
-        // The fits begun for the vertices, and the fitter of each fit.
-        private var _fitters:Vector.<Fitter> = new Vector.<Fitter>();
+        // The fits begun for the vertices, and the signature of the fitter of each, or the fitter if it has none.
+        private var _keys:Array = [];
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
 
         /**
@@ -53,23 +53,24 @@ package starlogo.fitting
         }
 
         /**
-         * The work of a fitter on the vertices. The first call makes it, and later calls return the same object. So if several capsules are
-         * built from one box, the box is found once.
+         * The work of a fitter on the vertices. The first call makes it, and later calls return the same object, also for another fitter with the
+         * same signature. So if several capsules are built from one box, the box is found once.
          */
         public function fitOf(fitter:Fitter):Fit
         {
-            var i:int = _fitters.indexOf(fitter);
+            var key:Object = fitter.signature || fitter;
+            var i:int = _keys.indexOf(key);
             if (i >= 0)
             {
                 return _fits[i];
             }
             var fit:Fit = fitter.fitting(this);
-            _fitters.push(fitter);
+            _keys.push(key);
             _fits.push(fit);
             return fit;
         }
 
-        /** The structure that a fitter finds around the vertices. The first call computes it, and later calls return the same object. */
+        /** The structure that a fitter finds around the vertices, as <code>fitOf()</code>. If steps of its work remain, they are done now. */
         public function structureOf(fitter:Fitter):BoundingStructure
         {
             var fit:Fit = fitOf(fitter);

@@ -5,7 +5,8 @@ package starlogo.fitting
      * §3.4.2). With the default increment these are 729 rotations.
      *
      * <p>The box is never larger than the axis-aligned box, or the z-aligned box with the same increment. For most models it is a few
-     * percent larger than the smallest box. For thin models that are rotated it may be several times too large.</p>
+     * percent larger than the smallest box. For thin models that are rotated it may be several times too large. If boxes have no volume,
+     * because the model is flat, the one with the smallest area is the smallest.</p>
      *
      * <p>The thesis rotates every vertex. This class rotates only the vertices of the hull. To find a rotation's extreme vertices, it
      * climbs over the hull from the extreme vertices of the rotation before. It tries the same boxes as the thesis, so the result is the

@@ -13,7 +13,8 @@ package starlogo.fitting
     /**
      * The brute-force search of thesis §3.4.2: rotates a hull by every rotation of a discrete set, and keeps the rotation whose
      * axis-aligned box is the smallest. The rotations are about x first, then y, then z, each from 0 to below 90 degrees. If several boxes
-     * have the same volume, the first one that is tried counts. The very first box is the axis-aligned one. A step tries all rotations about z
+     * have the same volume, the first one that is tried counts. Sides shorter than a rounding error count as that long. So of the boxes around
+     * a flat hull, which have no volume, the one with the smallest area is the smallest. The very first box is the axis-aligned one. A step tries all rotations about z
      * that follow one rotation about x and y. Every second step tries them from the largest angle to the smallest.
      *
      * <p>Three methods make the search faster. None changes the result, but for the rounding of the hull. First, the whole hull is rotated about x
@@ -26,6 +27,9 @@ package starlogo.fitting
     {
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
+
+        // The least length that counts for a side.
+        private var _shortest:Number;
 
         private var _stepXY:Number;
         private var _stepZ:Number;
@@ -84,6 +88,7 @@ package starlogo.fitting
         {
             _hull = hull;
             _rotated = new Vector.<Number>(hull.points.length);
+            _shortest = Tolerances.HULL_FLAT * hull.extent;
             var count:int = Math.ceil(90 / _stepZ);
             for (var i:int = 0; i < count; i++)
             {
@@ -102,7 +107,7 @@ package starlogo.fitting
             var corners:Vector.<int> = _corners;
             corners[4] = climb(corners[4], 1, 0, 1);
             corners[5] = climb(corners[5], 1, 0, -1);
-            var thickness:Number = _rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2];
+            var thickness:Number = Math.max(_rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2], _shortest);
             // The order alternates, because the corners found last are then close to the next ones.
             var isForward:Boolean = _done % 2 == 0;
             var count:int = _sines.length;
@@ -111,8 +116,15 @@ package starlogo.fitting
                 var multiple:int = isForward ? i : count - 1 - i;
                 var cosine:Number = _cosines[multiple];
                 var sine:Number = _sines[multiple];
-                var volume:Number = thickness * extentAlong(corners, 0, cosine, -sine) * extentAlong(corners, 2, sine, cosine);
-                if (volume < _least * (1 - Tolerances.FIT_TIE))
+                var width:Number = extentAlong(corners, 0, cosine, -sine);
+                var depth:Number = extentAlong(corners, 2, sine, cosine);
+                var least:Number = _least * (1 - Tolerances.FIT_TIE);
+                if (thickness * width * depth >= least)
+                {
+                    continue;
+                }
+                var volume:Number = thickness * Math.max(width, _shortest) * Math.max(depth, _shortest);
+                if (volume < least)
                 {
                     _least = volume;
                     _best.setRotation(multiple * _stepZ, aboutY, aboutX);
@@ -161,8 +173,8 @@ package starlogo.fitting
             }
         }
 
-        // The extent in a direction of the plane. The entries of corners at index and index + 1 are the extreme corners of the last call,
-        // and receive the new ones.
+        // The extent in a direction of the plane of x and y. The entries of corners at index and index + 1 are the
+        // extreme corners of the last call, and receive the new ones.
         private function extentAlong(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
         {
             var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
@@ -170,21 +182,21 @@ package starlogo.fitting
             return (_rotated[3 * high] - _rotated[3 * low]) * alongX + (_rotated[3 * high + 1] - _rotated[3 * low + 1]) * alongY;
         }
 
-        // Finds the corner that is farthest in a direction of a plane. Plane 0 is the plane of x and y, and plane 1 that of y and z. The
-        // search spends nearly all its time here.
-        private function climb(corner:int, plane:int, alongFirst:Number, alongSecond:Number):int
+        // Finds the corner that is farthest in a direction, which has two components: along the coordinate at the offset, 0 for x and 1 for y, and
+        // along the next one. The search spends nearly all its time here.
+        private function climb(corner:int, offset:int, alongFirst:Number, alongSecond:Number):int
         {
             var rotated:Vector.<Number> = _rotated;
             var neighbors:Vector.<int> = _hull.neighbors;
             var firstNeighbor:Vector.<int> = _hull.firstNeighbor;
-            var at:int = 3 * corner + plane;
+            var at:int = 3 * corner + offset;
             var best:Number = alongFirst * rotated[at] + alongSecond * rotated[at + 1];
             var end:int = firstNeighbor[corner + 1];
             var i:int = firstNeighbor[corner];
             while (i < end)
             {
                 var neighbor:int = neighbors[i];
-                at = 3 * neighbor + plane;
+                at = 3 * neighbor + offset;
                 var value:Number = alongFirst * rotated[at] + alongSecond * rotated[at + 1];
                 if (value > best)
                 {

@@ -17,9 +17,10 @@ package starlogo.fitting
      */
     internal function fittingAlongBox(session:FitSession, boxFitter:Fitter, findAlong:Function):Fit
     {
+        var boxFit:Fit = session.fitOf(boxFitter);
         return new Fit(session, function(session:FitSession):BoundingStructure
             {
-                var box:Box = session.structureOf(boxFitter) as Box;
+                var box:Box = boxFit.structure as Box;
                 if (box == null)
                 {
                     throw new ArgumentError("the fitter must find a box: " + boxFitter);
@@ -27,6 +28,6 @@ package starlogo.fitting
                 var half:Number = Math.max(box.halfX, Math.max(box.halfY, box.halfZ));
                 var axis:Vector3D = box.halfX == half ? box.axisX : (box.halfY == half ? box.axisY : box.axisZ);
                 return findAlong(session.vertices, box.center, axis, half);
-            }, session.fitOf(boxFitter));
+            }, boxFit);
     }
 }

@@ -126,7 +126,7 @@ package starlogo.libraries
         {
             var builder:StructuresBuilder = newBuilder(name, vertices);
             finish(builder);
-            models.entryToWrite(name).structures = builder.structures;
+            models.entryToWrite(name).setStructures(builder.structures);
         }
 
         /** Whether the library has structures for a shape. */
@@ -206,8 +206,8 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest structure of a kind for a shape. If there is none, the fitters find it now, once. Clients do not see what is found
-         * here, but for a hull.
+         * The smallest structure of a kind for a shape. If there is none, the fitters find it now, once. From then on clients may read a
+         * hull, and what the shape's <code>keepsAll</code> lets them read.
          *
          * @param name the shape's name
          * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL. In place of a hull it may be a sphere

@@ -3,7 +3,8 @@ package starlogo.libraries
     import flash.utils.ByteArray;
 
     /**
-     * Stores the bytes of a FitStore between games, by name. It may lose, change or refuse bytes, because the FitStore checks every result.
+     * Stores the bytes of a FitStore between games, by name. It may lose, change or refuse bytes, because a FitStore ignores what is missing
+     * or damaged.
      */
     public interface FitStorage
     {

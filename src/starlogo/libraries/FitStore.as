@@ -16,9 +16,9 @@ package starlogo.libraries
      * GreatLand: the GreatLand looks here before it computes, and stores new results here.
      *
      * <p>An entry is a cooked file without the model. It is found by the model's geometry and all settings that matter. The model's name
-     * does not matter. A changed or incomplete entry is ignored and replaced. What is wrong in a forged entry is ignored. If there is not
-     * enough room, the least recently used entries are removed. An entry for which that gives no room is not stored. If nothing can be
-     * stored, games still work.</p>
+     * does not matter. A damaged or incomplete entry is ignored and replaced. An entry that somebody forged may give wrong collisions,
+     * but it makes no frame throw or hang. If there is not enough room, the least recently used entries are removed. An entry for which that
+     * gives no room is not stored. If nothing can be stored, games still work.</p>
      *
      * <p>Several games may share a storage at the same time, for example in several tabs. Each entry is stored separately, so no game
      * overwrites another's entries. If two games write the list of entries at the same time, an entry may be missing from the list until

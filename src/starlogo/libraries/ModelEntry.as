@@ -49,10 +49,11 @@ package starlogo.libraries
             return _structures;
         }
 
-        public function set structures(value:ModelStructures):void
+        /** Sets the structures; null for none. */
+        public function setStructures(structures:ModelStructures):void
         {
             countChange(_structures);
-            _structures = value;
+            _structures = structures;
         }
 
         /** Whether there is a hierarchy. Its tree may not be built yet. */
@@ -81,7 +82,7 @@ package starlogo.libraries
         public function replace(model:Model, structures:ModelStructures, tree:ModelTree):void
         {
             _loadProblem = null;
-            this.structures = structures;
+            setStructures(structures);
             setTree(tree);
             countChange(_model);
             if (_model != null)

@@ -71,7 +71,13 @@ package starlogo.libraries
         /** The error for something that is wrong with a shape. */
         public static function errorOf(name:String, problem:String):ArgumentError
         {
-            return new ArgumentError("shape \"" + name + "\": " + problem);
+            return new ArgumentError(problemOf(name, problem));
+        }
+
+        /** The message of an error: something that is wrong with a shape. */
+        public static function problemOf(name:String, problem:String):String
+        {
+            return "shape \"" + name + "\": " + problem;
         }
 
         /**

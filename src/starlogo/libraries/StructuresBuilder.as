@@ -4,6 +4,7 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.fitting.EnclosingStructures;
+    import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.HullFitter;
@@ -29,6 +30,7 @@ package starlogo.libraries
         private var _name:String;
         private var _fitters:Vector.<Fitter>;
         private var _session:FitSession;
+        private var _fits:Vector.<Fit> = new Vector.<Fit>();
 
         /**
          * @param name the shape's name
@@ -53,15 +55,18 @@ package starlogo.libraries
             _session = new FitSession(vertices);
             for each (var fitter:Fitter in _fitters)
             {
-                add(_session.fitOf(fitter));
+                var fit:Fit = _session.fitOf(fitter);
+                _fits.push(fit);
+                add(fit);
             }
-            if (hullFitter != null)
+            var hullFit:Fit = hullFitter == null ? null : _session.fitOf(hullFitter);
+            if (hullFit != null)
             {
-                add(_session.fitOf(hullFitter));
+                add(hullFit);
             }
             begin(checking).call(function():void
                 {
-                    choose(hullFitter, keepsAll);
+                    choose(hullFit, keepsAll);
                 });
         }
 
@@ -71,7 +76,7 @@ package starlogo.libraries
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a
          *     coordinate is not finite or beyond 1e60; if a fitter finds a structure that cannot be collided or does not enclose the vertices, or
          *     refuses the vertices; the message names the shape
-         * @throws RangeError as a structure's constructor
+         * @throws RangeError as a structure's constructor; the message names the shape
          */
         override public function step():Boolean
         {
@@ -79,9 +84,13 @@ package starlogo.libraries
             {
                 return super.step();
             }
-            catch (error:ArgumentError)
+            catch (error:Error)
             {
-                throw ModelTable.errorOf(_name, error.message);
+                if (error is ArgumentError || error is RangeError)
+                {
+                    error.message = ModelTable.problemOf(_name, error.message);
+                }
+                throw error;
             }
             return false;
         }
@@ -93,9 +102,9 @@ package starlogo.libraries
             var vertices:Vector.<Number> = _session.vertices;
             // how far outside of a structure vertices may be
             var tolerance:Number = Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
-            for each (var fitter:Fitter in _fitters)
+            for (var i:int = 0; i < _fits.length; i++)
             {
-                checks.add(checkingOf(fitter, _session.structureOf(fitter), tolerance));
+                checks.add(checkingOf(_fitters[i], _fits[i].structure, tolerance));
             }
             return checks;
         }
@@ -137,15 +146,15 @@ package starlogo.libraries
             return -1;
         }
 
-        private function choose(hullFitter:HullFitter, keepsAll:Boolean):void
+        private function choose(hullFit:Fit, keepsAll:Boolean):void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-            for each (var fitter:Fitter in _fitters)
+            for each (var fit:Fit in _fits)
             {
-                found.push(widened(_session.structureOf(fitter)));
+                found.push(widened(fit.structure));
             }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(found, hullFitter == null ? null : widened(_session.structureOf(hullFitter)), keepsAll);
+            structures = new ModelStructures(found, hullFit == null ? null : widened(hullFit.structure), keepsAll);
         }
 
         /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */

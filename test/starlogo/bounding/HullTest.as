@@ -10,6 +10,7 @@ package starlogo.bounding
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.geometry.Placement;
     import starlogo.geometry.hull.ConvexHull;
+    import starlogo.intersection.intersects;
     import support.PointSets;
     import support.assertThrows;
     import support.create;
@@ -128,6 +129,34 @@ package starlogo.bounding
             assertEquals(1, point.corners.length / 3);
             assertTrue(point.contains(new Vector3D(1, 2, 3)));
             assertFalse(point.contains(new Vector3D(1, 2, 3.0001)));
+        }
+
+        [Test]
+        public function aHullFollowsItsCentre():void
+        {
+            var hull:Hull = new Hull(PointSets.box(1, 2, 3, 4));
+            hull.center.x += 10;
+            hull = Hull(hull.clone());
+            var there:Box = new Box(new Vector3D(10, 0, 0), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 2, 3);
+            var here:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 2, 3);
+            assertTrue(intersects(hull, there));
+            assertTrue(intersects(hull, new Sphere(new Vector3D(11.5, 0, 0), 0.5)));
+            assertTrue(intersects(hull, Hull(hull.clone())));
+            assertFalse(intersects(hull, here));
+            hull.center = new Vector3D();
+            assertFalse(intersects(hull, there));
+            assertTrue(intersects(hull, here));
+            // the middle of its extents is beside its centre
+            var placement:Placement = new Placement();
+            placement.size = 2;
+            placement.setRotation(90, 0, 0);
+            placement.x = 50;
+            var wedge:Hull = new Hull(new <Number>[0, 0, 0, 4, 0, 0, 0, 1, 0, 0, 0, 1]);
+            wedge.center.y += 100;
+            var placed:Hull = Hull(wedge.place(placement));
+            // its tip was at (4, 100, 0)
+            assertTrue(intersects(placed, new Sphere(new Vector3D(50 - 200, 8.05, 0), 0.1)));
+            assertFalse(intersects(placed, new Sphere(new Vector3D(50 - 200, 8.15, 0), 0.1)));
         }
 
         [Test]

@@ -53,6 +53,23 @@ package starlogo.data
             assertTrue("every bit counts", fingerprint.toString() != other.toString());
         }
 
+        // The second half of the bits of such a number is 0.
+        [Test]
+        public function bothHalvesDependOnNumbersOfFewDigits():void
+        {
+            var low:Object = {};
+            var high:Object = {};
+            for (var i:int = 0; i < 500; i++)
+            {
+                var fingerprint:Fingerprint = new Fingerprint();
+                finish(fingerprint.addingLists(new <Number>[0.25 * i, 0.5, -1, 2, 0, 0.75], null));
+                var name:String = fingerprint.toString();
+                assertFalse("the first half, " + i, high.hasOwnProperty(name.substr(0, 8)));
+                assertFalse("the second half, " + i, low.hasOwnProperty(name.substr(8)));
+                high[name.substr(0, 8)] = low[name.substr(8)] = true;
+            }
+        }
+
         [Test]
         public function aVertexThatMovedMakesAnotherModel():void
         {

@@ -5,6 +5,7 @@ package starlogo.data
     import starlogo.agents.Agent;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
+    import support.PointSets;
     import support.assertThrows;
     import support.landOf;
 
@@ -32,6 +33,9 @@ package starlogo.data
             assertThrows(ArgumentError, /there is no model "beer"; add it to the GreatLand first; it has "cube", "sphere"$/,
                     collider.findCollisions, new <Agent>[new Agent("beer")]);
             greatLand.removeModel("cube");
+            greatLand.boundingStructures.add("beer", PointSets.box(1, 1, 1));
+            assertThrows(ArgumentError, /there is no model "beer"; add it to the GreatLand first; it has "sphere"$/,
+                    collider.findCollisions, new <Agent>[new Agent("beer")]);
             assertEquals("sphere", greatLand.modelNames.join());
         }
     }

@@ -10,7 +10,10 @@ package starlogo.fitting
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;
     import starlogo.steps.finish;
     import support.CountingFitter;
@@ -20,6 +23,8 @@ package starlogo.fitting
     import support.RunningHash;
     import support.assertThrows;
     import support.create;
+
+    use namespace engine;
 
     public class FitterTest
     {
@@ -107,6 +112,79 @@ package starlogo.fitting
             assertEquals(BOXES, hash.toString());
         }
 
+        // The boxes around flat models have no volume. The best one is then that of the smallest area, and around a segment the shortest.
+        [Test]
+        public function flatModelsGetTheSmallestBoxOfAllAngles():void
+        {
+            var random:SeededRandom = new SeededRandom(271);
+            var flat:int = 0;
+            for (var i:int = 0; i < 60; i++)
+            {
+                // rectangles and polygons, segments, points; along the axes, turned by tried angles, turned by any
+                var isSegment:Boolean = i % 3 == 1;
+                var points:Vector.<Number> = i % 3 == 0 ? PointSets.box(2, 0.1, 0) : PointSets.cloud(random, 6, 2, isSegment ? 0 : 0.5, 0);
+                var turning:Placement = new Placement();
+                turning.setRotation(10 * random.integer(0, 35), i % 5 == 0 ? 0 : 30 * random.integer(0, 11), i % 5 < 2 ? 0 : 30 * random.integer(0, 11));
+                points = i % 5 == 4 ? PointSets.turned(points, random) : turned(points, turning);
+                var oriented:OrientedBoxFitter = new OrientedBoxFitter(10);
+                var upright:ZAlignedBoxFitter = new ZAlignedBoxFitter(10);
+                var extent:Number = new FitSession(points).hull.extent;
+                for each (var fitter:Fitter in [oriented, upright])
+                {
+                    var box:Box = Box(fitter.fit(points));
+                    var least:Number = leastOfAllAngles(points, fitter == upright ? 90 : 10, 10, extent);
+                    assertTrue(i + ": " + box + ", " + sizeOf(box, extent) + " for " + least, sizeOf(box, extent) <= least * (1 + 1e-6));
+                    flat += box.volume == 0 ? 1 : 0;
+                    // along the longest side of the box
+                    var half:Number = Math.max(box.halfX, box.halfY, box.halfZ);
+                    var across:Number = Math.sqrt(box.halfX * box.halfX + box.halfY * box.halfY + box.halfZ * box.halfZ - half * half);
+                    var capsule:Capsule = Capsule(new CapsuleFitter(fitter).fit(points));
+                    var cylinder:Cylinder = Cylinder(new CylinderFitter(fitter).fit(points));
+                    assertTrue(i + ": " + capsule, capsule.radius <= across * (1 + 1e-9) + 1e-12 * extent);
+                    assertTrue(i + ": " + cylinder, cylinder.radius <= across * (1 + 1e-9) + 1e-12 * extent);
+                }
+            }
+            assertTrue(flat + " without a volume", flat > 20);
+            var point:Vector.<Number> = new <Number>[3, 4, 5];
+            assertEquals(0, Box(oriented.fit(point)).volume);
+            assertEquals(0, Capsule(new CapsuleFitter(oriented).fit(point)).radius);
+        }
+
+        private static function turned(points:Vector.<Number>, turning:Placement):Vector.<Number>
+        {
+            var result:Vector.<Number> = new Vector.<Number>(points.length);
+            Placement.scaleAndTurnPoints(turning, points, result);
+            return result;
+        }
+
+        // The smallest size of a box by a plain search.
+        private static function leastOfAllAngles(points:Vector.<Number>, stepXY:Number, stepZ:Number, extent:Number):Number
+        {
+            var least:Number = Infinity;
+            var axes:Vector.<Number> = new Vector.<Number>(9);
+            var turning:Placement = new Placement();
+            for (var x:Number = 0; x < 90; x += stepXY)
+            {
+                for (var y:Number = 0; y < 90; y += stepXY)
+                {
+                    for (var z:Number = 0; z < 90; z += stepZ)
+                    {
+                        turning.setRotation(z, y, x);
+                        turning.writeRotation(axes, 0);
+                        least = Math.min(least, sizeOf(EnclosingStructures.box(points, axes), extent));
+                    }
+                }
+            }
+            return least;
+        }
+
+        // The volume, in which a side without length counts as a very short one.
+        private static function sizeOf(box:Box, extent:Number):Number
+        {
+            var short:Number = 1e-12 * extent;
+            return Math.max(box.halfX, short) * Math.max(box.halfY, short) * Math.max(box.halfZ, short);
+        }
+
         [Test]
         public function zAlignedBoxStaysUpright():void
         {
@@ -173,6 +251,35 @@ package starlogo.fitting
             assertEquals(1, counting.count);
             new CapsuleFitter(counting).fit(PointSets.box(1, 1, 1));
             assertEquals(2, counting.count);
+        }
+
+        [Test]
+        public function fittersOfOneSignatureShareAFit():void
+        {
+            var session:FitSession = new FitSession(PointSets.box(1, 2, 3));
+            assertTrue(session.fitOf(new MinimalSphereFitter()) === session.fitOf(new MinimalSphereFitter()));
+            assertFalse(session.fitOf(new OrientedBoxFitter(10)) === session.fitOf(new OrientedBoxFitter(15)));
+            var counting:CountingFitter = new CountingFitter();
+            session.structureOf(counting);
+            session.structureOf(new CapsuleFitter(new CountingFitter()));
+            assertEquals(1, counting.count);
+            // a cylinder has no signature
+            assertFalse(session.fitOf(new CylinderFitter(counting)) === session.fitOf(new CylinderFitter(counting)));
+        }
+
+        // What a box's setting becomes while the box is found does not count for the capsule either.
+        [Test]
+        public function aCapsuleKeepsTheBoxThatItBeganWith():void
+        {
+            var random:SeededRandom = new SeededRandom(59);
+            var points:Vector.<Number> = PointSets.turned(PointSets.cloud(random, 40, 1, 0.5, 0.2), random);
+            var oriented:OrientedBoxFitter = new OrientedBoxFitter(10);
+            var expected:Number = new CapsuleFitter(oriented).fit(points).volume;
+            var work:Fit = new CapsuleFitter(oriented).fitting(new FitSession(points));
+            oriented.degIncrement = 90;
+            finish(work);
+            assertEquals(expected, work.structure.volume);
+            assertTrue(new CapsuleFitter(oriented).fit(points).volume != expected);
         }
 
         // Whoever comes first, and however far the other has got.

@@ -1,5 +1,6 @@
 package starlogo.libraries
 {
+    import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
@@ -159,7 +160,9 @@ package starlogo.libraries
         public function otherErrorsOfAFitterComeAsTheyAre():void
         {
             _library.fitters = new <Fitter>[new FailingFitter(new RangeError("mine"))];
-            assertThrows(RangeError, /^mine$/, _library.add, "cube", _cube);
+            assertThrows(RangeError, /^shape "cube": mine$/, _library.add, "cube", _cube);
+            _library.fitters = new <Fitter>[new FailingFitter(new IllegalOperationError("mine"))];
+            assertThrows(IllegalOperationError, /^mine$/, _library.add, "cube", _cube);
         }
 
         [Test]

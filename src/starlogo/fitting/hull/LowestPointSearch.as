@@ -21,15 +21,13 @@ package starlogo.fitting.hull
          * Finds the point.
          *
          * @param planes four numbers for each face: the outward unit normal, and the offset along it
-         * @param faces the faces whose planes count
-         * @param count the number of these faces
          * @param upX the direction that is up, of any length
          * @param upY of the direction
          * @param upZ of the direction
-         * @param out its coordinates are set
+         * @param out has the faces whose planes count; its coordinates are set
          * @return whether there is a lowest point near the planes
          */
-        public static function find(planes:Vector.<Number>, faces:Vector.<int>, count:int, upX:Number, upY:Number, upZ:Number, out:EdgeCollapse):Boolean
+        public static function find(planes:Vector.<Number>, upX:Number, upY:Number, upZ:Number, out:EdgeCollapse):Boolean
         {
             var three:Vector.<Number> = planesFarBelow(upX, upY, upZ);
             var crosses:Vector.<Number> = new Vector.<Number>(9, true);
@@ -40,7 +38,7 @@ package starlogo.fitting.hull
                 {
                     return false;
                 }
-                var entering:int = farthestInside(planes, faces, count, out);
+                var entering:int = farthestInside(planes, out);
                 if (entering < 0)
                 {
                     return Math.abs(out.x) < NEAR && Math.abs(out.y) < NEAR && Math.abs(out.z) < NEAR;
@@ -96,11 +94,13 @@ package starlogo.fitting.hull
         }
 
         // The first number of the plane that a point is farthest inside of; -1 if it is inside of none.
-        private static function farthestInside(planes:Vector.<Number>, faces:Vector.<int>, count:int, point:EdgeCollapse):int
+        private static function farthestInside(planes:Vector.<Number>, point:EdgeCollapse):int
         {
             var x:Number = point.x;
             var y:Number = point.y;
             var z:Number = point.z;
+            var faces:Vector.<int> = point.faces;
+            var count:int = point.faceCount;
             var found:int = -1;
             var most:Number = Tolerances.UNIT_ROUNDING;
             for (var i:int = 0; i < count; i++)

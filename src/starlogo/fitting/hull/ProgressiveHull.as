@@ -185,7 +185,7 @@ package starlogo.fitting.hull
                 upY += area * _planes[int(4 * face + 1)];
                 upZ += area * _planes[int(4 * face + 2)];
             }
-            if (count > MOST_FACES || !LowestPointSearch.find(_planes, out.faces, count, upX, upY, upZ, out))
+            if (count > MOST_FACES || !LowestPointSearch.find(_planes, upX, upY, upZ, out))
             {
                 return null;
             }

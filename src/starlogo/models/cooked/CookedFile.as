@@ -47,7 +47,7 @@ package starlogo.models.cooked
         public static const SECTIONS:int = 5;
 
         private static const MAGIC:int = 0x4B4F4F43;
-        private static const VERSION:int = 3;
+        private static const VERSION:int = 4;
 
         private static const VERSION_AT:int = 4;
         private static const LENGTH_AT:int = 8;

@@ -45,9 +45,31 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var footing:Footing = out || new Footing();
             var walk:Walk = walkOfLevel();
-            readOptions(agent, dx, dy, options || DEFAULTS, walk);
+            var stands:Boolean = go(walk, agent, dx, dy, options || DEFAULTS);
+            // before the footing is written, because an agent that would leave the world throws an error
+            _seen.moveAgent(agent, walk.place, walk.turn);
+            var footing:Footing = write(walk, stands, out || new Footing());
+            var link:PlatformLink = agent.platformLink;
+            link.platform = null;
+            if (stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
+            {
+                link.setTo(footing.on, _seen.table.bodyOf(walk.floorRow).placement, _seen.table.places.revisions[walk.floorRow]);
+            }
+            return footing;
+        }
+
+        /** Finds the footing that a walk without a way would give the agent now. Nothing moves. It may be asked in a filter's <code>accepts</code>. */
+        public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
+        {
+            var walk:Walk = walkOfLevel();
+            return write(walk, go(walk, agent, 0, 0, options), out);
+        }
+
+        // Finds where a walk leads. Returns whether the agent stands there. Nothing moves.
+        private function go(walk:Walk, agent:Agent, dx:Number, dy:Number, options:WalkOptions):Boolean
+        {
+            readOptions(agent, dx, dy, options, walk);
             var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
             var platform:int = findPlatform(walk, link);
             var at:Placement = walk.body.readAgent(agent, walk.turn).placement;
@@ -58,16 +80,7 @@ package starlogo.queries
             {
                 _walkMover.carry(walk, platform);
             }
-            var stands:Boolean = _walkMover.go(walk);
-            // before the footing is written, because an agent that would leave the world throws an error
-            _seen.moveAgent(agent, walk.place, walk.turn);
-            write(walk, stands, footing);
-            link.platform = null;
-            if (stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
-            {
-                link.setTo(footing.on, _seen.table.bodyOf(walk.floorRow).placement, _seen.table.places.revisions[walk.floorRow]);
-            }
-            return footing;
+            return _walkMover.go(walk);
         }
 
         // The walk of a question that begins now.
@@ -140,7 +153,7 @@ package starlogo.queries
                     now.r00 * from.r00 + now.r01 * from.r01 + now.r02 * from.r02 + now.r10 * from.r10 + now.r11 * from.r11 + now.r12 * from.r12);
         }
 
-        private function write(walk:Walk, stands:Boolean, out:Footing):void
+        private function write(walk:Walk, stands:Boolean, out:Footing):Footing
         {
             out.stands = stands;
             out.part = walk.part;
@@ -152,6 +165,7 @@ package starlogo.queries
                 out.on = _seen.table.list.agents[walk.floorRow];
                 out.normal.copyFrom(walk.floorNormal);
             }
+            return out;
         }
     }
 }

@@ -198,7 +198,7 @@ package starlogo.blocks
 
         /**
          * The block "bounce off the edge": moves the agent back into the world, and turns it as a mirror reflects light, if it is headed out of
-         * the world.
+         * the world. In a corner each edge is a mirror.
          *
          * @param agent the agent that bounces
          * @throws BlockError if there is no agent
@@ -212,10 +212,12 @@ package starlogo.blocks
             }
             var x:Number = Trigonometry.cosine(agent.heading);
             var y:Number = Trigonometry.sine(agent.heading);
-            var into:Number = x * contact.normal.x + y * contact.normal.y;
-            if (into < 0)
+            // the normal points into the world: from each edge that the agent touches
+            var leavesAlongX:Boolean = x * contact.normal.x < 0;
+            var leavesAlongY:Boolean = y * contact.normal.y < 0;
+            if (leavesAlongX || leavesAlongY)
             {
-                agent.heading = Trigonometry.arctangent(y - 2 * into * contact.normal.y, x - 2 * into * contact.normal.x);
+                agent.heading = Trigonometry.arctangent(leavesAlongY ? -y : y, leavesAlongX ? -x : x);
             }
         }
 

@@ -6,6 +6,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;
+    import starlogo.geometry.copyVector;
     import starlogo.queries.motion.Walk;
     import starlogo.queries.motion.WalkMover;
     import starlogo.search.table.ListedAgents;
@@ -25,6 +26,8 @@ package starlogo.queries
 
         // A piece of a walk is as long as the agent. Endless walks have no more pieces than this.
         private static const MOST_PIECES:int = 64;
+
+        private static const UP:Vector3D = new Vector3D(0, 0, 1);
 
         private static const DEFAULTS:WalkOptions = new WalkOptions();
 
@@ -158,13 +161,8 @@ package starlogo.queries
             out.stands = stands;
             out.part = walk.part;
             out.pushed = walk.pushed;
-            out.on = null;
-            out.normal.setTo(0, 0, 1);
-            if (stands)
-            {
-                out.on = _seen.table.list.agents[walk.floorRow];
-                out.normal.copyFrom(walk.floorNormal);
-            }
+            out.on = stands ? _seen.table.list.agents[walk.floorRow] : null;
+            copyVector(stands ? walk.floorNormal : UP, out.normal);
             return out;
         }
     }

@@ -147,8 +147,13 @@ package starlogo.queries.rays
         {
             var from:ContactPoint = contactOf(index);
             hit.agent = _seen.table.list.agents[rowOf(index)];
-            hit.point.setTo(from.x, from.y, from.z);
-            hit.normal.setTo(from.normalX, from.normalY, from.normalZ);
+            // not setTo, because a game in JavaScript may have given a hit any objects with x, y and z
+            hit.point.x = from.x;
+            hit.point.y = from.y;
+            hit.point.z = from.z;
+            hit.normal.x = from.normalX;
+            hit.normal.y = from.normalY;
+            hit.normal.z = from.normalZ;
             hit.triangle = from.triangle;
             _triangle.write(bodyOf(index), hit);
         }

@@ -36,7 +36,7 @@ package starlogo.queries
         private var _slider:Slider = new Slider();
         private var _hits:Hits;
 
-        // By the level of a question (SeenAgents.level): its body.
+        // By the nesting of a question (SeenAgents.nesting): its body.
         private var _bodies:Vector.<MovingBody> = new Vector.<MovingBody>();
 
         // Where the body begins, and its motion. They are set when it is known which rows are near.
@@ -63,7 +63,7 @@ package starlogo.queries
         /** See AgentWalks.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readStructure(structure);
             return cast(body, null, dx, dy, dz, filter, hit);
         }
@@ -72,7 +72,7 @@ package starlogo.queries
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readStructure(structure);
             return castAll(body, null, dx, dy, dz, filter, out);
         }
@@ -80,7 +80,7 @@ package starlogo.queries
         /** See AgentWalks.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readCastAgent(agent);
             return cast(body, agent, dx, dy, dz, filter, hit);
         }
@@ -88,7 +88,7 @@ package starlogo.queries
         /** See AgentWalks.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readCastAgent(agent);
             return castAll(body, agent, dx, dy, dz, filter, out);
         }
@@ -97,7 +97,7 @@ package starlogo.queries
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readAgent(agent);
             var isMet:Boolean = findStops(body, agent, dx, dy, dz, filter, 1, _end) > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
@@ -132,19 +132,19 @@ package starlogo.queries
         }
 
         // The body of a question that begins now.
-        private function bodyOfLevel():MovingBody
+        private function nestedBody():MovingBody
         {
-            while (_bodies.length <= _seen.level)
+            while (_bodies.length <= _seen.nesting)
             {
                 _bodies.push(new MovingBody(_seen));
             }
-            return _bodies[_seen.level];
+            return _bodies[_seen.nesting];
         }
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
             _seen.requireMovable(agent, "slide");
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readAgent(agent);
             requireMotion(dx, dy, dz, agent);
             body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);

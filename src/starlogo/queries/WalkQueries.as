@@ -34,7 +34,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _walkMover:WalkMover;
 
-        // By the level of a question (SeenAgents.level): its walk.
+        // By the nesting of a question (SeenAgents.nesting): its walk.
         private var _walks:Vector.<Walk> = new Vector.<Walk>();
 
         /** @param seen the agents that the questions are about */
@@ -48,7 +48,7 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var walk:Walk = walkOfLevel();
+            var walk:Walk = nestedWalk();
             var stands:Boolean = go(walk, agent, dx, dy, options || DEFAULTS);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.turn);
@@ -65,7 +65,7 @@ package starlogo.queries
         /** Finds the footing that a walk without a way would give the agent now. Nothing moves. It may be asked in a filter's <code>accepts</code>. */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            var walk:Walk = walkOfLevel();
+            var walk:Walk = nestedWalk();
             return write(walk, go(walk, agent, 0, 0, options), out);
         }
 
@@ -87,13 +87,13 @@ package starlogo.queries
         }
 
         // The walk of a question that begins now.
-        private function walkOfLevel():Walk
+        private function nestedWalk():Walk
         {
-            while (_walks.length <= _seen.level)
+            while (_walks.length <= _seen.nesting)
             {
                 _walks.push(new Walk(_seen));
             }
-            return _walks[_seen.level];
+            return _walks[_seen.nesting];
         }
 
         // Finds what the motion and the options mean for the agent.
@@ -120,7 +120,7 @@ package starlogo.queries
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 findCarry(link, _seen.table.bodyOf(row).placement, walk);
-                if ((walk.turn != 0 || walk.carry.length > 0) && _seen.ask(1, 0, walk.agent, walk.options.filter).endWithRow(row))
+                if ((walk.turn != 0 || walk.carry.length > 0) && _seen.ask(1, 0, walk.agent, walk.options.filter).admits(row))
                 {
                     return row;
                 }

@@ -158,9 +158,7 @@ package starlogo.blocks
          */
         public function isTouchingEdge(agent:Agent):Boolean
         {
-            BlockSubject.checkAgent("touching edge?", agent);
-            var bounds:WorldBounds = _collisions.collision.bounds;
-            return bounds != null && _detection.queries.touchesEdge(agent, bounds);
+            return contactWithEdge("touching edge?", agent) != null;
         }
 
         /**
@@ -173,9 +171,7 @@ package starlogo.blocks
          */
         public function edgeTouched(agent:Agent):String
         {
-            BlockSubject.checkAgent("edge I touch", agent);
-            var bounds:WorldBounds = _collisions.collision.bounds;
-            var contact:Contact = bounds == null ? null : _collisions.contactNow(agent, bounds.agent);
+            var contact:Contact = contactWithEdge("edge I touch", agent);
             if (contact == null)
             {
                 return null;
@@ -252,6 +248,14 @@ package starlogo.blocks
                 return at;
             }
             return least + ((at - least) % width + width) % width;
+        }
+
+        // How the agent touches the edges where it is now; null if it touches none.
+        private function contactWithEdge(block:String, agent:Agent):Contact
+        {
+            BlockSubject.checkAgent(block, agent);
+            var bounds:WorldBounds = _collisions.collision.bounds;
+            return bounds == null ? null : _collisions.contactNow(agent, bounds.agent);
         }
 
         // Moves the agent into the world. Returns its contact with the edges before; null if it touched none.

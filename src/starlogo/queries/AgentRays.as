@@ -12,6 +12,7 @@ package starlogo.queries
     import starlogo.queries.rays.Hits;
     import starlogo.queries.rays.RowRayQuery;
     import starlogo.queries.rays.RowSurfaceQuery;
+    import starlogo.queries.rays.SpareHits;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -32,6 +33,8 @@ package starlogo.queries
 
         // By the nesting of a question (SeenAgents.nesting): how the ray meets rows.
         private var _hits:Vector.<Hits> = new Vector.<Hits>();
+
+        private var _spare:SpareHits = new SpareHits(RayHit);
 
         // For the line between two agents.
         private var _middleA:Vector3D = new Vector3D();
@@ -122,7 +125,7 @@ package starlogo.queries
             {
                 collect(found, hits);
             }
-            hits.resize(listed, hits.end(found));
+            _spare.resize(listed, hits.end(found));
             for (var i:int = 0; i < listed.length; i++)
             {
                 write(hits, i, listed[i]);
@@ -212,7 +215,7 @@ package starlogo.queries
         {
             while (_hits.length <= _seen.nesting)
             {
-                _hits.push(new Hits(_seen, RayHit));
+                _hits.push(new Hits(_seen));
             }
             _hits[_seen.nesting].begin();
             return _hits[_seen.nesting];

@@ -16,6 +16,7 @@ package starlogo.queries
     import starlogo.queries.motion.StartLift;
     import starlogo.queries.motion.TouchSweep;
     import starlogo.queries.rays.Hits;
+    import starlogo.queries.rays.SpareHits;
     import starlogo.queries.trees.Collector;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -35,6 +36,7 @@ package starlogo.queries
         private var _touches:TouchSweep = new TouchSweep();
         private var _slider:Slider = new Slider();
         private var _hits:Hits;
+        private var _spare:SpareHits = new SpareHits(ShapeHit);
 
         // By the nesting of a question (SeenAgents.nesting): its body.
         private var _bodies:Vector.<MovingBody> = new Vector.<MovingBody>();
@@ -57,7 +59,7 @@ package starlogo.queries
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _hits = new Hits(seen, ShapeHit);
+            _hits = new Hits(seen);
         }
 
         /** See AgentWalks.castShape. */
@@ -171,7 +173,7 @@ package starlogo.queries
         private function castAll(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            _hits.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, null));
+            _spare.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, null));
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);

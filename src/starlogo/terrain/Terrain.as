@@ -201,12 +201,12 @@ package starlogo.terrain
             }
             var changed:HeightGrid = worldAgent.beginChange();
             i = 0;
-            for (var y:int = row; y < row + rows; y++)
+            for (var toRow:int = row; toRow < row + rows; toRow++)
             {
-                for (var x:int = column; x < column + columns; x++)
+                for (var toColumn:int = column; toColumn < column + columns; toColumn++)
                 {
                     // plus 0, because -0 becomes 0, which is the only height that snapshots leave out
-                    changed.heights[int(y * changed.columns + x)] = heights[i] + 0;
+                    changed.heights[int(toRow * changed.columns + toColumn)] = heights[i] + 0;
                     i++;
                 }
             }

@@ -305,6 +305,10 @@ test("a point may be anything with x, y and z, which are read at the call", () =
 	const [onCube, other] = [{ x: 0, y: 0, z: 0, name: "mine" }, { x: 0, y: 0, z: 0 }];
 	assert.ok(Math.abs(queries.distanceToPoint(cube, { x: 2, y: 0.25, z: 0.5 }, onCube) - 1.5) < 1e-9);
 	assert.ok(Math.abs(onCube.x - 0.5) < 1e-9 && onCube.y === 0.25 && onCube.name === "mine");
+	const hit = new engine.RayHit();
+	for (const name of ["point", "normal", "weights"]) hit[name] = { x: 9, y: 9, z: 9 };
+	assert.equal(queries.cast({ x: -3, y: 0, z: 0.5 }, { x: 1, y: 0, z: 0 }, 9, null, hit), hit);
+	assert.ok(Math.hypot(hit.point.x + 0.5, hit.point.y, hit.point.z - 0.5, hit.normal.x + 1, hit.weights.x) < 1e-9);
 	const far = new Agent("cube");
 	far.x = 3;
 	const apart = queries.distance(cube, far, onCube, other);

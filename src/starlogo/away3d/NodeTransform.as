@@ -21,7 +21,8 @@ package starlogo.away3d
             var traits:Vector.<Number> = ofTraits(object).rows;
             var columns:Vector.<Number> = object.transform.rawData;
             var drawn:Vector.<Number> = new Vector.<Number>(12);
-            var scale:Number = 0;
+            // the largest number so far
+            var largest:Number = 0;
             var difference:Number = 0;
             var areSame:Boolean = true;
             for (var column:int = 0; column < 4; column++)
@@ -30,14 +31,14 @@ package starlogo.away3d
                 {
                     var at:int = 4 * row + column;
                     drawn[at] = columns[4 * column + row];
-                    scale = Math.max(scale, Math.abs(traits[at]));
+                    largest = Math.max(largest, Math.abs(traits[at]));
                     difference = Math.max(difference, Math.abs(traits[at] - drawn[at]));
                 }
-                // The comparison allows for single precision: relative to the scale in the first three columns, and to the position in the
-                // fourth.
+                // The comparison allows for single precision: relative to the scale in the first three columns, and in the fourth to the position or
+                // the scale, whichever is larger.
                 if (column >= 2)
                 {
-                    areSame = areSame && difference <= scale * Tolerances.SINGLE_PRECISION;
+                    areSame = areSame && difference <= largest * Tolerances.SINGLE_PRECISION;
                     difference = 0;
                 }
             }

@@ -6,6 +6,7 @@ package starlogo.blocks
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
+    import starlogo.geometry.copyVector;
 
     use namespace engine;
 
@@ -97,12 +98,8 @@ package starlogo.blocks
          */
         public function touchPoint(agent:Agent, other:Agent, out:Vector3D = null):Vector3D
         {
-            var point:Vector3D = contactOf("touch point", agent, other).point;
             out ||= new Vector3D();
-            // not copyFrom, because a game in JavaScript may give any object with x, y and z
-            out.x = point.x;
-            out.y = point.y;
-            out.z = point.z;
+            copyVector(contactOf("touch point", agent, other).point, out);
             return out;
         }
 
@@ -126,11 +123,15 @@ package starlogo.blocks
          *
          * @param agent the agent that moves
          * @param other the agent that stays. If the two do not touch, nothing moves
-         * @throws BlockError if one is missing, or both are the same
+         * @throws BlockError if one is missing, if both are the same, or if the one that moves is the ground's agent or the edges'
          */
         public function pushAway(agent:Agent, other:Agent):void
         {
             BlockSubject.checkBoth("push away from", agent, other);
+            if (agent.isOfWorld)
+            {
+                throw new BlockError("push away from", "cannot move the ground or the edges of the world.");
+            }
             _collisions.pushOut(agent, other);
         }
 

@@ -209,10 +209,6 @@ package starlogo.blocks
         {
             check(block, agent, breed);
             checkDistance(block, distance);
-            if (distance == Infinity)
-            {
-                throw new BlockError(block, "needs a finite distance.");
-            }
             BlockSubject.checkWay(block, distance, "the distance");
             return queries.castAgent(agent, distance * Trigonometry.cosine(agent.heading), distance * Trigonometry.sine(agent.heading), 0, filterFor(breed), _ahead);
         }

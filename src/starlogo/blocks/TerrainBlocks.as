@@ -158,9 +158,7 @@ package starlogo.blocks
          */
         public function isTouchingEdge(agent:Agent):Boolean
         {
-            BlockSubject.checkAgent("touching edge?", agent);
-            var bounds:WorldBounds = _collisions.collision.bounds;
-            return bounds != null && _detection.queries.touchesEdge(agent, bounds);
+            return contactWithEdge("touching edge?", agent) != null;
         }
 
         /**
@@ -173,9 +171,7 @@ package starlogo.blocks
          */
         public function edgeTouched(agent:Agent):String
         {
-            BlockSubject.checkAgent("edge I touch", agent);
-            var bounds:WorldBounds = _collisions.collision.bounds;
-            var contact:Contact = bounds == null ? null : _collisions.contactNow(agent, bounds.agent);
+            var contact:Contact = contactWithEdge("edge I touch", agent);
             if (contact == null)
             {
                 return null;
@@ -198,7 +194,7 @@ package starlogo.blocks
 
         /**
          * The block "bounce off the edge": moves the agent back into the world, and turns it as a mirror reflects light, if it is headed out of
-         * the world.
+         * the world. In a corner each edge is a mirror.
          *
          * @param agent the agent that bounces
          * @throws BlockError if there is no agent
@@ -212,10 +208,12 @@ package starlogo.blocks
             }
             var x:Number = Trigonometry.cosine(agent.heading);
             var y:Number = Trigonometry.sine(agent.heading);
-            var into:Number = x * contact.normal.x + y * contact.normal.y;
-            if (into < 0)
+            // the normal points into the world: from each edge that the agent touches
+            var leavesAlongX:Boolean = x * contact.normal.x < 0;
+            var leavesAlongY:Boolean = y * contact.normal.y < 0;
+            if (leavesAlongX || leavesAlongY)
             {
-                agent.heading = Trigonometry.arctangent(y - 2 * into * contact.normal.y, x - 2 * into * contact.normal.x);
+                agent.heading = Trigonometry.arctangent(leavesAlongY ? -y : y, leavesAlongX ? -x : x);
             }
         }
 
@@ -250,6 +248,14 @@ package starlogo.blocks
                 return at;
             }
             return least + ((at - least) % width + width) % width;
+        }
+
+        // How the agent touches the edges where it is now; null if it touches none.
+        private function contactWithEdge(block:String, agent:Agent):Contact
+        {
+            BlockSubject.checkAgent(block, agent);
+            var bounds:WorldBounds = _collisions.collision.bounds;
+            return bounds == null ? null : _collisions.contactNow(agent, bounds.agent);
         }
 
         // Moves the agent into the world. Returns its contact with the edges before; null if it touched none.

@@ -7,7 +7,6 @@ package starlogo.blocks
     import starlogo.geometry.Trigonometry;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.Footing;
-    import starlogo.queries.ShapeHit;
     import starlogo.queries.WalkOptions;
 
     use namespace engine;
@@ -21,17 +20,18 @@ package starlogo.blocks
      */
     public class WalkBlocks
     {
-        // what an agent stands on is no farther below it, in parts of its size. It ends a walk 1e-10 of its extent above
-        private static const CLOSE:Number = 1e-4;
-
         private var _detection:DetectionBlocks;
         private var _gravity:Number = 0.01;
         private var _solid:AgentFilter = AgentFilter.ofBreeds();
 
-        // The filter admits what is in the way: the ground and the solid breeds.
-        private var _options:WalkOptions = new WalkOptions();
+        // What is in the way: the ground and the solid breeds.
+        private var _obstacles:AgentFilter = AgentFilter.ofBreeds(Collision.TERRAIN);
+
+        // How agents walk, without a fall, and how they fall.
+        private var _walking:WalkOptions = new WalkOptions();
+        private var _falling:WalkOptions = new WalkOptions();
+
         private var _footing:Footing = new Footing();
-        private var _below:ShapeHit = new ShapeHit();
 
         /**
          * Creates blocks without solid breeds.
@@ -43,7 +43,8 @@ package starlogo.blocks
         {
             requireGiven("detection", detection);
             _detection = detection;
-            _options.filter = AgentFilter.ofBreeds(Collision.TERRAIN);
+            _walking.filter = _falling.filter = _obstacles;
+            _walking.fall = 0;
         }
 
         /** By how much falling gets faster in each frame, in patches a frame; 0.01. @throws RangeError if it is not more than 0 and finite */
@@ -76,8 +77,8 @@ package starlogo.blocks
         {
             requireGiven("solidBreeds", names);
             _solid.breeds = Vector.<String>(names);
-            _options.filter.breeds = _solid.breeds.concat();
-            _options.filter.breeds.push(Collision.TERRAIN);
+            _obstacles.breeds = _solid.breeds.concat();
+            _obstacles.breeds.push(Collision.TERRAIN);
         }
 
         /**
@@ -128,8 +129,7 @@ package starlogo.blocks
         public function walk(agent:Agent, steps:Number):void
         {
             check("walk", agent, steps, "steps");
-            _options.fall = 0;
-            _detection.queries.walk(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), _options, _footing);
+            _detection.queries.walk(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), _walking, _footing);
         }
 
         /**
@@ -145,15 +145,15 @@ package starlogo.blocks
             check("fall", agent, speed, "a speed");
             if (speed > 0)
             {
-                return _detection.queries.moveUntilTouch(agent, 0, 0, speed, _options.filter) < 1 ? 0 : speed - _gravity;
+                return _detection.queries.moveUntilTouch(agent, 0, 0, speed, _obstacles) < 1 ? 0 : speed - _gravity;
             }
-            _options.fall = Math.min(_gravity - speed, Agent.LARGEST_COORDINATE);
-            _detection.queries.walk(agent, 0, 0, _options, _footing);
+            _falling.fall = Math.min(_gravity - speed, Agent.LARGEST_COORDINATE);
+            _detection.queries.walk(agent, 0, 0, _falling, _footing);
             return _footing.stands ? 0 : speed - _gravity;
         }
 
         /**
-         * The block "jump": the speed with which an agent that stands jumps. If it does not stand, its speed stays.
+         * The block "jump": the speed with which an agent that stands jumps. If it does not stand, its speed stays. See standsOn().
          *
          * @param agent the agent that jumps
          * @param height how high, in patches, 0 or more
@@ -180,7 +180,7 @@ package starlogo.blocks
         }
 
         /**
-         * The block "standing?": whether the agent stands on a floor.
+         * The block "standing?": whether the agent stands on a floor. See standsOn().
          *
          * @param agent the agent that asks
          * @throws BlockError if there is no agent
@@ -192,7 +192,8 @@ package starlogo.blocks
         }
 
         /**
-         * The block "what I stand on": the agent below the agent.
+         * The block "what I stand on": the agent below the agent. It stands if "walk" with 0 steps would stand, which first lets a platform that has
+         * moved carry it, and pushes it out of what it overlaps. But nothing moves.
          *
          * @param agent the agent that asks
          * @return null if it does not stand; for the ground the agent of the terrain
@@ -201,8 +202,7 @@ package starlogo.blocks
         public function standsOn(agent:Agent):Agent
         {
             BlockSubject.checkAgent("what I stand on", agent);
-            var hit:ShapeHit = _detection.queries.castAgent(agent, 0, 0, -CLOSE * agent.size, _options.filter, _below);
-            return hit != null && hit.normal.z >= Trigonometry.cosine(_options.slopeDegrees) ? hit.agent : null;
+            return _detection.queries.findFooting(agent, _walking, _footing).on;
         }
 
         private static function check(block:String, agent:Agent, value:Number, what:String):void

@@ -25,22 +25,28 @@ package starlogo.debug
      */
     public final class CollisionLines
     {
-        private var _greatLand:GreatLand;
+        // What is drawn of a shape: its structure, its triangles, or else a level of its tree.
+        private static const STRUCTURE:int = 0;
+        private static const TRIANGLES:int = -1;
 
-        // The lines in model space, by level, kind and model. They are valid for one collider and one revision of the models.
+        // The shapes of a system that is not the engine's, which tells nothing about them.
+        private var _tightest:TightestFitChoice;
+
+        // The lines in the models' space, by what is drawn, kind and model. They are valid for one choice of shapes and one revision of its models.
         private var _lines:Object = {};
-        private var _collider:Collider = null;
+        private var _choice:BaseShapeChoice = null;
         private var _revision:int = -1;
 
         /**
-         * Creates lines for agents whose models a GreatLand has.
+         * Creates lines for agents.
          *
+         * @param greatLand has the models of a collision system that is not the engine's
          * @throws ArgumentError if it is null
          */
         public function CollisionLines(greatLand:GreatLand)
         {
             requireGiven("greatLand", greatLand);
-            _greatLand = greatLand;
+            _tightest = new TightestFitChoice(greatLand);
         }
 
         /**
@@ -49,7 +55,8 @@ package starlogo.debug
          * to the number of lines.
          *
          * @param agent any agent
-         * @param system one of the engine's systems, or a Collider with a ShapeChoice of the game's own, with the same GreatLand
+         * @param system has the shapes: one of the engine's systems, a LevelCollider, or a Collider with a ShapeChoice of the game's own. For a system
+         *     that is none of these, the lines are those of the tightest fits
          * @param out the lines are appended to it, six numbers each as in Wireframes; created if null
          * @return out
          * @throws ArgumentError if the agent is null, or if the collision system needs data of the agent's model that was not loaded
@@ -58,10 +65,10 @@ package starlogo.debug
         {
             requireGiven("agent", agent);
             var collider:Collider = BaseCollider.wrap(system).equivalentCollider;
+            var choice:BaseShapeChoice = collider == null ? _tightest : collider.narrowPhase.choice;
             var all:Vector.<Number> = out || new Vector.<Number>();
             // a BinCollider may be without models, and its agents have any shapes
-            var models:GreatLand = collider == null ? _greatLand : collider.narrowPhase.choice.greatLand;
-            if (models != null && !models.hasModel(agent.shape))
+            if (choice.greatLand != null && !choice.greatLand.hasModel(agent.shape))
             {
                 return all;
             }
@@ -71,44 +78,45 @@ package starlogo.debug
                 return Wireframes.ofStructure(new Sphere(new Vector3D(agent.x, agent.y, agent.z + radius), radius), all);
             }
             // A Matrix3D is not used, because it has single precision.
-            var lines:Vector.<Number> = linesOfModel(agent, collider);
+            var lines:Vector.<Number> = linesOfModel(agent, choice, collider);
             return Placement.placePoints(agent.worldPlacement(), lines, 0, lines.length, all, all.length);
         }
 
-        private function linesOfModel(agent:Agent, collider:Collider):Vector.<Number>
+        private function linesOfModel(agent:Agent, choice:BaseShapeChoice, collider:Collider):Vector.<Number>
         {
-            if (_collider !== collider || _revision != _greatLand.revision)
+            if (_choice !== choice || _revision != choice.revision)
             {
-                _collider = collider;
-                _revision = _greatLand.revision;
+                _choice = choice;
+                _revision = choice.revision;
                 _lines = {};
+                choice.forgetReplaced();
             }
-            // a system that is not the engine's tells nothing about its shapes
-            var choice:BaseShapeChoice = collider == null ? new TightestFitChoice(_greatLand) : collider.narrowPhase.choice;
-            var level:int = collider == null || collider.narrowPhase.treeTests == null ? 0 : levelOf(agent, collider.narrowPhase.treeLimits);
-            var key:String = level + " " + choice.kindOf(agent) + " " + agent.shape;
-            if (_lines[key] == null)
-            {
-                var shape:ModelShape = new ModelShape(agent.shape, choice.kindOf(agent), _revision);
-                choice.bind(shape, agent);
-                _lines[key] = shape.hierarchy == null ? Wireframes.ofStructure(shape.structure) : linesOfTree(shape, level);
-            }
+            var shape:ModelShape = choice.shapeOf(agent);
+            var drawn:int = shape.hierarchy == null ? STRUCTURE : drawnOfTree(shape.model, agent, collider.narrowPhase.treeLimits);
+            var key:String = drawn + " " + shape.kind + " " + shape.modelName;
+            _lines[key] ||= draw(shape, drawn);
             return _lines[key];
         }
 
-        private function linesOfTree(shape:ModelShape, level:int):Vector.<Number>
+        private static function draw(shape:ModelShape, drawn:int):Vector.<Number>
         {
-            var model:Model = _greatLand.modelOf(shape.modelName);
-            return level == int.MAX_VALUE && model.triangles != null ? Wireframes.ofTriangles(model.vertices, model.triangles)
-                : Wireframes.ofLevel(shape.hierarchy.root, level);
+            switch (drawn)
+            {
+                case STRUCTURE:
+                    return Wireframes.ofStructure(shape.structure);
+                case TRIANGLES:
+                    return Wireframes.ofTriangles(shape.model.vertices, shape.model.triangles);
+                default:
+                    return Wireframes.ofLevel(shape.hierarchy.root, drawn);
+            }
         }
 
-        // In exact mode all levels, because the triangles decide.
-        private static function levelOf(agent:Agent, limits:TreeLimits):int
+        // In exact mode the triangles decide, or the leaves of a model without triangles.
+        private static function drawnOfTree(model:Model, agent:Agent, limits:TreeLimits):int
         {
             if (limits.exact)
             {
-                return int.MAX_VALUE;
+                return model.triangles == null ? int.MAX_VALUE : TRIANGLES;
             }
             return agent.traversalDepth > 0 ? agent.traversalDepth : limits.maxDepth;
         }

@@ -1,4 +1,5 @@
-// This room shows what frames cost, on the stage or as text. Nothing of the engine needs it. Read this file first.
+// This room shows what frames cost. CollisionMonitor shows the last frames on the stage, and CollisionRecorder counts and times a whole game, as text.
+// Nothing of the engine needs it. Read this file first.
 package starlogo.diagnostics
 {
     import flash.display.Bitmap;
@@ -45,9 +46,6 @@ package starlogo.diagnostics
         private static const HEIGHT:int = 383;
         private static const FRAME_MS:int = 40;
         private static const REFRESH_FRAMES:int = 12;
-        private static const LABELS:Array = ["agents", "candidate pairs", "sphere-sphere", "sphere-capsule", "sphere-box",
-                "capsule-capsule", "capsule-box", "box-box", "hulls", "hierarchies", "node visits", "triangles", "collisions",
-                "handler calls", "memory", "this monitor"];
 
         private static const PANEL:uint = 0x14181d;
         private static const LINE:uint = 0x2c343d;
@@ -200,11 +198,39 @@ package starlogo.diagnostics
             _headline.text = _times.mean.toFixed(1) + " ms";
             _rate.text = Math.round(1000 * _frames / Math.max(1, now - _startMs)) + " fps\nmedian " + _times.median.toFixed(1) + "\nmost "
                 + _times.most.toFixed(1);
+            _numbers.text = columnOf(lines, 1);
+        }
+
+        // The lines below the graph: a label and a value each.
+        private function get lines():Array
+        {
             var did:CollisionStatistics = _collision.statistics;
-            _numbers.text = [did.agents, did.candidatePairs, did.sphereSphereTests, did.sphereCapsuleTests, did.sphereBoxTests,
-                    did.capsuleCapsuleTests, did.capsuleBoxTests, did.boxBoxTests, did.hullTests, did.hierarchyTests, did.nodeVisits,
-                    did.triangleTests, did.collisions, did.handlerCalls, (System.totalMemory / 1048576).toFixed(1) + " MB",
-                    ownMsPerFrame.toFixed(2) + " ms, " + (100 * ownMsPerFrame / FRAME_MS).toFixed(1) + " %"].join("\n");
+            return [
+                    ["agents", did.agents],
+                    ["candidate pairs", did.candidatePairs],
+                    ["sphere-sphere", did.sphereSphereTests],
+                    ["sphere-capsule", did.sphereCapsuleTests],
+                    ["sphere-box", did.sphereBoxTests],
+                    ["capsule-capsule", did.capsuleCapsuleTests],
+                    ["capsule-box", did.capsuleBoxTests],
+                    ["box-box", did.boxBoxTests],
+                    ["hulls", did.hullTests],
+                    ["hierarchies", did.hierarchyTests],
+                    ["node visits", did.nodeVisits],
+                    ["triangles", did.triangleTests],
+                    ["collisions", did.collisions],
+                    ["handler calls", did.handlerCalls],
+                    ["memory", (System.totalMemory / 1048576).toFixed(1) + " MB"],
+                    ["this monitor", ownMsPerFrame.toFixed(2) + " ms, " + (100 * ownMsPerFrame / FRAME_MS).toFixed(1) + " %"]
+                ];
+        }
+
+        private static function columnOf(lines:Array, column:int):String
+        {
+            return lines.map(function(line:Array, ...ignored):Object
+                {
+                    return line[column];
+                }).join("\n");
         }
 
         private function draw():void
@@ -220,7 +246,7 @@ package starlogo.diagnostics
             addText(8, 11, QUIET, TextFormatAlign.LEFT).text = "collisions";
             _headline = addText(22, 22, TEXT, TextFormatAlign.LEFT);
             _rate = addText(8, 11, QUIET, TextFormatAlign.RIGHT);
-            addText(LINES_TOP, 12, QUIET, TextFormatAlign.LEFT).text = LABELS.join("\n");
+            addText(LINES_TOP, 12, QUIET, TextFormatAlign.LEFT).text = columnOf(lines, 0);
             _numbers = addText(LINES_TOP, 12, TEXT, TextFormatAlign.RIGHT);
             mouseChildren = false;
         }

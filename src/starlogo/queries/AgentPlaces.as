@@ -18,8 +18,11 @@ package starlogo.queries
     {
         private var _seen:SeenAgents;
 
-        // By the level of a question (SeenAgents.level): its search.
+        // By the nesting of a question (SeenAgents.nesting): its search.
         private var _searches:Vector.<NearSearch> = new Vector.<NearSearch>();
+
+        // The cone of inCone, which calls accepts only after the search.
+        private var _cone:Cone = new Cone();
 
         /**
          * Asks about the agents of a SeenAgents. Others may ask about the same.
@@ -174,9 +177,8 @@ package starlogo.queries
         {
             requireNotNegative("radius", radius);
             var found:Collector = _seen.ask(wanted, radius * radius, asker, filter);
-            var search:NearSearch = searchOfLevel();
-            var cone:Cone = degrees < 360 ? search.cone.setTo(asker.worldPlacement(), degrees / 2) : null;
-            search.find(found, _seen.treeOfPlaces(), x, y, z, cone);
+            var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
+            nestedSearch().find(found, _seen.treeOfPlaces(), x, y, z, cone);
             return found;
         }
 
@@ -184,17 +186,17 @@ package starlogo.queries
         {
             requireNotNegative("radius", radius);
             var found:Collector = _seen.ask(Collector.ALL, radius * radius, asker, filter);
-            return searchOfLevel().count(found, _seen.treeOfPlaces(), x, y, z);
+            return nestedSearch().count(found, _seen.treeOfPlaces(), x, y, z);
         }
 
         // The search of a question that begins now.
-        private function searchOfLevel():NearSearch
+        private function nestedSearch():NearSearch
         {
-            while (_searches.length <= _seen.level)
+            while (_searches.length <= _seen.nesting)
             {
                 _searches.push(new NearSearch());
             }
-            return _searches[_seen.level];
+            return _searches[_seen.nesting];
         }
     }
 }

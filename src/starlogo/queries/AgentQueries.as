@@ -380,5 +380,11 @@ package starlogo.queries
         {
             return _walks.walk(agent, dx, dy, options, out);
         }
+
+        /** @private How an agent stands where it is: see WalkQueries.findFooting. */
+        engine function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
+        {
+            return _walks.findFooting(agent, options, out);
+        }
     }
 }

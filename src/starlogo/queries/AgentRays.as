@@ -12,6 +12,7 @@ package starlogo.queries
     import starlogo.queries.rays.Hits;
     import starlogo.queries.rays.RowRayQuery;
     import starlogo.queries.rays.RowSurfaceQuery;
+    import starlogo.queries.rays.SpareHits;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -30,8 +31,10 @@ package starlogo.queries
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
 
-        // By the level of a question (SeenAgents.level): how the ray meets rows.
+        // By the nesting of a question (SeenAgents.nesting): how the ray meets rows.
         private var _hits:Vector.<Hits> = new Vector.<Hits>();
+
+        private var _spare:SpareHits = new SpareHits(RayHit);
 
         // For the line between two agents.
         private var _middleA:Vector3D = new Vector3D();
@@ -80,7 +83,7 @@ package starlogo.queries
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
             var found:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
-            var hits:Hits = hitsOfLevel();
+            var hits:Hits = nestedHits();
             collect(found, hits);
             return hits.end(found) == 0 ? null : write(hits, 0, hit || new RayHit());
         }
@@ -113,7 +116,7 @@ package starlogo.queries
         {
             var found:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
-            var hits:Hits = hitsOfLevel();
+            var hits:Hits = nestedHits();
             if (allSurfaces)
             {
                 collectSurfaces(found, hits);
@@ -122,7 +125,7 @@ package starlogo.queries
             {
                 collect(found, hits);
             }
-            hits.resize(listed, hits.end(found));
+            _spare.resize(listed, hits.end(found));
             for (var i:int = 0; i < listed.length; i++)
             {
                 write(hits, i, listed[i]);
@@ -157,11 +160,15 @@ package starlogo.queries
             var rowA:int = _seen.rowOf(a);
             var rowB:int = _seen.rowOf(b);
             var found:Collector = begin(1, from, towards, distance, filter);
-            for (var row:int = found.nextOf(_search); row >= 0 && !found.canEnd; row = found.nextOf(_search))
+            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
             {
                 if (row != rowA && row != rowB && _rowRays.findHit(row, _ray, _entry))
                 {
                     found.add(row, _entry.distance);
+                    if (found.canEnd)
+                    {
+                        break;
+                    }
                 }
             }
             return found.end() == 0;
@@ -204,14 +211,14 @@ package starlogo.queries
         }
 
         // The hits of a question that begins now.
-        private function hitsOfLevel():Hits
+        private function nestedHits():Hits
         {
-            while (_hits.length <= _seen.level)
+            while (_hits.length <= _seen.nesting)
             {
-                _hits.push(new Hits(_seen, RayHit));
+                _hits.push(new Hits(_seen));
             }
-            _hits[_seen.level].begin();
-            return _hits[_seen.level];
+            _hits[_seen.nesting].begin();
+            return _hits[_seen.nesting];
         }
 
         // Finds the rows that the ray meets, and keeps how it meets them.

@@ -6,6 +6,7 @@ package starlogo.queries
     import starlogo.collision.Collider;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
+    import starlogo.geometry.copyVector;
     import starlogo.search.Body;
 
     use namespace engine;
@@ -40,6 +41,8 @@ package starlogo.queries
         public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):Number
         {
             Collider.requireTwo(a, b);
+            // a handler may have changed the ground
+            _seen.table.refreshWorld();
             if (a.isOfWorld && b.isOfWorld)
             {
                 throw new ArgumentError("the ground and the edges of the world have no distance from each other");
@@ -88,10 +91,7 @@ package starlogo.queries
         {
             if (out != null)
             {
-                // sets the fields one by one, because JavaScript callers may pass an object that is not a Vector3D
-                out.x = point.x;
-                out.y = point.y;
-                out.z = point.z;
+                copyVector(point, out);
             }
         }
     }

@@ -16,6 +16,7 @@ package starlogo.queries
     import starlogo.queries.motion.StartLift;
     import starlogo.queries.motion.TouchSweep;
     import starlogo.queries.rays.Hits;
+    import starlogo.queries.rays.SpareHits;
     import starlogo.queries.trees.Collector;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -35,8 +36,9 @@ package starlogo.queries
         private var _touches:TouchSweep = new TouchSweep();
         private var _slider:Slider = new Slider();
         private var _hits:Hits;
+        private var _spare:SpareHits = new SpareHits(ShapeHit);
 
-        // By the level of a question (SeenAgents.level): its body.
+        // By the nesting of a question (SeenAgents.nesting): its body.
         private var _bodies:Vector.<MovingBody> = new Vector.<MovingBody>();
 
         // Where the body begins, and its motion. They are set when it is known which rows are near.
@@ -57,13 +59,13 @@ package starlogo.queries
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _hits = new Hits(seen, ShapeHit);
+            _hits = new Hits(seen);
         }
 
         /** See AgentWalks.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readStructure(structure);
             return cast(body, null, dx, dy, dz, filter, hit);
         }
@@ -72,7 +74,7 @@ package starlogo.queries
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readStructure(structure);
             return castAll(body, null, dx, dy, dz, filter, out);
         }
@@ -80,7 +82,7 @@ package starlogo.queries
         /** See AgentWalks.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readCastAgent(agent);
             return cast(body, agent, dx, dy, dz, filter, hit);
         }
@@ -88,7 +90,7 @@ package starlogo.queries
         /** See AgentWalks.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readCastAgent(agent);
             return castAll(body, agent, dx, dy, dz, filter, out);
         }
@@ -97,7 +99,7 @@ package starlogo.queries
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readAgent(agent);
             var isMet:Boolean = findStops(body, agent, dx, dy, dz, filter, 1, _end) > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
@@ -132,19 +134,19 @@ package starlogo.queries
         }
 
         // The body of a question that begins now.
-        private function bodyOfLevel():MovingBody
+        private function nestedBody():MovingBody
         {
-            while (_bodies.length <= _seen.level)
+            while (_bodies.length <= _seen.nesting)
             {
                 _bodies.push(new MovingBody(_seen));
             }
-            return _bodies[_seen.level];
+            return _bodies[_seen.nesting];
         }
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
             _seen.requireMovable(agent, "slide");
-            var body:MovingBody = bodyOfLevel();
+            var body:MovingBody = nestedBody();
             body.readAgent(agent);
             requireMotion(dx, dy, dz, agent);
             body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
@@ -171,7 +173,7 @@ package starlogo.queries
         private function castAll(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            _hits.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, null));
+            _spare.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, null));
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);

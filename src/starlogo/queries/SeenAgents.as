@@ -2,7 +2,7 @@
 // kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
 // what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. The folder trees/ has the trees and their
 // searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts may ask while a
-// question is under way: what that one needs afterwards belongs to its level (SeenAgents.level). Read this file first, then AgentRays for a ray,
+// question is under way: what that one needs afterwards is there by nesting (SeenAgents.nesting). Read this file first, then AgentRays for a ray,
 // TouchSweep and Slider for a motion, or WalkMover for a walk.
 package starlogo.queries
 {
@@ -59,15 +59,8 @@ package starlogo.queries
         // The body of an agent that has changed since the last update.
         private var _made:Body = new Body();
 
-        /**
-         * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, one level deeper than the
-         * question that calls it, but not change the agents. What a question needs after these calls is there once for each level. Read only.
-         */
-        engine var level:int = 0;
-
-        // By level: what collects the rows of a question; and the one of the present level.
-        private var _collectors:Vector.<Collector> = new Vector.<Collector>();
-        private var _collector:Collector;
+        // By nesting: what collects the rows of a question.
+        private var _collectors:Vector.<Collector> = new <Collector>[new Collector()];
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -83,7 +76,6 @@ package starlogo.queries
                 throw QuerySource.errorAbout(collisionOrShapes);
             }
             table = new AgentTable(_source.findNarrowPhase());
-            goToLevel(0);
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
@@ -158,19 +150,27 @@ package starlogo.queries
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
         engine function ask(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            _collector.begin(wanted, limit, asker, filter);
-            return _collector;
+            var collector:Collector = _collectors[nesting];
+            collector.begin(table, wanted, limit, asker, filter);
+            return collector;
         }
 
-        /** @private From now on questions are of a level: of a deeper one while a filter's <code>accepts</code> is called. */
-        engine function goToLevel(next:int):void
+        /**
+         * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
+         * question that calls it, but not change the agents. What a question needs after these calls is there once for each nesting.
+         */
+        engine function get nesting():int
         {
-            if (next == _collectors.length)
+            var depth:int = 0;
+            while (_collectors[depth].isAsking)
             {
-                _collectors.push(new Collector(this));
+                depth++;
+                if (depth == _collectors.length)
+                {
+                    _collectors.push(new Collector());
+                }
             }
-            _collector = _collectors[next];
-            level = next;
+            return depth;
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
@@ -271,7 +271,7 @@ package starlogo.queries
 
         private function requireUnlocked(what:String):void
         {
-            if (level > 0)
+            if (nesting > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
             }

@@ -84,7 +84,7 @@ package starlogo.queries
                 return found;
             }
             _search.beginAround(_seen.treeOfExtents(), body);
-            for (var row:int = found.nextOf(_search); row >= 0 && !found.canEnd; row = found.nextOf(_search))
+            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
             {
                 if (table.narrowPhase.areTouching(body, table.bodyOf(row)))
                 {
@@ -93,6 +93,10 @@ package starlogo.queries
                     var toZ:Number = table.places.z[row] - body.placement.z;
                     // the ground has no place, so it comes last
                     found.add(row, row == ListedAgents.GROUND_ROW ? Infinity : toX * toX + toY * toY + toZ * toZ);
+                    if (found.canEnd)
+                    {
+                        break;
+                    }
                 }
             }
             return found;

@@ -6,6 +6,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;
+    import starlogo.geometry.copyVector;
     import starlogo.queries.motion.Walk;
     import starlogo.queries.motion.WalkMover;
     import starlogo.search.table.ListedAgents;
@@ -26,12 +27,14 @@ package starlogo.queries
         // A piece of a walk is as long as the agent. Endless walks have no more pieces than this.
         private static const MOST_PIECES:int = 64;
 
+        private static const UP:Vector3D = new Vector3D(0, 0, 1);
+
         private static const DEFAULTS:WalkOptions = new WalkOptions();
 
         private var _seen:SeenAgents;
         private var _walkMover:WalkMover;
 
-        // By the level of a question (SeenAgents.level): its walk.
+        // By the nesting of a question (SeenAgents.nesting): its walk.
         private var _walks:Vector.<Walk> = new Vector.<Walk>();
 
         /** @param seen the agents that the questions are about */
@@ -45,9 +48,31 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var footing:Footing = out || new Footing();
-            var walk:Walk = walkOfLevel();
-            readOptions(agent, dx, dy, options || DEFAULTS, walk);
+            var walk:Walk = nestedWalk();
+            var stands:Boolean = go(walk, agent, dx, dy, options || DEFAULTS);
+            // before the footing is written, because an agent that would leave the world throws an error
+            _seen.moveAgent(agent, walk.place, walk.turn);
+            var footing:Footing = write(walk, stands, out || new Footing());
+            var link:PlatformLink = agent.platformLink;
+            link.platform = null;
+            if (stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
+            {
+                link.setTo(footing.on, _seen.table.bodyOf(walk.floorRow).placement, _seen.table.places.revisions[walk.floorRow]);
+            }
+            return footing;
+        }
+
+        /** Finds the footing that a walk without a way would give the agent now. Nothing moves. It may be asked in a filter's <code>accepts</code>. */
+        public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
+        {
+            var walk:Walk = nestedWalk();
+            return write(walk, go(walk, agent, 0, 0, options), out);
+        }
+
+        // Finds where a walk leads. Returns whether the agent stands there. Nothing moves.
+        private function go(walk:Walk, agent:Agent, dx:Number, dy:Number, options:WalkOptions):Boolean
+        {
+            readOptions(agent, dx, dy, options, walk);
             var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
             var platform:int = findPlatform(walk, link);
             var at:Placement = walk.body.readAgent(agent, walk.turn).placement;
@@ -58,26 +83,17 @@ package starlogo.queries
             {
                 _walkMover.carry(walk, platform);
             }
-            var stands:Boolean = _walkMover.go(walk);
-            // before the footing is written, because an agent that would leave the world throws an error
-            _seen.moveAgent(agent, walk.place, walk.turn);
-            write(walk, stands, footing);
-            link.platform = null;
-            if (stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
-            {
-                link.setTo(footing.on, _seen.table.bodyOf(walk.floorRow).placement, _seen.table.places.revisions[walk.floorRow]);
-            }
-            return footing;
+            return _walkMover.go(walk);
         }
 
         // The walk of a question that begins now.
-        private function walkOfLevel():Walk
+        private function nestedWalk():Walk
         {
-            while (_walks.length <= _seen.level)
+            while (_walks.length <= _seen.nesting)
             {
                 _walks.push(new Walk(_seen));
             }
-            return _walks[_seen.level];
+            return _walks[_seen.nesting];
         }
 
         // Finds what the motion and the options mean for the agent.
@@ -104,7 +120,7 @@ package starlogo.queries
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 findCarry(link, _seen.table.bodyOf(row).placement, walk);
-                if ((walk.turn != 0 || walk.carry.length > 0) && _seen.ask(1, 0, walk.agent, walk.options.filter).endWithRow(row))
+                if ((walk.turn != 0 || walk.carry.length > 0) && _seen.ask(1, 0, walk.agent, walk.options.filter).admits(row))
                 {
                     return row;
                 }
@@ -140,18 +156,14 @@ package starlogo.queries
                     now.r00 * from.r00 + now.r01 * from.r01 + now.r02 * from.r02 + now.r10 * from.r10 + now.r11 * from.r11 + now.r12 * from.r12);
         }
 
-        private function write(walk:Walk, stands:Boolean, out:Footing):void
+        private function write(walk:Walk, stands:Boolean, out:Footing):Footing
         {
             out.stands = stands;
             out.part = walk.part;
             out.pushed = walk.pushed;
-            out.on = null;
-            out.normal.setTo(0, 0, 1);
-            if (stands)
-            {
-                out.on = _seen.table.list.agents[walk.floorRow];
-                out.normal.copyFrom(walk.floorNormal);
-            }
+            out.on = stands ? _seen.table.list.agents[walk.floorRow] : null;
+            copyVector(stands ? walk.floorNormal : UP, out.normal);
+            return out;
         }
     }
 }

@@ -200,10 +200,15 @@ package starlogo.terrain
                 requireInWorld("a terrain's height", heights[i], 0, 0);
             }
             var changed:HeightGrid = worldAgent.beginChange();
-            for (i = 0; i < heights.length; i++)
+            i = 0;
+            for (var toRow:int = row; toRow < row + rows; toRow++)
             {
-                // plus 0, because -0 becomes 0, which is the only height that snapshots leave out
-                changed.heights[int((row + int(i / columns)) * changed.columns + column + i % columns)] = heights[i] + 0;
+                for (var toColumn:int = column; toColumn < column + columns; toColumn++)
+                {
+                    // plus 0, because -0 becomes 0, which is the only height that snapshots leave out
+                    changed.heights[int(toRow * changed.columns + toColumn)] = heights[i] + 0;
+                    i++;
+                }
             }
             changed.pyramid.update(column, row, column + columns - 1, row + rows - 1);
         }
@@ -261,7 +266,8 @@ package starlogo.terrain
             requireInWorld("a mound's place and height", x, y, height);
             requireInWorld("a mound's width", width, 0, 0);
             var ground:HeightGrid = grid;
-            var radius:Number = width / 2 / ground.cellWidth;
+            // rounding must not make it 0
+            var radius:Number = Math.max(Number.MIN_VALUE, width / 2 / ground.cellWidth);
             var middleColumn:Number = (x - ground.x) / ground.cellWidth;
             var middleRow:Number = (y - ground.y) / ground.cellWidth;
             if (!(width > 0 && ground.isWithin(x, y, (width + cellWidth) / 2)))

@@ -9,6 +9,8 @@ package starlogo.blocks
     import starlogo.collision.HierarchicalCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
     import support.assertClose;
     import support.assertThrows;
     import support.create;
@@ -47,6 +49,21 @@ package starlogo.blocks
             assertEquals("right", _blocks.sideHit(_bear, _wall));
             assertEquals("back", _blocks.sideHit(_wall, _bear));
             assertEquals(expected.toString(), ContactBlocks.sideNames.toString());
+        }
+
+        [Test]
+        public function neitherTheGroundNorTheEdgesArePushed():void
+        {
+            _collisions.collision.terrain = new Terrain(11, 11, 1, -5, -5);
+            _collisions.collision.bounds = new WorldBounds(-5, -5, -5, 5, 5, 5);
+            _bear.moveTo(0, 4.8, -0.3);
+            for each (var agent:Agent in [_collisions.collision.terrain.agent, _collisions.collision.bounds.agent])
+            {
+                assertThrows(BlockError, /"push away from" cannot move the ground or the edges of the world\.$/, _blocks.pushAway, agent, _bear);
+                assertEquals(0, agent.z);
+            }
+            _blocks.pushAway(_bear, _collisions.collision.terrain.agent);
+            assertClose(0, _bear.z, 1e-9);
         }
 
         [Test]

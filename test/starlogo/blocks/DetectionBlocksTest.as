@@ -66,7 +66,7 @@ package starlogo.blocks
             assertThrows(BlockError, /"ahead" needs an agent/, _blocks.ahead, null, "wolves", 1);
             assertThrows(BlockError, /"ahead" needs the name of a breed/, _blocks.ahead, _turtle, "", 1);
             assertThrows(BlockError, /"distance ahead" needs a distance of 0 or more, but got -1/, _blocks.distanceAhead, _turtle, "wolves", -1);
-            assertThrows(BlockError, /"ahead" needs a finite distance/, _blocks.ahead, _turtle, "wolves", Infinity);
+            assertThrows(BlockError, /"ahead" needs a number for the distance, but got Infinity/, _blocks.ahead, _turtle, "wolves", Infinity);
             assertThrows(BlockError, /"distance ahead" needs a number up to 1000000000 for the distance, but got 1e\+300/, _blocks.distanceAhead, _turtle, "wolves", 1e300);
         }
 

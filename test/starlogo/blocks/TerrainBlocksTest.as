@@ -161,6 +161,24 @@ package starlogo.blocks
             assertEquals(1, _turtle.z);
         }
 
+        // In a corner each edge mirrors the part of the heading that leads out at this edge, however deep the agent is beyond each.
+        [Test]
+        public function bouncesInCornersOffEachEdge():void
+        {
+            _detection.update();
+            _collisions.collision.bounds = new WorldBounds(-5, -5, -1, 5, 5, 9);
+            var places:Array = [[-4.55, -4.6, 1], [-4.6, 0, -1.2], [-4.6, 0, -1.1], [-4.6, -4.7, 1], [4.6, 4.7, 1], [4.6, -4.7, 1], [0, 0, -1.2]];
+            var headings:Array = [180, 180, 180, 225, 30, 30, 77];
+            var bounced:Array = [0, 0, 0, 45, 210, 150, 77];
+            for (var i:int = 0; i < places.length; i++)
+            {
+                _turtle.moveTo(places[i][0], places[i][1], places[i][2]);
+                _turtle.heading = headings[i];
+                _blocks.bounceOffEdge(_turtle);
+                assertClose(0, (_turtle.heading - bounced[i]) % 360, 1e-9, places[i]);
+            }
+        }
+
         [Test]
         public function aGameMayHaveNoGround():void
         {

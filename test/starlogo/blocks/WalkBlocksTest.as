@@ -12,6 +12,7 @@ package starlogo.blocks
     import support.assertClose;
     import support.assertThrows;
     import support.create;
+    import support.fillHeights;
     import support.landOf;
 
     public class WalkBlocksTest
@@ -184,6 +185,56 @@ package starlogo.blocks
             assertClose(6.5, _hero.x, 1e-9);
             assertEquals(3, _hero.z);
             assertNull(_blocks.standsOn(_hero));
+        }
+
+        // On a slope that is as steep as a walk climbs, rounding decides nothing.
+        [Test]
+        public function standsOnTheSteepestSlopeThatItWalksOn():void
+        {
+            fillHeights(_terrain, function(column:int, row:int):Number
+                {
+                    return column - 10;
+                });
+            _collisions.greatLand.addModel(BuiltInModel.sphere());
+            _hero.shape = "sphere";
+            _hero.moveTo(0.3, 0.2, 2);
+            settle();
+            assertTrue(_blocks.fall(_hero, 0) == 0);
+            assertTrue(_blocks.isStanding(_hero));
+            assertTrue(_blocks.standsOn(_hero) === _terrain.agent);
+            assertTrue(_blocks.jump(_hero, 1, 0) > 0);
+        }
+
+        [Test]
+        public function jumpsFromTheEdgeOfAPlatform():void
+        {
+            _blocks.setSolid("platforms", true);
+            _collisions.greatLand.addModel(BuiltInModel.sphere());
+            _hero.shape = "sphere";
+            _hero.moveTo(2.4, 0, 4);
+            settle();
+            var z:Number = _hero.z;
+            assertTrue(z > 2.2);
+            assertTrue(_blocks.standsOn(_hero) === _platform);
+            assertTrue(_blocks.jump(_hero, 1, 0) > 0);
+            assertEquals("the question moves nothing", z, _hero.z);
+        }
+
+        // The next walk takes it along, so it can jump before that.
+        [Test]
+        public function jumpsFromAPlatformThatGoesDown():void
+        {
+            _blocks.setSolid("platforms", true);
+            _hero.moveTo(0, 0, 4);
+            settle();
+            _platform.moveTo(1, 0, 1.5);
+            _detection.update();
+            assertTrue(_blocks.standsOn(_hero) === _platform);
+            assertEquals(0, _hero.x);
+            assertClose(2.5, _hero.z, 1e-6);
+            _blocks.walk(_hero, 0);
+            assertClose(1, _hero.x, 1e-6, "a question does not unlink them");
+            assertClose(2, _hero.z, 1e-6);
         }
 
         [Test]

@@ -1,11 +1,16 @@
 package starlogo.debug
 {
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.queries.LevelCollider;
+    import starlogo.queries.LevelShapes;
     import support.EachCollider;
     import support.agentAt;
     import support.assertThrows;
@@ -28,6 +33,27 @@ package starlogo.debug
                 land.removeModel("late");
                 assertEquals(name + ", removed", 0, lines.linesOf(agentAt("late", 1, 2, 3), EachCollider.make(name, land)).length);
             }
+        }
+
+        [Test]
+        public function aLevelColliderHasItsOwnShapes():void
+        {
+            var shapes:LevelShapes = new LevelShapes();
+            shapes.addModel(BuiltInModel.cube());
+            shapes.addStructure("ball", new Sphere(new Vector3D(), 0.5));
+            var lines:CollisionLines = new CollisionLines(new GreatLand());
+            var level:LevelCollider = new LevelCollider(shapes);
+            var cube:Agent = agentAt("cube", 0, 0, 0);
+            var ball:Agent = agentAt("ball", 0, 0, 0);
+            assertEquals(0.5, lines.linesOf(ball, level)[0]);
+            var boxes:int = lines.linesOf(cube, level).length;
+            shapes.exact = true;
+            var triangles:Vector.<Number> = lines.linesOf(cube, level);
+            assertEquals(Wireframes.ofTriangles(BuiltInModel.cube().vertices, BuiltInModel.cube().triangles).length, triangles.length);
+            assertTrue(boxes != triangles.length);
+            shapes.addStructure("ball", new Sphere(new Vector3D(), 2));
+            assertEquals("replaced", 2, lines.linesOf(ball, level)[0]);
+            assertThrows(ArgumentError, /no model and no structure "bal"/, lines.linesOf, agentAt("bal", 0, 0, 0), level);
         }
 
         [Test]

@@ -17,8 +17,11 @@ package starlogo.terrain
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
+    import starlogo.queries.AgentQueries;
     import support.agentAt;
+    import support.assertClose;
     import support.assertThrows;
+    import support.fillHeights;
     import support.landOf;
 
     /** Handlers for the ground: which are called, with what, in which order. */
@@ -48,6 +51,29 @@ package starlogo.terrain
                 });
             _collision.update(new <Agent>[cube]);
             assertEquals(1, _calls.length);
+        }
+
+        // Questions see the ground as it is, also while the frame keeps the ground that it has found.
+        [Test]
+        public function aHandlerThatRaisesTheGroundIsNearerToIt():void
+        {
+            var cube:Agent = agentAt("cube", 0, 0, 5);
+            var other:Agent = agentAt("cube", 0, 0, 5);
+            var queries:AgentQueries = new AgentQueries(_collision);
+            var agents:Vector.<Agent> = new <Agent>[cube, other];
+            queries.update(agents);
+            _collision.onCollision("turtles", "turtles", function(collider:Agent, collidee:Agent, contact:Contact):void
+                {
+                    note(collider, collidee);
+                    fillHeights(_terrain, function(column:int, row:int):Number
+                        {
+                            return 3 + _calls.length;
+                        });
+                    assertClose(2 - _calls.length, queries.distance(collider, _terrain.agent), 1e-9);
+                    assertClose(2 - _calls.length, queries.distance(_terrain.agent, collider), 1e-9);
+                });
+            _collision.update(agents);
+            assertEquals(2, _calls.length);
         }
 
         [Test]

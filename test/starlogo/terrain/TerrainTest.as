@@ -220,6 +220,19 @@ package starlogo.terrain
         }
 
         [Test]
+        public function theNarrowestMoundRaisesItsMiddle():void
+        {
+            for each (var width:Number in [1e-9, 1e-300, Number.MIN_VALUE])
+            {
+                var terrain:Terrain = new Terrain(5, 5);
+                terrain.raiseMound(2, 2, width, 1);
+                assertEquals(width, 1, terrain.getHeight(2, 2));
+                terrain.raiseMound(2.5, 2, width, 1);
+                assertEquals(width, 0, terrain.getHeight(3, 2));
+            }
+        }
+
+        [Test]
         public function wallsRaiseTheNearestHeight():void
         {
             _terrain.raiseWall(0.9, 0.9, 4);

@@ -13,16 +13,13 @@ package starlogo.queries.rays
     use namespace engine;
 
     /**
-     * Keeps how a ray or a moving body meets rows, until the answer of the question is known. It also keeps the RayHits or ShapeHits that no
-     * list needs at present, for lists that need more.
+     * Keeps how a ray or a moving body meets rows, until the answer of the question is known.
      *
      * @private
      */
     public final class Hits
     {
         private var _seen:SeenAgents;
-        private var _type:Class;
-        private var _spare:Array = [];
 
         // The hits: the row of each, with the distance or time as its key. The hits of a row stand side by side.
         private var _hits:SortableIntList = new SortableIntList();
@@ -39,14 +36,10 @@ package starlogo.queries.rays
 
         private var _triangle:TriangleOfHit = new TriangleOfHit();
 
-        /**
-         * @param seen has the rows
-         * @param type RayHit or ShapeHit
-         */
-        public function Hits(seen:SeenAgents, type:Class)
+        /** @param seen has the rows */
+        public function Hits(seen:SeenAgents)
         {
             _seen = seen;
-            _type = type;
         }
 
         /** Begins without hits. */
@@ -147,41 +140,15 @@ package starlogo.queries.rays
         {
             var from:ContactPoint = contactOf(index);
             hit.agent = _seen.table.list.agents[rowOf(index)];
-            hit.point.setTo(from.x, from.y, from.z);
-            hit.normal.setTo(from.normalX, from.normalY, from.normalZ);
+            // not setTo, because a game in JavaScript may have given a hit any objects with x, y and z
+            hit.point.x = from.x;
+            hit.point.y = from.y;
+            hit.point.z = from.z;
+            hit.normal.x = from.normalX;
+            hit.normal.y = from.normalY;
+            hit.normal.z = from.normalZ;
             hit.triangle = from.triangle;
             _triangle.write(bodyOf(index), hit);
-        }
-
-        /**
-         * Makes a list have as many hits as an answer. It removes surplus hits one at a time, because V8 frees an array's memory if its length is
-         * set to less.
-         *
-         * @param hits a list of hits of the type
-         */
-        public function resize(hits:Object, length:int):void
-        {
-            while (hits.length > length)
-            {
-                var hit:Object = hits.pop();
-                if (hit != null)
-                {
-                    hit.agent = null;
-                    _spare.push(hit);
-                }
-            }
-            for (var i:int = 0; i < length; i++)
-            {
-                if (i == hits.length || hits[i] == null)
-                {
-                    var spare:Object = _spare.pop();
-                    if (spare == null)
-                    {
-                        spare = new _type();
-                    }
-                    hits[i] = spare;
-                }
-            }
         }
     }
 }

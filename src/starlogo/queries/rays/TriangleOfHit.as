@@ -3,6 +3,7 @@ package starlogo.queries.rays
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.copyVector;
     import starlogo.hierarchy.BoxTree;
     import starlogo.models.TriangleLabels;
     import starlogo.queries.CastHit;
@@ -22,6 +23,9 @@ package starlogo.queries.rays
         private var _b:Vector3D = new Vector3D();
         private var _c:Vector3D = new Vector3D();
 
+        // The weights of the corners.
+        private var _weights:Vector3D = new Vector3D();
+
         /**
          * Writes the mesh, the material and the weights.
          *
@@ -32,11 +36,18 @@ package starlogo.queries.rays
         {
             hit.mesh = hit.material = -1;
             hit.meshName = hit.materialName = null;
-            hit.weights.setTo(0, 0, 0);
-            if (hit.triangle < 0)
+            _weights.setTo(0, 0, 0);
+            if (hit.triangle >= 0)
             {
-                return;
+                writeLabels(body, hit);
+                readCorners(body.shape.hierarchy.boxTree, 3 * hit.triangle, body.placement, hit.point);
+                weigh(_weights);
             }
+            copyVector(_weights, hit.weights);
+        }
+
+        private static function writeLabels(body:Body, hit:CastHit):void
+        {
             if (body.shape.model != null)
             {
                 var meshes:TriangleLabels = body.shape.model.data.meshes;
@@ -46,8 +57,6 @@ package starlogo.queries.rays
                 hit.material = materials.numberOf(hit.triangle);
                 hit.materialName = materials.nameOf(hit.material);
             }
-            readCorners(body.shape.hierarchy.boxTree, 3 * hit.triangle, body.placement, hit.point);
-            weigh(hit.weights);
         }
 
         private function readCorners(tree:BoxTree, corner:int, placement:Placement, point:Vector3D):void

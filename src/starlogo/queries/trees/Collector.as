@@ -5,7 +5,7 @@ package starlogo.queries.trees
     import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
-    import starlogo.queries.SeenAgents;
+    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 
@@ -16,7 +16,7 @@ package starlogo.queries.trees
      *
      * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. Motions and casts of shapes call it for all rows
-     * near them. It may ask questions itself. These have the Collector of the next level (SeenAgents.ask).</p>
+     * near them. It may ask questions itself. These have Collectors of their own (SeenAgents.ask).</p>
      *
      * @private
      */
@@ -26,7 +26,7 @@ package starlogo.queries.trees
         public static const ALL:int = int.MAX_VALUE;
 
         /** The rows that count. */
-        public var filter:RowFilter;
+        public var filter:RowFilter = new RowFilter();
 
         /** The largest key that still counts. It is less than 0 if no more rows are wanted. */
         public var limit:Number = Infinity;
@@ -34,7 +34,10 @@ package starlogo.queries.trees
         /** The number of rows that are wanted, or ALL. */
         public var wanted:int = ALL;
 
-        private var _seen:SeenAgents;
+        /** Whether it is calling a filter's <code>accepts</code>. Read only. */
+        public var isAsking:Boolean = false;
+
+        private var _table:AgentTable;
 
         // The rows that were found, unsorted, and their keys. If accepts decides, the rows that it has admitted come first.
         private var _rows:SortableIntList = new SortableIntList();
@@ -45,24 +48,19 @@ package starlogo.queries.trees
         // The number of rows that accepts has admitted, in order.
         private var _admitted:int = 0;
 
-        /** @param seen the agents that questions are about */
-        public function Collector(seen:SeenAgents)
-        {
-            _seen = seen;
-            filter = new RowFilter(seen);
-        }
-
         /**
          * Begins a search.
          *
+         * @param table has the rows
          * @param wanted how many of the rows with the smallest keys are wanted, or ALL
          * @param limit the largest key
          * @param asker the agent that asks, which does not count; or null
          * @param agentFilter the agents that count; null for all
          */
-        public function begin(wanted:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
+        public function begin(table:AgentTable, wanted:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
         {
-            filter.begin(asker, agentFilter);
+            _table = table;
+            filter.begin(table.list, asker, agentFilter);
             this.wanted = wanted;
             this.limit = wanted == 0 ? -1 : limit;
             _dropAt = filter.accepts == null ? wanted : ALL;
@@ -75,8 +73,8 @@ package starlogo.queries.trees
             return wanted == 1 && filter.accepts == null && _rows.count > 0;
         }
 
-        /** Ends a search that has found one row. Returns whether it counts. */
-        public function endWithRow(row:int):Boolean
+        /** Ends without a search. Returns whether a row counts. */
+        public function admits(row:int):Boolean
         {
             if (filter.mayCount(row))
             {
@@ -90,7 +88,7 @@ package starlogo.queries.trees
         {
             for (var row:int = search.next(filter.breeds, limit); row >= 0; row = search.next(filter.breeds, limit))
             {
-                if (row != filter.askerRow && _seen.table.shapes[row] != null)
+                if (row != filter.askerRow && _table.shapes[row] != null)
                 {
                     if (filter.mayCount(row))
                     {
@@ -136,7 +134,7 @@ package starlogo.queries.trees
         // Sorts the rows, and keeps those that are wanted.
         private function sort():void
         {
-            _rows.sortFirst(_rows.count, _seen.table.list.ranks);
+            _rows.sortFirst(_rows.count, _table.list.ranks);
             _rows.count = Math.min(_rows.count, wanted);
         }
 
@@ -151,7 +149,7 @@ package starlogo.queries.trees
             {
                 return;
             }
-            _rows.sortFirst(end, _seen.table.list.ranks);
+            _rows.sortFirst(end, _table.list.ranks);
             admitTo(end);
             if (_admitted == wanted)
             {
@@ -171,8 +169,7 @@ package starlogo.queries.trees
         private function admitTo(end:int):void
         {
             var decide:Function = filter.accepts;
-            var level:int = _seen.level;
-            _seen.goToLevel(level + 1);
+            isAsking = true;
             try
             {
                 for (var i:int = _admitted; i < end && _admitted < wanted; i++)
@@ -186,7 +183,7 @@ package starlogo.queries.trees
             }
             finally
             {
-                _seen.goToLevel(level);
+                isAsking = false;
             }
         }
 
@@ -213,7 +210,7 @@ package starlogo.queries.trees
         // The agent of a row of the answer.
         private function agentAt(index:int):Agent
         {
-            return _seen.table.list.agents[rowAt(index)];
+            return _table.list.agents[rowAt(index)];
         }
 
         /** Ends the search. Returns the agent of the first row of the answer, or null. */

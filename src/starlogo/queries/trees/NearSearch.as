@@ -14,9 +14,6 @@ package starlogo.queries.trees
      */
     public final class NearSearch
     {
-        /** A cone for the rows to be in. */
-        public var cone:Cone = new Cone();
-
         private var _found:Collector = null;
         private var _tree:RowTree = null;
 

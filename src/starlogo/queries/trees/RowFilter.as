@@ -4,7 +4,7 @@ package starlogo.queries.trees
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
-    import starlogo.queries.SeenAgents;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -29,7 +29,7 @@ package starlogo.queries.trees
         /** The row of the agent that asks, which does not count; or -1. */
         public var askerRow:int = -1;
 
-        private var _seen:SeenAgents;
+        private var _listed:ListedAgents;
         private var _filter:AgentFilter;
 
         // The number of the question, from 1 on. By row: the last question that excepted it. By the number of a breed: the last question that met
@@ -38,21 +38,17 @@ package starlogo.queries.trees
         private var _exceptMarks:Vector.<int> = new Vector.<int>();
         private var _breedMarks:Vector.<int> = new Vector.<int>();
 
-        /** @param seen the agents that questions are about */
-        public function RowFilter(seen:SeenAgents)
-        {
-            _seen = seen;
-        }
-
         /**
          * Begins a question.
          *
+         * @param listed has the rows of the agents
          * @param asker the agent that asks; or null
          * @param filter the agents that count; null for all
          */
-        public function begin(asker:Agent, filter:AgentFilter):void
+        public function begin(listed:ListedAgents, asker:Agent, filter:AgentFilter):void
         {
-            askerRow = asker == null ? -1 : _seen.table.list.rowOf(asker);
+            _listed = listed;
+            askerRow = asker == null ? -1 : _listed.rowOf(asker);
             _filter = filter;
             excludes = false;
             breeds = RowTree.ALL_BREEDS;
@@ -61,7 +57,7 @@ package starlogo.queries.trees
             {
                 return;
             }
-            filter.checkNames(_seen.table.list.agents);
+            filter.checkNames(_listed.agents);
             accepts = filter.accepts;
             if (_question == int.MAX_VALUE)
             {
@@ -99,7 +95,7 @@ package starlogo.queries.trees
         /** Whether a row's agent counts, as far as its breed and the filter's <code>except</code> say: <code>accepts</code> is not called. */
         public function mayCount(row:int):Boolean
         {
-            return !excludes || (_exceptMarks[row] != _question && admitsBreedOf(_seen.table.list.agents[row]));
+            return !excludes || (_exceptMarks[row] != _question && admitsBreedOf(_listed.agents[row]));
         }
 
         private function admitsBreedOf(agent:Agent):Boolean
@@ -122,13 +118,13 @@ package starlogo.queries.trees
         // Marks the rows of agents that do not count.
         private function markExcepted(agents:Vector.<Agent>):void
         {
-            if (_exceptMarks.length < _seen.table.list.agents.length)
+            if (_exceptMarks.length < _listed.agents.length)
             {
-                _exceptMarks.length = _seen.table.list.agents.length;
+                _exceptMarks.length = _listed.agents.length;
             }
             for (var i:int = 0; agents != null && i < agents.length; i++)
             {
-                var row:int = agents[i] == null ? -1 : _seen.table.list.rowOf(agents[i]);
+                var row:int = agents[i] == null ? -1 : _listed.rowOf(agents[i]);
                 if (row >= 0)
                 {
                     excludes = true;

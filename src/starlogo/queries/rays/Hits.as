@@ -125,7 +125,8 @@ package starlogo.queries.rays
             return _seen.table.bodyOf(rowOf(index));
         }
 
-        private function rowOf(index:int):int
+        /** The row of a hit of the answer. */
+        public function rowOf(index:int):int
         {
             return _hits.numbers[_answer.numbers[index]];
         }

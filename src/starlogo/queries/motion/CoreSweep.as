@@ -86,6 +86,7 @@ package starlogo.queries.motion
             {
                 out.contact.copyFrom(start.impact.contact);
                 out.fraction = findTouchTime(body, start.place, motion, start.impact);
+                setAlong(start.place, motion, start.impact.time, out.corePlace);
             }
         }
 
@@ -148,6 +149,12 @@ package starlogo.queries.motion
             _relative.endAfter(motion.x, motion.y, motion.z);
             body.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
             return Math.abs(_relative.time - expected) <= expected - impact.time ? _relative.time : impact.time;
+        }
+
+        // Sets the place at a time of a motion.
+        private static function setAlong(from:Vector3D, motion:Vector3D, time:Number, out:Vector3D):void
+        {
+            out.setTo(from.x + time * motion.x, from.y + time * motion.y, from.z + time * motion.z);
         }
 
         private static function hasLength(motion:Vector3D):Boolean
@@ -217,7 +224,7 @@ package starlogo.queries.motion
             {
                 var beyond:Number = Math.min(1, out.time + clearanceTime);
                 var rest:Number = 1 - beyond;
-                _beyond.setTo(from.x + beyond * motion.x, from.y + beyond * motion.y, from.z + beyond * motion.z);
+                setAlong(from, motion, beyond, _beyond);
                 _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
                 if (!sweepCore(body, row, _beyond, end, false, _relative, contact))
                 {

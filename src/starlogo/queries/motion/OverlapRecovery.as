@@ -198,21 +198,28 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one.
+        // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
+        // row deeply, or passes it.
         private function findPushOff(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
         {
             if (!findTouchingPlace(body, row, place, _touching) || body.passesAt(row, _touching))
             {
                 return false;
             }
+            if (!body.core.isFlat && body.coreTouches(row, place))
+            {
+                // mostly this is known faster than the contact
+                return false;
+            }
             findContactInRound(body, row, _touching, round, last, out);
-            if (!body.isShallow(row, out))
+            var most:Number = SLOPS_OF_TOUCH * body.core.slop;
+            if (out.depth > most && !body.isShallow(row, out))
             {
                 return false;
             }
             _beside.copyFrom(place);
             _beside.decrementBy(_touching);
-            out.depth = Math.min(out.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - out.along(_beside);
+            out.depth = Math.min(out.depth, most) + body.core.clearance - out.along(_beside);
             return true;
         }
 

@@ -130,7 +130,7 @@ package starlogo.queries.motion
             {
                 motion.scaleBy(Math.max(0, _maxHorizontal / wide));
             }
-            if (isTooLevel || motion.length <= STUCK * _wanted.length)
+            if (isTooLevel || motion.length < STUCK * _wanted.length)
             {
                 motion.setTo(0, 0, 0);
             }

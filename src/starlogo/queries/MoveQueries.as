@@ -5,15 +5,14 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.convex.ContactPoint;
-    import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.queries.motion.MotionResult;
+    import starlogo.queries.motion.MotionStart;
     import starlogo.queries.motion.MovingBody;
+    import starlogo.queries.motion.OverlapRecovery;
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.SlideResult;
     import starlogo.queries.motion.Slider;
-    import starlogo.queries.motion.StartLift;
     import starlogo.queries.motion.TouchSweep;
     import starlogo.queries.rays.Hits;
     import starlogo.queries.rays.SpareHits;
@@ -33,27 +32,21 @@ package starlogo.queries
     {
         private var _seen:SeenAgents;
 
-        private var _touches:TouchSweep = new TouchSweep();
         private var _slider:Slider = new Slider();
+        private var _recovery:OverlapRecovery = new OverlapRecovery();
+        private var _touches:TouchSweep = new TouchSweep();
         private var _hits:Hits;
         private var _spare:SpareHits = new SpareHits(ShapeHit);
 
         // By the nesting of a question (SeenAgents.nesting): its body.
         private var _bodies:Vector.<MovingBody> = new Vector.<MovingBody>();
 
-        // Where the body begins, and its motion. They are set when it is known which rows are near.
-        private var _from:Vector3D = new Vector3D();
+        // A motion, how it starts among all rows near the way, how it ends at one of them and at the first, and how a slide ends.
         private var _motion:Vector3D = new Vector3D();
-
-        // How motions end.
-        private var _result:MotionResult = new MotionResult();
+        private var _common:MotionStart = new MotionStart();
+        private var _touch:MotionResult = new MotionResult();
+        private var _first:MotionResult = new MotionResult();
         private var _slid:SlideResult = new SlideResult();
-
-        // The lift out of all rows near the way, with which the body begins.
-        private var _lift:StartLift = new StartLift();
-
-        // Where the row that is met first stops the body.
-        private var _end:Vector3D = new Vector3D();
 
         /** @param seen the agents that the questions are about */
         public function MoveQueries(seen:SeenAgents)
@@ -101,24 +94,31 @@ package starlogo.queries
             _seen.requireMovable(agent, "moveUntilTouch");
             var body:MovingBody = nestedBody();
             body.readAgent(agent);
-            var isMet:Boolean = findStops(body, agent, dx, dy, dz, filter, 1, _end) > 0;
-            var fraction:Number = isMet ? _hits.keyOf(0) : 1;
+            findStops(body, agent, dx, dy, dz, filter, 1, _motion, _common, _first);
+            var isMet:Boolean = _first.row >= 0;
+            if (isMet)
+            {
+                _touches.goIntoTouch(body, _first);
+            }
+            else
+            {
+                _touches.findFreeEnd(body, _motion, _common, _first.place);
+            }
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                _seen.moveAgent(agent, _end);
+                _seen.moveAgent(agent, _first.place);
             }
             if (contact != null)
             {
-                contact.time = fraction;
+                contact.time = _first.fraction;
                 if (isMet)
                 {
-                    var from:ContactPoint = _hits.contactOf(0);
-                    contact.read(from);
-                    contact.approachSpeed = Math.max(0, -from.along(_motion));
+                    contact.read(_first.contact);
+                    contact.approachSpeed = Math.max(0, -_first.contact.along(_motion));
                 }
             }
-            return fraction;
+            return _first.fraction;
         }
 
         /** See AgentWalks.slide. */
@@ -150,30 +150,30 @@ package starlogo.queries
             body.readAgent(agent);
             requireMotion(dx, dy, dz, agent);
             body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
-            setMotion(body, dx, dy, dz);
-            var fraction:Number = _slider.slide(body, body.rows, _from, _motion, limits, _slid);
-            _slider.restoreClearance(body, _slid.place);
+            _motion.setTo(dx, dy, dz);
+            _slider.slide(body, body.rows, body.from, _motion, limits, _slid);
+            _recovery.restoreClearance(body, body.rows, _slid.place);
             if (limits.staysLevel)
             {
                 // the clearance leads off slopes by their normals
-                _slid.place.z = _from.z;
+                _slid.place.z = body.from.z;
             }
             if (dx != 0 || dy != 0 || dz != 0)
             {
                 _seen.moveAgent(agent, _slid.place);
             }
-            return fraction;
+            return _slid.fraction;
         }
 
         private function cast(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return findStops(body, asker, dx, dy, dz, filter, 1, null) == 0 ? null : write(0, hit || new ShapeHit());
+            return findStops(body, asker, dx, dy, dz, filter, 1, _motion, _common, _first) == 0 ? null : write(0, hit || new ShapeHit());
         }
 
         private function castAll(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            _spare.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, null));
+            _spare.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, _motion, _common, _first));
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);
@@ -181,56 +181,53 @@ package starlogo.queries
             return hits;
         }
 
-        private function setMotion(body:MovingBody, dx:Number, dy:Number, dz:Number):void
-        {
-            var at:Placement = body.source.placement;
-            _motion.setTo(dx, dy, dz);
-            _from.setTo(at.x, at.y, at.z);
-        }
-
-        // Finds the rows that stop the body on a straight way, each as if the others were not there. If an end is given, it receives the place where
-        // the first of them stops the body. The asker is null if a structure is cast. Returns how many hits the answer has.
-        private function findStops(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, wanted:int, end:Vector3D):int
+        // Finds the rows that stop the body on a straight way, each as if the others were not there. The asker is null if a structure is cast. The motion,
+        // how it starts and its end at the first row are written once the filter has been asked, because its accepts may ask other questions. Returns how
+        // many hits the answer has.
+        private function findStops(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, wanted:int, motion:Vector3D,
+                common:MotionStart, first:MotionResult):int
         {
             requireMotion(dx, dy, dz, asker);
             body.findRowsAlong(dx, dy, dz, asker, filter);
-            setMotion(body, dx, dy, dz);
-            _lift.clear();
-            // a floor may be many rows: what is lifted out of one of them does not run into the next
+            motion.setTo(dx, dy, dz);
+            common.place.copyFrom(body.from);
+            common.lifted.count = 0;
             var found:Collector = _seen.ask(wanted, Infinity, null, null);
-            if (collectLifted(body, found, end) && _touches.findLift(body, body.rows, _from, _motion, _lift))
+            if (addHits(body, motion, common, found, first) && body.rows.count > 1)
             {
-                found = _seen.ask(wanted, Infinity, null, null);
-                collectLifted(body, found, end);
+                // a floor may be many rows: what is lifted out of one of them does not run into the next
+                _touches.findCommonStart(body, motion, common);
+                if (!common.place.equals(body.from))
+                {
+                    found = _seen.ask(wanted, Infinity, null, null);
+                    addHits(body, motion, common, found, first);
+                }
             }
             return _hits.end(found);
         }
 
-        // Finds the rows that stop the body if it begins with the lift. Returns whether a common lift of all rows could change the answer.
-        private function collectLifted(body:MovingBody, found:Collector, end:Vector3D):Boolean
+        // Finds the rows that stop the body if it starts where all rows together lift it. Returns whether a common lift could change the answer: whether a
+        // row alone lifts the body, or stops it at once.
+        private function addHits(body:MovingBody, motion:Vector3D, common:MotionStart, found:Collector, first:MotionResult):Boolean
         {
-            var rows:IntList = body.rows;
+            var touch:MotionResult = _touch;
             var mayLift:Boolean = false;
             _hits.begin();
-            if (end != null)
-            {
-                _lift.findEnd(_from, _motion, 1, body.core.slop, end);
-            }
+            first.row = -1;
+            first.fraction = 1;
             // what stops the body at once does not end the loop, because a row behind it may lift the body
-            for (var i:int = 0; i < rows.count; i++)
+            for (var i:int = 0; i < body.rows.count; i++)
             {
-                var row:int = rows.numbers[i];
-                _touches.findTouch(body, row, _from, _motion, _lift, _result);
-                mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
-                if (_result.row >= 0)
+                var row:int = body.rows.numbers[i];
+                _touches.findTouch(body, row, motion, common, touch);
+                mayLift ||= touch.isLifted || (touch.fraction == 0 && !touch.isDeep);
+                if (touch.row >= 0)
                 {
-                    var isFirst:Boolean = _result.fraction < found.limit;
-                    found.add(row, _result.fraction);
-                    _hits.add(row, _result.fraction).copyFrom(_result.contact);
-                    if (end != null && isFirst)
+                    found.add(row, touch.fraction);
+                    _hits.add(row, touch.fraction).copyFrom(touch.contact);
+                    if (first.row < 0 || touch.fraction < first.fraction)
                     {
-                        _touches.goIntoTouch(body, _result);
-                        end.copyFrom(_result.place);
+                        first.copyFrom(touch);
                     }
                 }
             }

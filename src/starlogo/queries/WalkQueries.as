@@ -14,8 +14,8 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Moves an agent as a game character walks: reads what the options mean for it, lets the platform that it stands on carry it, lets the WalkMover go,
-     * and says on what it stands.
+     * Moves an agent as a game character walks: reads what the options mean for it, finds the platform that carries it, lets the WalkMover go, and says
+     * on what it stands.
      *
      * @private
      */
@@ -75,15 +75,9 @@ package starlogo.queries
             readOptions(agent, dx, dy, options, walk);
             var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
             var platform:int = findPlatform(walk, link);
-            var at:Placement = walk.body.readAgent(agent, walk.turn).placement;
-            walk.place.setTo(at.x, at.y, at.z);
+            walk.body.readAgent(agent, walk.turn);
             walk.range += walk.carry.length;
-            _walkMover.findNear(walk, 0);
-            if (platform >= 0)
-            {
-                _walkMover.carry(walk, platform);
-            }
-            return _walkMover.go(walk);
+            return _walkMover.go(walk, platform);
         }
 
         // The walk of a question that begins now.
@@ -104,12 +98,12 @@ package starlogo.queries
             var whole:Number = Math.sqrt(dx * dx + dy * dy);
             out.agent = agent;
             out.options = options;
-            out.cosine = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
+            out.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
             out.pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
             out.pieceLength = whole / out.pieces;
             // the way on the steepest slope, and how far a slide after a fall goes sideways
-            out.range = whole / out.cosine + Math.min(options.fall, size) / 2;
+            out.range = whole / out.walkableZ + Math.min(options.fall, size) / 2;
         }
 
         // Returns the row of the agent below if it carries the agent, or -1: if it has moved since the last walk, and the filter does not exclude

@@ -50,6 +50,20 @@ package starlogo.queries
                 });
         }
 
+        // Nothing is below the walker. A wall beside it touches it, and so does a floor above it.
+        [Test]
+        public function anEndlessFallThatIsUndoneDoesNotPushTheAgent():void
+        {
+            _queries = new AgentQueries(EachCollider.make("tightest fits", _greatLand));
+            _walker = agentAt("cube", 1, 0, 0);
+            _queries.update(new <Agent>[_walker, agentAt("cube", 0, 0, 0.3), agentAt("cube", 1.5, 0, 1)]);
+            _options.fall = Infinity;
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            assertFalse(_footing.stands);
+            assertTrue(String(_walker.x - 1), Math.abs(_walker.x - 1) < 1e-9);
+            assertTrue(String(_walker.z), Math.abs(_walker.z) < 1e-9);
+        }
+
         private function walkThrough(name:String, world:int):void
         {
             makeWorld(name, world);

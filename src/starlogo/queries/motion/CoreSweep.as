@@ -3,7 +3,9 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.pairs.PairTests;
@@ -11,8 +13,8 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * Finds what stops a body on a straight motion, and when. It sweeps the body's core, which does not meet what the body only touches, leaves or runs
-     * along.
+     * Finds how a motion starts, what stops a body on a straight motion, and when. It sweeps the body's core, which does not meet what the body only
+     * touches, leaves or runs along. All motions start with <code>findStart()</code>.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
@@ -20,70 +22,106 @@ package starlogo.queries.motion
      */
     public final class CoreSweep
     {
+        // A motion runs along a plane if the sine of the angle between them is at most this.
+        private static const PARALLEL_SINE:Number = SlideRest.PARALLEL_SINE;
+
+        private var _recovery:OverlapRecovery = new OverlapRecovery();
+
         // How the core meets one row.
         private var _met:Impact = new Impact();
 
-        // A sweep, the place of the body at its end, and the place where a second sweep begins.
-        private var _sweep:RelativeMotion = new RelativeMotion();
+        // The motion of the core past a row, the place of the body at its end, and the place where a second sweep begins.
+        private var _relative:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
         private var _beyond:Vector3D = new Vector3D();
 
         /**
-         * Finds which obstacle of a body its core meets first. Of obstacles with the same <code>comparedTime</code>, the first one in their order counts.
+         * Starts a motion: it finds the tolerances, sweeps the core, and frees the body from what it overlaps. If the body overlaps nothing, the sweep
+         * has found what stops the motion first.
          *
+         * @param rows the rows that may be in its way
          * @param from where the motion begins
          * @param out receives the answer
-         * @param countsInside as in findStop
-         * @return whether anything is met
          */
-        public function findFirst(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact, countsInside:Boolean = false):Boolean
+        public function findStart(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionStart):void
         {
-            out.row = -1;
-            out.time = out.comparedTime = RelativeMotion.NEVER;
-            for (var i:int = 0; i < body.obstacles.count && out.comparedTime > 0; i++)
+            out.place.copyFrom(from);
+            out.lifted.count = out.planes.count = 0;
+            out.obstacles.copyFrom(rows);
+            out.impact.row = -1;
+            body.beginMotion(rows, from, motion);
+            out.isFree = !hasLength(motion) || findFirstIfFree(body, out.obstacles, from, motion, out.impact);
+            if (!out.isFree)
             {
-                if (findStop(body, body.obstacles.numbers[i], from, motion, _met, countsInside) && _met.comparedTime < out.comparedTime)
-                {
-                    out.copyFrom(_met);
-                }
+                _recovery.leaveOverlaps(body, out);
             }
-            if (out.row < 0)
-            {
-                return false;
-            }
-            if (out.isNormalFallback)
-            {
-                out.contact.setNormal(-motion.x, -motion.y, -motion.z);
-                out.contact.normalise();
-                out.along = -motion.length;
-            }
-            return true;
         }
 
         /**
-         * Finds what stops the core first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies are
-         * not decided here, nor motions that a one-way obstacle may stop first.
+         * Finds what stops a straight motion: a plane of a deep overlap, or an obstacle.
          *
-         * @param out receives the answer of <code>findFirst()</code>
-         * @return whether the core certainly overlaps nothing
+         * @param rows the rows that may be in its way
+         * @param from where the motion begins
+         * @param start receives how it starts
+         * @param out receives the answer, all but its place
          */
-        public function findFirstIfFree(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, start:MotionStart, out:MotionResult):void
         {
-            return !body.core.isFlat && (!findFirst(body, from, motion, out, true) || out.time > 0 && !body.isOneWay(out.row));
+            findStart(body, rows, from, motion, start);
+            out.isDeep = start.planes.count > 0;
+            out.isLifted = !start.place.equals(from);
+            out.row = start.isFree ? -1 : findCrossed(start.planes, motion, out.contact);
+            if (out.row >= 0)
+            {
+                out.fraction = 0;
+                return;
+            }
+            if (!start.isFree)
+            {
+                findObstacle(body, start.obstacles, start.place, motion, start.impact);
+            }
+            out.row = start.impact.row;
+            out.fraction = 1;
+            if (out.row >= 0)
+            {
+                out.contact.copyFrom(start.impact.contact);
+                out.fraction = findTouchTime(body, start.place, motion, start.impact);
+                setAlong(start.place, motion, start.impact.time, out.corePlace);
+            }
         }
 
-        /** Finds what stops the core first, as <code>findFirst()</code> does. One-way rows that the body passes are no obstacles from then on. */
-        public function findObstacle(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        /**
+         * Finds which row the core of a body meets first. Of rows with the same <code>comparedTime</code>, the first one in their order counts.
+         *
+         * @param from where the motion begins
+         * @param out receives the answer
+         * @return whether anything is met
+         */
+        public function findFirst(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            while (findFirst(body, from, motion, out))
+            return findFirstOf(body, rows, from, motion, false, out);
+        }
+
+        /**
+         * Finds which obstacle the core of a body meets first.
+         *
+         * @param obstacles the rows that can stop it. One-way rows that the body passes leave the list
+         * @param from where the motion begins
+         * @param out receives the answer
+         */
+        public function findObstacle(body:MovingBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
+        {
+            while (findFirst(body, obstacles, from, motion, out) && body.passes(out.row, out.contact))
             {
-                if (!body.passes(out.row, out.contact))
-                {
-                    return true;
-                }
-                body.obstacles.remove(out.row);
+                obstacles.remove(out.row);
             }
-            return false;
+        }
+
+        /** Whether a row would stop a body on a straight motion. What the body overlaps at the beginning stops it too. */
+        public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
+        {
+            body.beginMotion(body.rows, from, motion);
+            return hasLength(motion) && findImpact(body, row, from, motion, false, _met);
         }
 
         /**
@@ -91,7 +129,7 @@ package starlogo.queries.motion
          * the contact. Only an inner face of a concave body is behind the core's, and touches later. There the body is swept too. Its time counts unless
          * it is farther from the expected time than the core's, because then the body touches elsewhere.
          *
-         * @param impact what <code>findFirst()</code> has found
+         * @param impact how the core meets it
          */
         public function findTouchTime(body:MovingBody, from:Vector3D, motion:Vector3D, impact:Impact):Number
         {
@@ -108,54 +146,109 @@ package starlogo.queries.motion
             }
             var whole:Body = body.wholeAt(endOf(from, motion));
             var other:Body = body.bodyOf(impact.row);
-            _sweep.endAfter(motion.x, motion.y, motion.z);
-            body.pairTestsFor(whole, other).findImpact(whole, other, _sweep, null);
-            return Math.abs(_sweep.time - expected) <= expected - impact.time ? _sweep.time : impact.time;
+            _relative.endAfter(motion.x, motion.y, motion.z);
+            body.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
+            return Math.abs(_relative.time - expected) <= expected - impact.time ? _relative.time : impact.time;
         }
 
-        /**
-         * Finds when and how a row stops the core. If the first contact does not point against the motion, the core leaves there what it touches. At the
-         * same time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on. A flat core may be past
-         * a sheet there, so it is not swept again.
-         *
-         * @param out receives the answer
-         * @param countsInside whether the row stops the core at the beginning if it is inside of the row there, or has the row inside
-         * @return whether the row stops it
-         */
-        public function findStop(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, out:Impact, countsInside:Boolean = false):Boolean
+        // Sets the place at a time of a motion.
+        private static function setAlong(from:Vector3D, motion:Vector3D, time:Number, out:Vector3D):void
+        {
+            out.setTo(from.x + time * motion.x, from.y + time * motion.y, from.z + time * motion.z);
+        }
+
+        private static function hasLength(motion:Vector3D):Boolean
+        {
+            return motion.lengthSquared > Tolerances.VANISHING;
+        }
+
+        // Finds what stops the core first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies are not decided here,
+        // nor motions that a one-way obstacle may stop first. Returns whether the core certainly overlaps nothing.
+        private function findFirstIfFree(body:MovingBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        {
+            return !body.core.isFlat && (!findFirstOf(body, obstacles, from, motion, true, out) || out.time > 0 && !body.isOneWay(out.row));
+        }
+
+        // See findFirst. If insides count, a row stops the core at the beginning if it is inside of the row there, or has the row inside.
+        private function findFirstOf(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
+        {
+            out.row = -1;
+            out.time = out.comparedTime = RelativeMotion.NEVER;
+            for (var i:int = 0; i < rows.count && out.comparedTime > 0; i++)
+            {
+                if (findImpact(body, rows.numbers[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
+                {
+                    out.copyFrom(_met);
+                }
+            }
+            return out.row >= 0;
+        }
+
+        // Finds the plane that the motion crosses at the steepest angle. Its contact is without a triangle, because the plane stands for all triangles of the
+        // row. Returns the row; -1 if the motion crosses no plane.
+        private static function findCrossed(planes:ContactList, motion:Vector3D, out:ContactPoint):int
+        {
+            var row:int = -1;
+            var least:Number = -PARALLEL_SINE * motion.length;
+            for (var i:int = 0; i < planes.count; i++)
+            {
+                var along:Number = planes.contacts[i].along(motion);
+                if (along < least)
+                {
+                    least = along;
+                    row = planes.rows[i];
+                    out.copyFrom(planes.contacts[i]);
+                    out.triangle = -1;
+                }
+            }
+            return row;
+        }
+
+        // Finds when and how a row stops the core. If the first contact does not point against the motion, the core leaves there what it touches. At the same
+        // time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on. A flat core may be past a
+        // sheet there, so it is not swept again. Returns whether the row stops it.
+        private function findImpact(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
         {
             var end:Vector3D = endOf(from, motion);
-            _sweep.endAfter(motion.x, motion.y, motion.z);
-            if (!sweepCore(body, row, from, end, _sweep, out.contact, countsInside))
+            var contact:ContactPoint = out.contact;
+            _relative.endAfter(motion.x, motion.y, motion.z);
+            if (!sweepCore(body, row, from, end, countsInside, _relative, contact))
             {
                 return false;
             }
             var length:Number = motion.length;
-            var clearancePart:Number = body.core.clearance / length;
-            var against:Number = -SlidePlanes.PARALLEL_SINE * length;
-            out.time = _sweep.time;
-            if (out.time > 0 && !(out.contact.along(motion) < against) && !body.core.isFlat)
+            var clearanceTime:Number = body.core.clearance / length;
+            var against:Number = -PARALLEL_SINE * length;
+            out.time = _relative.time;
+            if (out.time > 0 && !(contact.along(motion) < against) && !body.core.isFlat)
             {
-                var part:Number = Math.min(1, out.time + clearancePart);
-                var rest:Number = 1 - part;
-                _beyond.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
-                _sweep.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-                if (!sweepCore(body, row, _beyond, end, _sweep, out.contact, false))
+                var beyond:Number = Math.min(1, out.time + clearanceTime);
+                var rest:Number = 1 - beyond;
+                setAlong(from, motion, beyond, _beyond);
+                _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
+                if (!sweepCore(body, row, _beyond, end, false, _relative, contact))
                 {
                     return false;
                 }
-                out.time = part + rest * _sweep.time;
+                out.time = beyond + rest * _relative.time;
             }
             out.row = row;
-            out.along = out.contact.along(motion);
+            out.comparedTime = out.time;
+            out.along = contact.along(motion);
             out.isNormalFallback = !(out.along < against);
-            out.comparedTime = out.isNormalFallback && out.time > 0 ? out.time + clearancePart : out.time;
+            if (out.isNormalFallback)
+            {
+                contact.setNormal(-motion.x, -motion.y, -motion.z);
+                contact.normalise();
+                out.along = -length;
+                out.comparedTime = out.time > 0 ? out.time + clearanceTime : 0;
+            }
             return true;
         }
 
         // Finds when and how the core first meets a row on a motion, which receives the time. Returns whether it meets the row.
-        private static function sweepCore(body:MovingBody, row:int, from:Vector3D, end:Vector3D, motion:RelativeMotion, out:ContactPoint,
-                countsInside:Boolean):Boolean
+        private static function sweepCore(body:MovingBody, row:int, from:Vector3D, end:Vector3D, countsInside:Boolean, motion:RelativeMotion,
+                out:ContactPoint):Boolean
         {
             var core:Body = body.core.at(end);
             var other:Body = body.bodyOf(row);

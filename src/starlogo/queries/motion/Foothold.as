@@ -35,29 +35,24 @@ package starlogo.queries.motion
         }
 
         /**
-         * Lets an agent stand on a row, if the row carries it.
+         * Whether a row carries an agent.
          *
-         * @param walk receives the row and the normal of its surface, if the row carries the agent
-         * @param contact the contact below the agent
-         * @param row the row of the contact
+         * @param contact the contact with the row below the agent
          * @param place where the agent would stand
-         * @return whether the row carries it
+         * @param out receives the normal of the surface that carries it
          */
-        public function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
+        public function carries(walk:Walk, contact:ContactPoint, row:int, place:Vector3D, out:Vector3D):Boolean
         {
-            if (contact.normalZ >= walk.cosine)
+            if (contact.normalZ >= walk.walkableZ)
             {
-                walk.floorNormal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+                out.setTo(contact.normalX, contact.normalY, contact.normalZ);
+                return true;
             }
-            else if (!isTooHigh(walk, contact, place) && findFaceBehind(walk, contact, row, _entry))
-            {
-                walk.floorNormal.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
-            }
-            else
+            if (isTooHigh(walk, contact, place) || !findFaceBehind(walk, contact, row, _entry))
             {
                 return false;
             }
-            walk.floorRow = row;
+            out.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
             return true;
         }
 
@@ -75,11 +70,11 @@ package starlogo.queries.motion
             var across:Number = Math.sqrt(contact.normalX * contact.normalX + contact.normalY * contact.normalY);
             var behind:Number = BEHIND_EDGE * walk.body.extent;
             // the ray begins outside of all faces that are not too steep
-            var above:Number = 2 * behind / walk.cosine;
+            var above:Number = 2 * behind / walk.walkableZ;
             _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
             _ray.aim(_origin, DOWN);
             _ray.to = 2 * above;
-            return _rowRays.findHit(row, _ray, out) && out.distance != 0 && out.normalZ >= walk.cosine;
+            return _rowRays.findHit(row, _ray, out) && out.distance != 0 && out.normalZ >= walk.walkableZ;
         }
     }
 }

@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * Where a straight motion of a body first touches a row. TouchSweep writes it.
+     * How a straight motion of a body ends, as a record. CoreSweep.findStop() writes it, except for the place, which depends on the question.
      *
      * @private
      */
@@ -13,7 +13,10 @@ package starlogo.queries.motion
         /** The place of the body at the end. */
         public var place:Vector3D = new Vector3D();
 
-        /** The free part of the motion, from 0 to 1. */
+        /** The place of the body where its core touches what stops it. */
+        public var corePlace:Vector3D = new Vector3D();
+
+        /** The free fraction of the motion, up to the touch, from 0 to 1. */
         public var fraction:Number = 1;
 
         /** The row that stops it; -1 for none. */
@@ -22,13 +25,22 @@ package starlogo.queries.motion
         /** The contact with that row. */
         public var contact:ContactPoint = new ContactPoint();
 
-        /** Where the core of the body touches that row, if the fraction is not 0. */
-        public var corePlace:Vector3D = new Vector3D();
-
-        /** Whether it began deep in a row. */
+        /** Whether it started in an overlap that it could not be lifted out of. */
         public var isDeep:Boolean = false;
 
-        /** Whether it began with a lift out of a row. */
+        /** Whether it started with a lift out of a row. */
         public var isLifted:Boolean = false;
+
+        /** Becomes a copy of another result. */
+        public function copyFrom(other:MotionResult):void
+        {
+            place.copyFrom(other.place);
+            corePlace.copyFrom(other.corePlace);
+            fraction = other.fraction;
+            row = other.row;
+            contact.copyFrom(other.contact);
+            isDeep = other.isDeep;
+            isLifted = other.isLifted;
+        }
     }
 }

@@ -1,8 +1,8 @@
-// This folder moves a body among the rows of a table. A MovingBody is what moves. Its BodyCore is the same body, smaller by a slop; CoreSweep finds what
-// the core meets, so the body may touch what it stands on or runs along. OverlapRecovery frees the body at the beginning of a motion (StartLift). Two
-// classes make a motion of these: TouchSweep ends it in the touch of a row, for casts and moveUntilTouch; Slider ends it before the touch, or goes on along
-// what the body meets (SlidePlanes). WalkMover makes a walk of slides and straight motions, and Foothold says where an agent stands. The other files are
-// records. Read this file first, then TouchSweep, Slider and WalkMover.
+// This folder moves a body among the rows of a table. A MovingBody is what moves. Its BodyCore is the same body, smaller by a slop. CoreSweep finds what
+// the core meets, so the body may touch what it stands on or runs along. CoreSweep.findStart() starts every motion; OverlapRecovery frees the body there.
+// Three classes end it: TouchSweep in the touch of a row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the
+// body meets (SlideRest); WalkMover makes a walk of slides and straight motions, and Foothold says where an agent can stand. The other files are records
+// and a list. Read this file first, then CoreSweep.findStart(), TouchSweep, Slider and WalkMover.go().
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
@@ -12,7 +12,6 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
@@ -43,8 +42,8 @@ package starlogo.queries.motion
         /** The rows that count and are near its way, in the order of the list. Read only. */
         public var rows:IntList = new IntList();
 
-        /** The rows that stop the present motion: not those for which a plane stands, and no one-way rows that the body has passed. */
-        public var obstacles:IntList = new IntList();
+        /** Where it begins. Read only. */
+        public var from:Vector3D = new Vector3D();
 
         /** Its core, and the tolerances of its present motion. Read only. */
         public var core:BodyCore;
@@ -70,10 +69,9 @@ package starlogo.queries.motion
          * Becomes the body of an agent, as it is now.
          *
          * @param turn by how many degrees it is turned
-         * @return the body where it begins
          * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
          */
-        public function readAgent(agent:Agent, turn:Number = 0):Body
+        public function readAgent(agent:Agent, turn:Number = 0):void
         {
             _seen.requirePlaced(agent);
             source.copyFrom(_seen.bodyOf(agent));
@@ -81,8 +79,7 @@ package starlogo.queries.motion
             {
                 source.turn(agent, turn);
             }
-            _whole.copyFrom(source);
-            return source;
+            begin();
         }
 
         /**
@@ -101,14 +98,20 @@ package starlogo.queries.motion
             {
                 source.readPlaced(body);
             }
-            _whole.copyFrom(source);
+            begin();
         }
 
         /** Becomes the body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
         public function readStructure(structure:BoundingStructure):void
         {
             source.readStructure(structure);
+            begin();
+        }
+
+        private function begin():void
+        {
             _whole.copyFrom(source);
+            from.setTo(source.placement.x, source.placement.y, source.placement.z);
         }
 
         /** Whether it has a shape: false while the model of its agent is loading. */
@@ -165,17 +168,10 @@ package starlogo.queries.motion
             }
         }
 
-        /**
-         * Begins a motion, with the core and the tolerances that it needs.
-         *
-         * @param among the rows that may be in its way. They become the obstacles
-         * @return whether the motion has a length. If not, nothing stops it
-         */
-        public function beginMotion(among:IntList, from:Vector3D, motion:Vector3D):Boolean
+        /** Begins a motion, with the core and the tolerances that it needs. @param among the rows that may be in its way */
+        public function beginMotion(among:IntList, from:Vector3D, motion:Vector3D):void
         {
-            obstacles.copyFrom(among);
             core.begin(_seen.table, among, from, motion);
-            return motion.lengthSquared > Tolerances.VANISHING;
         }
 
         /** The body of a row. */
@@ -251,25 +247,42 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds the contact of the whole body with a row that it touches when it stands at a place.
+         * Finds a contact of the whole body with a row that it touches when it stands at a place: the contact of two of their parts if that is shallow.
+         * Otherwise the contact separates the two.
          *
-         * @param isSure true: the contact separates the two. False: a shallow contact of two of their parts is enough. The ground can be
-         *     floor and wall at once, and a contact with one does not lead away from the other
          * @param out receives the contact
-         * @return whether the contact is shallow
          */
-        public function findContact(row:int, place:Vector3D, isSure:Boolean, out:ContactPoint):Boolean
+        public function findContact(row:int, place:Vector3D, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
             var whole:Body = wholeAt(place);
-            var shallow:Number = BodyCore.SHALLOW * extentWith(other);
             var pairTests:PairTests = pairTestsFor(whole, other);
             pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
-            if (isSure || out.depth > shallow)
+            if (!isShallow(row, out))
             {
                 pairTests.separate(whole, other, RelativeMotion.NONE, out);
             }
-            return out.depth <= shallow;
+        }
+
+        /**
+         * Finds the contact that separates the whole body from a row that it touches when it stands at a place. The ground can be floor and wall at once, and
+         * a contact with one does not lead away from the other.
+         *
+         * @param out receives the contact
+         */
+        public function findSeparatingContact(row:int, place:Vector3D, out:ContactPoint):void
+        {
+            var other:Body = bodyOf(row);
+            var whole:Body = wholeAt(place);
+            var pairTests:PairTests = pairTestsFor(whole, other);
+            pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
+            pairTests.separate(whole, other, RelativeMotion.NONE, out);
+        }
+
+        /** Whether a contact with a row is so shallow that rounding in the game can be the cause. */
+        public function isShallow(row:int, contact:ContactPoint):Boolean
+        {
+            return contact.depth <= BodyCore.SHALLOW * extentWith(bodyOf(row));
         }
 
         /**
@@ -292,7 +305,12 @@ package starlogo.queries.motion
         /** Whether the body passes a row that its core touches, because the row is one-way, and the body does not rest on it. */
         public function passesAt(row:int, place:Vector3D):Boolean
         {
-            return isOneWay(row) && (!findContact(row, place, true, _contact) || passes(row, _contact));
+            if (!isOneWay(row))
+            {
+                return false;
+            }
+            findSeparatingContact(row, place, _contact);
+            return !isShallow(row, _contact) || passes(row, _contact);
         }
 
         /**

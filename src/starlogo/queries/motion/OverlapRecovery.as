@@ -30,6 +30,8 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
+        private static const NO_MOTION:Vector3D = new Vector3D();
+
         // Where the pushes begin.
         private var _before:Vector3D = new Vector3D();
 
@@ -42,66 +44,127 @@ package starlogo.queries.motion
         private var _beside:Vector3D = new Vector3D();
 
         /**
-         * Frees the core of a body from the obstacles that it overlaps where its motion begins. An obstacle for which a plane stands is none from then
-         * on.
+         * Frees the core of a body from the obstacles that it overlaps where its motion starts.
          *
-         * @param from where the motion begins
-         * @param planes receives the planes of deep overlaps, before its first corner
-         * @param lift what the body is lifted out of already; receives the whole lift, and where the body then is
+         * @param start how the motion starts. It receives the planes of deep overlaps. Obstacles for which a plane stands are none from then on. The
+         *     place changes if the body is lifted
          */
-        public function leaveOverlaps(body:MovingBody, from:Vector3D, planes:SlidePlanes, lift:StartLift):void
+        public function leaveOverlaps(body:MovingBody, start:MotionStart):void
         {
-            var place:Vector3D = lift.place;
-            place.copyFrom(from);
-            place.incrementBy(lift.displacement);
-            if (replaceDeep(body, place, planes, false) && !pushFree(body, place, lift))
+            if (replaceDeep(body, start, false) && !lift(body, start))
             {
-                place.copyFrom(from);
-                lift.clear();
-                replaceDeep(body, place, planes, true);
+                replaceDeep(body, start, true);
             }
-            if (body.core.isFlat && planes.count == 0)
+            if (body.core.isFlat && start.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                restoreClearance(body, place);
+                leaveTouches(body, start.obstacles, start.place);
             }
-            lift.displacement.copyFrom(place);
-            lift.displacement.decrementBy(from);
-            planes.beginCorner();
         }
 
         /**
-         * Leads a body a clearance off the obstacles of its last motion that it touches, if there is room; a flat body also off those that it is close to.
+         * Leads a body a clearance off the rows that it touches where its motions end, if there is room. A flat body is led also off those that it is
+         * close to. Rows that it overlaps deeply do not count, nor one-way rows that it passes.
          *
          * @param place the place of the body, which changes
          */
-        public function restoreClearance(body:MovingBody, place:Vector3D):void
+        public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
         {
-            pushFree(body, place, null);
+            // the tolerances of a long motion before are wider
+            body.beginMotion(rows, place, NO_MOTION);
+            leaveTouches(body, rows, place);
+        }
+
+        // Pushes a body off one row after the other until it touches none.
+        private function leaveTouches(body:MovingBody, rows:IntList, place:Vector3D):void
+        {
+            _before.copyFrom(place);
+            _last.setNormal(0, 0, 0);
+            for (var round:int = 0; round < ROUNDS; round++)
+            {
+                var isFree:Boolean = true;
+                for (var i:int = 0; i < rows.count; i++)
+                {
+                    if (!findPushOff(body, rows.numbers[i], place, round, _last, _contact))
+                    {
+                        continue;
+                    }
+                    if (areOpposite(_contact, _last))
+                    {
+                        place.copyFrom(_before);
+                        return;
+                    }
+                    isFree = false;
+                    _contact.push(place, _contact.depth);
+                    _last.copyFrom(_contact);
+                }
+                if (isFree)
+                {
+                    return;
+                }
+            }
+            place.copyFrom(_before);
+        }
+
+        // Lifts a body out of one obstacle after the other until its core overlaps none. Returns whether it gets free. If not, it is where it was.
+        private function lift(body:MovingBody, start:MotionStart):Boolean
+        {
+            _before.copyFrom(start.place);
+            _last.setNormal(0, 0, 0);
+            for (var round:int = 0; round < ROUNDS; round++)
+            {
+                var isFree:Boolean = true;
+                for (var i:int = 0; i < start.obstacles.count; i++)
+                {
+                    var row:int = start.obstacles.numbers[i];
+                    if (!body.coreTouches(row, start.place))
+                    {
+                        continue;
+                    }
+                    findContactInRound(body, row, start.place, round, _last, _contact);
+                    if (!body.isShallow(row, _contact) || areOpposite(_contact, _last))
+                    {
+                        undoLift(start, _before);
+                        return false;
+                    }
+                    isFree = false;
+                    _contact.push(start.place, _contact.depth + body.core.clearance);
+                    _last.copyFrom(_contact);
+                    start.lifted.add(_contact, row);
+                }
+                if (isFree)
+                {
+                    return true;
+                }
+            }
+            undoLift(start, _before);
+            return false;
+        }
+
+        private static function undoLift(start:MotionStart, before:Vector3D):void
+        {
+            start.place.copyFrom(before);
+            start.lifted.count = 0;
         }
 
         // Lets planes stand for obstacles that the core overlaps: for those whose overlap is deep, or for all. One-way obstacles that the body passes leave
         // too. Returns whether obstacles are left that the core overlapped.
-        private function replaceDeep(body:MovingBody, place:Vector3D, planes:SlidePlanes, isOfAll:Boolean):Boolean
+        private function replaceDeep(body:MovingBody, start:MotionStart, isOfAll:Boolean):Boolean
         {
-            var obstacles:IntList = body.obstacles;
+            var obstacles:IntList = start.obstacles;
             var isLeft:Boolean = false;
             var kept:int = 0;
             for (var i:int = 0; i < obstacles.count; i++)
             {
                 var row:int = obstacles.numbers[i];
-                var isOverlapped:Boolean = body.coreTouches(row, place);
-                if (isOverlapped && body.passesAt(row, place))
+                if (body.coreTouches(row, start.place))
                 {
-                    continue;
+                    if (body.passesAt(row, start.place) || replace(body, row, start, isOfAll, _contact))
+                    {
+                        continue;
+                    }
+                    isLeft = true;
                 }
-                if (isOverlapped && findDeep(body, row, place, isOfAll, _contact))
-                {
-                    planes.add(_contact, row);
-                    body.warnIfInside(row, _contact);
-                    continue;
-                }
-                isLeft ||= isOverlapped;
                 obstacles.numbers[kept] = row;
                 kept++;
             }
@@ -109,100 +172,79 @@ package starlogo.queries.motion
             return isLeft;
         }
 
-        // Finds the contact whose plane has to stand for an obstacle that the core overlaps. There is none in three cases. The overlap is shallow, and not
-        // all count. A narrower core is free of the obstacle: then the motion has this core. Only the core overlaps the obstacle, not the body.
-        private function findDeep(body:MovingBody, row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
+        // Lets a plane stand for a row that the core overlaps, if the overlap is deep, or in any case. First the core becomes narrower, for the whole motion. If it
+        // is free of the row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether a plane stands.
+        private static function replace(body:MovingBody, row:int, start:MotionStart, inAnyCase:Boolean, contact:ContactPoint):Boolean
         {
-            var isShallow:Boolean = body.findContact(row, place, isOfAll, out);
-            return (isOfAll || !isShallow) && !body.core.narrow(body, row, place) && body.overlaps(row, place);
-        }
-
-        // Pushes a body out of one obstacle after the other until it needs no push: out of those that its core overlaps, with a lift, which receives the
-        // contacts; or if the lift is null, off those that it touches. Returns whether the body gets free. If not, it is where it was.
-        private function pushFree(body:MovingBody, place:Vector3D, lift:StartLift):Boolean
-        {
-            _before.copyFrom(place);
-            _last.setNormal(0, 0, 0);
-            for (var round:int = 0; round < ROUNDS; round++)
+            if (inAnyCase)
             {
-                var isFree:Boolean = true;
-                for (var i:int = 0; i < body.obstacles.count; i++)
+                body.findSeparatingContact(row, start.place, contact);
+            }
+            else
+            {
+                body.findContact(row, start.place, contact);
+                if (body.isShallow(row, contact))
                 {
-                    var row:int = body.obstacles.numbers[i];
-                    var isPushed:Boolean = lift == null ? findPushOff(body, row, place, round, _contact) : findPushOut(body, row, place, round, _contact);
-                    if (!isPushed)
-                    {
-                        continue;
-                    }
-                    if (_contact.depth == Infinity || isOpposite(_contact))
-                    {
-                        place.copyFrom(_before);
-                        return false;
-                    }
-                    isFree = false;
-                    _contact.push(place, _contact.depth);
-                    _last.copyFrom(_contact);
-                    if (lift != null)
-                    {
-                        lift.add(_contact);
-                    }
-                }
-                if (isFree)
-                {
-                    return true;
+                    return false;
                 }
             }
-            place.copyFrom(_before);
-            return false;
-        }
-
-        // Finds the push out of a row that the core overlaps: along a contact's normal by its depth, which is Infinity if the overlap is not shallow.
-        // Returns whether the core overlaps the row.
-        private function findPushOut(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
-        {
-            if (!body.coreTouches(row, place))
+            var isFree:Boolean = body.core.narrow(body, row, start.place);
+            if (isFree || !body.overlaps(row, start.place))
             {
                 return false;
             }
-            var isShallow:Boolean = findContactInRound(body, row, place, round, out);
-            out.depth = isShallow ? out.depth + body.core.clearance : Infinity;
+            start.planes.add(contact, row);
+            body.warnIfInside(row, contact);
             return true;
         }
 
-        // Finds the push off a row that the body touches. Returns whether it touches the row.
-        private function findPushOff(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
+        // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
+        // row deeply, or passes it.
+        private function findPushOff(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
         {
-            if (!findTouchingPlace(body, row, place, _touching))
+            if (!findTouchingPlace(body, row, place, _touching) || body.passesAt(row, _touching))
             {
                 return false;
             }
-            findContactInRound(body, row, _touching, round, out);
+            if (!body.core.isFlat && body.coreTouches(row, place))
+            {
+                // mostly this is known faster than the contact
+                return false;
+            }
+            findContactInRound(body, row, _touching, round, last, out);
+            var most:Number = SLOPS_OF_TOUCH * body.core.slop;
+            if (out.depth > most && !body.isShallow(row, out))
+            {
+                return false;
+            }
             _beside.copyFrom(place);
             _beside.decrementBy(_touching);
-            out.depth = Math.min(out.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - out.along(_beside);
+            out.depth = Math.min(out.depth, most) + body.core.clearance - out.along(_beside);
             return true;
         }
 
-        // Finds the contact with a row that the body touches at a place. Returns whether it is shallow.
-        private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
+        // Finds the contact with a row that the body touches at a place.
+        private static function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
         {
-            var isShallow:Boolean = body.findContact(row, place, round >= SURE_ROUND, out);
-            if (round < SURE_ROUND && isOpposite(out))
+            if (round < SURE_ROUND)
             {
-                isShallow = body.findContact(row, place, true, out);
+                body.findContact(row, place, out);
             }
-            return isShallow;
+            if (round >= SURE_ROUND || areOpposite(out, last))
+            {
+                body.findSeparatingContact(row, place, out);
+            }
         }
 
-        // Whether the body is between this row and the one that it was last pushed out of.
-        private function isOpposite(contact:ContactPoint):Boolean
+        // Whether a body that has both contacts is between two rows.
+        private static function areOpposite(a:ContactPoint, b:ContactPoint):Boolean
         {
-            return contact.normalX * _last.normalX + contact.normalY * _last.normalY + contact.normalZ * _last.normalZ < OPPOSITE;
+            return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ < OPPOSITE;
         }
 
         // Finds where the body touches a row: at its place, or if it is flat, half of a clearance beside its place along an axis. Returns whether it
         // touches the row at one of these.
-        private function findTouchingPlace(body:MovingBody, row:int, place:Vector3D, touching:Vector3D):Boolean
+        private static function findTouchingPlace(body:MovingBody, row:int, place:Vector3D, touching:Vector3D):Boolean
         {
             if (touchesAt(body, row, place, 0, 0, 0, touching))
             {
@@ -222,7 +264,7 @@ package starlogo.queries.motion
         }
 
         // Sets the touching place to a place moved by x, y and z. Returns whether the body touches a row there.
-        private function touchesAt(body:MovingBody, row:int, place:Vector3D, x:Number, y:Number, z:Number, touching:Vector3D):Boolean
+        private static function touchesAt(body:MovingBody, row:int, place:Vector3D, x:Number, y:Number, z:Number, touching:Vector3D):Boolean
         {
             touching.setTo(place.x + x, place.y + y, place.z + z);
             return body.touches(row, touching);

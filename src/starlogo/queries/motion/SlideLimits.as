@@ -1,54 +1,62 @@
 package starlogo.queries.motion
 {
     /**
-     * How a slide may go.
+     * How a slide may go, as a record. There are four ways: without limits (NONE), at one height (LEVEL), along the ground and walls (setWalls), and down
+     * what is steep (setFall).
      *
      * @private
      */
     public final class SlideLimits
     {
-        /** A value of <code>walkableZ</code>: no contact is a wall. */
-        public static const NO_WALLS:Number = -2;
-
-        /** A value of <code>fallSlope</code>: the motion is no fall. */
-        public static const NO_FALL:Number = -1;
-
-        /** A value of <code>walkableZ</code>: the least z of the normal of a level floor. Contacts with all else are walls. */
+        /** The least z of the normal of a level floor. */
         public static const LEVEL_Z:Number = 1 - 1e-12;
 
-        /** No limits. Nothing writes to it. */
+        // A value of walkableZ: no contact is a wall.
+        private static const NO_WALLS:Number = -2;
+
+        /** No limits. It must not be changed. */
         public static const NONE:SlideLimits = new SlideLimits();
 
-        /** For a level motion that stays level: all contacts but level ones are upright walls. Nothing writes to it. */
+        /** For a level motion that stays level: all contacts but level ones are upright walls. It must not be changed. */
         public static const LEVEL:SlideLimits = newLevel();
-
-        /** Whether the end is as high as the beginning, also if the body overlaps something deeply there: its contacts are upright walls too. */
-        public var staysLevel:Boolean = false;
 
         /** A contact counts as an upright wall if the z of its normal is less than this. */
         public var walkableZ:Number = NO_WALLS;
 
+        /** Whether the end is as high as the beginning, also if the body overlaps something deeply there: its contacts are upright walls too. */
+        public var staysLevel:Boolean = false;
+
         /** The greatest length of its way on the ground plane. The planes of contacts can turn a motion up or down more level. */
         public var maxHorizontal:Number = Infinity;
 
-        /**
-         * For a fall: the least slope on which it goes on, as a tangent, which is not negative. In each corner a fall begins
-         * straight down again. So it has no momentum, and never goes up.
-         */
-        public var fallSlope:Number = NO_FALL;
+        /** Whether it is a fall. In each corner a fall begins straight down again. So it has no momentum, and never goes up. */
+        public var isFall:Boolean = false;
 
-        /** Sets all limits. */
-        public function setTo(walkableZ:Number, maxHorizontal:Number, fallSlope:Number):void
+        /** For a fall: the least slope on which it goes on, as a tangent. */
+        public var fallSlope:Number = 0;
+
+        /** Sets the limits of a way along the ground and walls. */
+        public function setWalls(walkableZ:Number, maxHorizontal:Number):void
         {
             this.walkableZ = walkableZ;
             this.maxHorizontal = maxHorizontal;
+            staysLevel = isFall = false;
+        }
+
+        /** Sets the limits of a fall. */
+        public function setFall(fallSlope:Number, maxHorizontal:Number):void
+        {
             this.fallSlope = fallSlope;
+            this.maxHorizontal = maxHorizontal;
+            walkableZ = NO_WALLS;
+            staysLevel = false;
+            isFall = true;
         }
 
         private static function newLevel():SlideLimits
         {
             var level:SlideLimits = new SlideLimits();
-            level.walkableZ = LEVEL_Z;
+            level.setWalls(LEVEL_Z, Infinity);
             level.staysLevel = true;
             return level;
         }

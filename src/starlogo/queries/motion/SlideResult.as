@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a motion of a character's body ends. Slider writes it.
+     * How a slide of a body ends, as a record. Slider.slide() writes it.
      *
      * @private
      */
@@ -13,8 +13,8 @@ package starlogo.queries.motion
         /** The place of the body at the end. */
         public var place:Vector3D = new Vector3D();
 
-        /** Whether it began deep in a row. */
-        public var isDeep:Boolean = false;
+        /** The length of its way, as a fraction of the length of the motion, from 0 to 1. */
+        public var fraction:Number = 1;
 
         /** Whether it met a wall: a surface that was too steep for it. */
         public var metWall:Boolean = false;
@@ -22,7 +22,7 @@ package starlogo.queries.motion
         /** The most level contact that it has met: the one with the greatest z of its normal. */
         public var floor:ContactPoint = new ContactPoint();
 
-        /** The other row of that contact; -1 if it has met nothing, or a slide only what showed no contact (Impact.isNormalFallback). */
+        /** The row of that contact; -1 if it has met nothing, or only what showed no contact (Impact.isNormalFallback). */
         public var floorRow:int = -1;
     }
 }

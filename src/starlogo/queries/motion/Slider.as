@@ -22,15 +22,11 @@ package starlogo.queries.motion
         private static const MOST_CONTACTS:int = 8;
 
         private var _sweep:CoreSweep = new CoreSweep();
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
 
-        // The rest of the motion, what stops it first, and what stops it first without one of the planes.
-        private var _rest:SlidePlanes = new SlidePlanes();
-        private var _impact:Impact = new Impact();
-        private var _tried:Impact = new Impact();
-
-        // How the beginning lifts the body. The motion goes on from there.
-        private var _lift:StartLift = new StartLift();
+        // How the motion starts, its rest, and what stops it first without one of the planes.
+        private var _start:MotionStart = new MotionStart();
+        private var _rest:SlideRest = new SlideRest();
+        private var _without:Impact = new Impact();
 
         /**
          * Computes a motion that slides along what it meets.
@@ -40,187 +36,129 @@ package starlogo.queries.motion
          * @param motion the whole motion
          * @param limits how it may go
          * @param out receives the answer
-         * @return the length of its way, as a part of the length of the motion, from 0 to 1
          */
-        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):Number
+        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
         {
-            if (!begin(body, rows, from, motion, limits, out))
-            {
-                return 1;
-            }
-            var whole:Number = _rest.length;
-            _rest.project();
-            if (leaveOverlaps(body, from, out))
+            var planes:ContactList = _start.planes;
+            var impact:Impact = _start.impact;
+            out.metWall = false;
+            out.floor.setNormal(0, 0, -1);
+            out.floorRow = -1;
+            _rest.begin(motion, limits);
+            _sweep.findStart(body, rows, from, _rest.motion, _start);
+            out.place.copyFrom(_start.place);
+            if (!_start.isFree)
             {
                 if (limits.staysLevel)
                 {
-                    standUpOverlaps();
+                    standUpPlanes(planes, _rest);
                 }
-                _rest.project();
-                findNext(body, out.place);
+                _rest.project(planes);
+                findNext(body, out.place, _rest.motion, _start);
             }
-            for (var contacts:int = 0; contacts < MOST_CONTACTS && _impact.row >= 0; contacts++)
+            // the planes from this index on belong to the corner where the body is
+            var corner:int = planes.count;
+            for (var contacts:int = 0; contacts < MOST_CONTACTS && impact.row >= 0; contacts++)
             {
-                goToTouch(body, out.place);
-                noteFloor(out);
-                if (_impact.contact.normalZ < limits.walkableZ)
+                if (!isInCorner(body, impact, _rest.motion))
+                {
+                    _rest.beginCorner();
+                    corner = planes.count;
+                }
+                goToTouch(body, _rest, impact, out.place);
+                noteFloor(impact, out);
+                if (impact.contact.normalZ < limits.walkableZ)
                 {
                     out.metWall = true;
-                    standUp(_impact.contact);
+                    standUp(impact.contact, _rest);
                 }
                 else if (limits.walkableZ > 0)
                 {
-                    _rest.climb(_impact.contact);
+                    _rest.climb(impact.contact);
                 }
-                dropNeedless(body, out.place, _rest.add(_impact.contact, _impact.row));
-                _rest.project();
-                findNext(body, out.place);
+                var newest:int = planes.add(impact.contact, impact.row);
+                dropNeedless(body, out.place, planes, corner, newest);
+                _rest.project(planes);
+                findNext(body, out.place, _rest.motion, _start);
             }
-            if (_impact.row < 0)
+            if (impact.row < 0)
             {
                 _rest.advance(out.place, 1);
             }
-            return _rest.gone < whole ? _rest.gone / whole : 1;
+            var whole:Number = motion.length;
+            out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
         }
 
         /**
-         * Computes a straight motion that ends where something stops it.
+         * Computes a straight motion that ends a clearance before what stops it.
          *
          * @param rows the rows that may be in its way
          * @param from where it begins
          * @param motion the whole motion
-         * @param out receives the answer. Its floor is what stops the motion
-         * @return the free part of the motion, up to the touch, from 0 to 1
+         * @param out receives the answer
          */
-        public function goStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:SlideResult):Number
+        public function goStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            if (!begin(body, rows, from, motion, SlideLimits.NONE, out))
+            _sweep.findStop(body, rows, from, motion, _start, out);
+            var fraction:Number = 1;
+            if (out.row >= 0)
             {
-                return 1;
+                fraction = Math.max(out.fraction + body.core.clearance / out.contact.along(motion), 0);
             }
-            if (leaveOverlaps(body, from, out))
-            {
-                out.floorRow = _rest.findCrossed(out.floor);
-                if (out.floorRow >= 0)
-                {
-                    return 0;
-                }
-                findNext(body, out.place);
-            }
-            if (_impact.row < 0)
-            {
-                _rest.advance(out.place, 1);
-                return 1;
-            }
-            out.floor.copyFrom(_impact.contact);
-            out.floorRow = _impact.row;
-            return goToTouch(body, out.place);
+            var start:Vector3D = _start.place;
+            out.place.setTo(start.x + fraction * motion.x, start.y + fraction * motion.y, start.z + fraction * motion.z);
         }
 
-        /** Whether a row would stop a body on a straight motion. What the body overlaps at the beginning stops it too. */
-        public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
+        // Finds what stops the rest of a motion next.
+        private function findNext(body:MovingBody, place:Vector3D, rest:Vector3D, out:MotionStart):void
         {
-            return body.beginMotion(body.rows, from, motion) && _sweep.findStop(body, row, from, motion, _tried);
-        }
-
-        /**
-         * Leads a body a clearance off what it touches where its motions end, if there is room. What its last motion has passed, or has begun deep in,
-         * does not count.
-         *
-         * @param place the place of the body, which changes
-         */
-        public function restoreClearance(body:MovingBody, place:Vector3D):void
-        {
-            _recovery.restoreClearance(body, place);
-        }
-
-        // Begins a motion that has met nothing yet. Returns whether it has a length. If not, this is its end.
-        private function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):Boolean
-        {
-            out.place.copyFrom(from);
-            out.isDeep = out.metWall = false;
-            out.floor.setNormal(0, 0, -1);
-            out.floorRow = -1;
-            _rest.begin(motion, limits);
-            if (body.beginMotion(rows, from, motion))
+            if (rest.lengthSquared > 0)
             {
-                return true;
-            }
-            out.place.incrementBy(motion);
-            return false;
-        }
-
-        // Frees the body from what it overlaps where the motion begins. If it overlaps nothing, finds what stops the motion first instead, because that
-        // takes no longer than to know it. Returns whether the body may have overlapped something.
-        private function leaveOverlaps(body:MovingBody, from:Vector3D, out:SlideResult):Boolean
-        {
-            if (_sweep.findFirstIfFree(body, from, _rest.motion, _impact))
-            {
-                return false;
-            }
-            _lift.clear();
-            _recovery.leaveOverlaps(body, from, _rest, _lift);
-            out.place.copyFrom(_lift.place);
-            out.isDeep = _rest.count > 0;
-            return true;
-        }
-
-        // Finds what stops the rest of the motion next.
-        private function findNext(body:MovingBody, place:Vector3D):void
-        {
-            if (_rest.length > 0)
-            {
-                _sweep.findObstacle(body, place, _rest.motion, _impact);
+                _sweep.findObstacle(body, out.obstacles, place, rest, out.impact);
             }
             else
             {
-                _impact.row = -1;
+                out.impact.row = -1;
             }
         }
 
-        // Moves the body to the clearance before the touch of what its core has met. If that is not in the present corner, another corner begins.
-        // Returns the time of the touch.
-        private function goToTouch(body:MovingBody, place:Vector3D):Number
+        // Moves a place to the clearance before the touch of what the core has met there.
+        private function goToTouch(body:MovingBody, rest:SlideRest, impact:Impact, place:Vector3D):void
         {
-            if (!isSameCorner(body, _impact))
-            {
-                _rest.beginCorner();
-            }
-            var touchTime:Number = _sweep.findTouchTime(body, place, _rest.motion, _impact);
-            _rest.advance(place, Math.max(touchTime + body.core.clearance / _impact.along, 0));
-            return touchTime;
+            var touchTime:Number = _sweep.findTouchTime(body, place, rest.motion, impact);
+            rest.advance(place, Math.max(touchTime + body.core.clearance / impact.along, 0));
         }
 
         // Keeps the most level surface that a slide has met.
-        private function noteFloor(out:SlideResult):void
+        private static function noteFloor(impact:Impact, out:SlideResult):void
         {
-            if (!_impact.isNormalFallback && (out.floorRow < 0 || _impact.contact.normalZ > out.floor.normalZ))
+            if (!impact.isNormalFallback && (out.floorRow < 0 || impact.contact.normalZ > out.floor.normalZ))
             {
-                out.floor.copyFrom(_impact.contact);
-                out.floorRow = _impact.row;
+                out.floor.copyFrom(impact.contact);
+                out.floorRow = impact.row;
             }
         }
 
         // Turns a contact that is too steep into an upright wall. The rest of the motion becomes level, because the slope would stop a motion up
         // or down.
-        private function standUp(contact:ContactPoint):void
+        private static function standUp(contact:ContactPoint, rest:SlideRest):void
         {
             if (contact.normalX * contact.normalX + contact.normalY * contact.normalY > VERTICAL_NORMAL)
             {
                 contact.setNormal(contact.normalX, contact.normalY, 0);
                 contact.normalise();
-                _rest.makeHorizontal();
+                rest.level();
             }
         }
 
         // Turns the planes of what the body overlaps into upright walls, except of level floors and ceilings.
-        private function standUpOverlaps():void
+        private static function standUpPlanes(planes:ContactList, rest:SlideRest):void
         {
-            for (var i:int = 0; i < _rest.count; i++)
+            for (var i:int = 0; i < planes.count; i++)
             {
-                if (Math.abs(_rest.contacts[i].normalZ) < SlideLimits.LEVEL_Z)
+                if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.LEVEL_Z)
                 {
-                    standUp(_rest.contacts[i]);
+                    standUp(planes.contacts[i], rest);
                 }
             }
         }
@@ -228,31 +166,32 @@ package starlogo.queries.motion
         // Removes planes of this corner that are not needed, but not the newest. At the edges of tiles, a contact's plane may belong to a side that the
         // next tile hides. A plane is removed if the motion meets nothing in this corner without it. The rest of the motion has to be projected again
         // afterwards.
-        private function dropNeedless(body:MovingBody, place:Vector3D, newest:int):void
+        private function dropNeedless(body:MovingBody, place:Vector3D, planes:ContactList, corner:int, newest:int):void
         {
-            for (var i:int = _rest.count - 1; i >= _rest.corner; i--)
+            for (var i:int = planes.count - 1; i >= corner; i--)
             {
                 if (i != newest)
                 {
-                    _rest.project(i);
-                    if (_rest.length > 0 && !meetsInCorner(body, place))
+                    _rest.project(planes, i);
+                    if (_rest.motion.lengthSquared > 0 && !meetsInCorner(body, place, _rest.motion))
                     {
-                        _rest.remove(i);
+                        planes.remove(i);
                     }
                 }
             }
         }
 
-        // Whether the rest of the motion is stopped in this corner.
-        private function meetsInCorner(body:MovingBody, place:Vector3D):Boolean
+        // Whether a motion from this corner is stopped in it.
+        private function meetsInCorner(body:MovingBody, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.findFirst(body, place, _rest.motion, _tried) && isSameCorner(body, _tried) && !body.passes(_tried.row, _tried.contact);
+            return _sweep.findFirst(body, _start.obstacles, place, motion, _without) && isInCorner(body, _without, motion)
+                && !body.passes(_without.row, _without.contact);
         }
 
-        // Whether what is met first is met in the same corner.
-        private function isSameCorner(body:MovingBody, impact:Impact):Boolean
+        // Whether what a motion meets first is met in the corner where it begins.
+        private static function isInCorner(body:MovingBody, impact:Impact, motion:Vector3D):Boolean
         {
-            return impact.time * _rest.length < SAME_CORNER * body.core.slop;
+            return impact.time * motion.length < SAME_CORNER * body.core.slop;
         }
     }
 }

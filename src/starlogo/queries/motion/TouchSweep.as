@@ -1,13 +1,16 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
     import starlogo.data.IntList;
     import starlogo.geometry.Tolerances;
 
     /**
      * Finds where a straight motion of a body first touches a row, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
-     * it only touches, leaves or runs along does not stop it, because the core of the body is swept (CoreSweep). At the beginning the body may overlap
-     * the row (OverlapRecovery).
+     * it only touches, leaves or runs along does not stop it, because the core of the body is swept (CoreSweep).
+     *
+     * <p>The motion is tested from where a lift out of all rows together has led the body (CoreSweep.findStart). A row alone may lift it farther. But the
+     * motion ends where it would end without lifts, though no deeper in what the body was lifted out of.</p>
      *
      * @private
      */
@@ -19,49 +22,58 @@ package starlogo.queries.motion
         // How often the way to where the core touches is halved. The rest is less than rounding.
         private static const HALVINGS:int = 40;
 
-        private var _sweep:CoreSweep = new CoreSweep();
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
+        // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core would meet it.
+        private static const SLOPS_TO_LEAVE:Number = 2;
 
-        // The row of a question, as a list; and how the beginning lifts the body, the plane of a deep overlap, and how the core meets the row.
+        private var _sweep:CoreSweep = new CoreSweep();
+
+        // The row of a question as a list, and how its motion starts.
         private var _rows:IntList = new IntList();
-        private var _lift:StartLift = new StartLift();
-        private var _planes:SlidePlanes = new SlidePlanes();
-        private var _impact:Impact = new Impact();
+        private var _start:MotionStart = new MotionStart();
 
         // The way from the computed end of a motion to where the core touches.
         private var _toCore:Vector3D = new Vector3D();
 
         /**
-         * Computes how the beginning of a motion lifts a body out of all rows together.
+         * Finds how a motion of a body from <code>body.from</code> starts among all rows near its way.
          *
-         * @param rows the rows
-         * @param out receives the lift: 0 if the body overlaps nothing, or does not get free
-         * @return whether there is a lift
+         * @param out receives the answer. Its place is <code>body.from</code> if nothing lifts the body
          */
-        public function findLift(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:StartLift):Boolean
+        public function findCommonStart(body:MovingBody, motion:Vector3D, out:MotionStart):void
         {
-            out.clear();
-            if (body.beginMotion(rows, from, motion))
-            {
-                _planes.begin(motion, SlideLimits.NONE);
-                _recovery.leaveOverlaps(body, from, _planes, out);
-            }
-            return out.isLifted;
+            _sweep.findStart(body, body.rows, body.from, motion, out);
         }
 
         /**
-         * Computes a motion that ends when it first touches a row, as if there were no others.
+         * Finds whether and when a row stops a motion of a body from <code>body.from</code>, as if there were no others.
          *
-         * @param from where it begins: not <code>out.place</code>, which is written before the end
          * @param motion the whole motion
-         * @param lift the lift of <code>findLift()</code> with which it begins
+         * @param common how it starts among all rows
          * @param out receives the answer. Rounding may hide the touch at its place: see <code>goIntoTouch()</code>
          */
-        public function findTouch(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
+        public function findTouch(body:MovingBody, row:int, motion:Vector3D, common:MotionStart, out:MotionResult):void
         {
-            _lift.copyFrom(lift);
-            findStop(body, row, from, motion, _lift, out);
-            _lift.findEnd(from, motion, out.fraction, body.core.slop, out.place);
+            _rows.count = 0;
+            _rows.add(row);
+            _sweep.findStop(body, _rows, common.place, motion, _start, out);
+            if (out.row < 0)
+            {
+                out.contact.setNormal(0, 0, 0);
+            }
+            else if (!out.isDeep)
+            {
+                out.contact.depth = 0;
+                leaveOutLift(body, motion, _start, out);
+            }
+            setEnd(body, motion, out.fraction, common.lifted, out.place);
+            pushBack(body, _start.lifted, out.place);
+        }
+
+        /** Finds where a motion of a body from <code>body.from</code> ends that no row stops. @param common how it starts among all rows */
+        public function findFreeEnd(body:MovingBody, motion:Vector3D, common:MotionStart, out:Vector3D):void
+        {
+            body.beginMotion(body.rows, body.from, motion);
+            setEnd(body, motion, 1, common.lifted, out);
         }
 
         /**
@@ -70,103 +82,88 @@ package starlogo.queries.motion
          * contact. Rounding may hide the touch on a long way, and at an edge that the body meets at a flat angle. Then the touch is found between the
          * computed end and where the core touches the row, which may be much farther on: at a flat angle along the side of a tile.
          *
-         * @param result an answer of <code>findTouch()</code> for this body, which a row stops. Its place changes
+         * @param touch an answer of <code>findTouch()</code> for this body, which a row stops. Its place changes
          */
-        public function goIntoTouch(body:MovingBody, result:MotionResult):void
+        public function goIntoTouch(body:MovingBody, touch:MotionResult):void
         {
-            if (result.fraction == 0)
+            if (touch.fraction == 0)
             {
                 return;
             }
-            _toCore.copyFrom(result.corePlace);
-            _toCore.decrementBy(result.place);
-            var step:Number = halfGapAt(result.place, body.extentWith(body.bodyOf(result.row)));
-            result.contact.push(result.place, step);
+            var place:Vector3D = touch.place;
+            _toCore.copyFrom(touch.corePlace);
+            _toCore.decrementBy(place);
+            var step:Number = halfGapAt(place, body.extentWith(body.bodyOf(touch.row)));
+            touch.contact.push(place, step);
             for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
             {
-                if (body.touches(result.row, result.place))
+                if (body.touches(touch.row, place))
                 {
                     return;
                 }
-                result.contact.push(result.place, -step);
+                touch.contact.push(place, -step);
             }
             var free:Number = 0;
-            var part:Number = 1;
+            var touching:Number = 1;
             for (i = 0; i < HALVINGS; i++)
             {
-                goAlong(result, (free + part) / 2);
-                if (body.touches(result.row, result.place))
+                var middle:Number = (free + touching) / 2;
+                setBefore(touch.corePlace, _toCore, 1 - middle, place);
+                if (body.touches(touch.row, place))
                 {
-                    part = (free + part) / 2;
+                    touching = middle;
                 }
                 else
                 {
-                    free = (free + part) / 2;
+                    free = middle;
                 }
             }
-            goAlong(result, part);
+            setBefore(touch.corePlace, _toCore, 1 - touching, place);
         }
 
-        // Goes a part of the way to where the core touches.
-        private function goAlong(result:MotionResult, part:Number):void
+        // Takes the lift out of a time of touch: without it the body would have touched earlier.
+        private static function leaveOutLift(body:MovingBody, motion:Vector3D, start:MotionStart, out:MotionResult):void
         {
-            var back:Number = 1 - part;
-            var core:Vector3D = result.corePlace;
-            result.place.setTo(core.x - back * _toCore.x, core.y - back * _toCore.y, core.z - back * _toCore.z);
-        }
-
-        // Finds whether and how a row stops a motion that begins with a lift. The lift receives what else the body is lifted out of. The result receives all
-        // but its place.
-        private function findStop(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
-        {
-            _rows.count = 0;
-            _rows.add(row);
-            out.row = -1;
-            out.fraction = 1;
-            out.contact.setNormal(0, 0, 0);
-            out.isDeep = out.isLifted = false;
-            if (!body.beginMotion(_rows, from, motion))
-            {
-                lift.clear();
-                return;
-            }
-            lift.place.copyFrom(from);
-            if (lift.isLifted || !_sweep.findFirstIfFree(body, from, motion, _impact))
-            {
-                _planes.begin(motion, SlideLimits.NONE);
-                _recovery.leaveOverlaps(body, from, _planes, lift);
-                out.isDeep = _planes.count > 0;
-                out.isLifted = lift.isLifted;
-                out.row = _planes.findCrossed(out.contact);
-                if (out.row >= 0)
-                {
-                    out.fraction = 0;
-                    return;
-                }
-                _sweep.findObstacle(body, lift.place, motion, _impact);
-            }
-            if (_impact.row >= 0)
-            {
-                takeImpact(body, from, motion, lift, out);
-            }
-        }
-
-        // Finds where the body touches what its core, after the lift, has met.
-        private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
-        {
-            out.row = _impact.row;
-            out.contact.copyFrom(_impact.contact);
-            out.contact.depth = 0;
-            var touchTime:Number = _sweep.findTouchTime(body, lift.place, motion, _impact);
-            out.corePlace.setTo(lift.place.x + _impact.time * motion.x, lift.place.y + _impact.time * motion.y, lift.place.z + _impact.time * motion.z);
-            // without the lift the body would have touched earlier
-            var time:Number = touchTime + out.contact.along(lift.displacement) / _impact.along;
-            out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
-            if (-out.fraction * _impact.along < body.core.slop && body.touches(out.row, from))
+            var from:Vector3D = body.from;
+            var contact:ContactPoint = out.contact;
+            var lift:Number = contact.normalX * (start.place.x - from.x) + contact.normalY * (start.place.y - from.y)
+                + contact.normalZ * (start.place.z - from.z);
+            out.fraction = Math.max(0, Math.min(1, out.fraction + lift / start.impact.along));
+            if (-out.fraction * start.impact.along < body.core.slop && body.touches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
                 out.fraction = 0;
             }
+        }
+
+        // Sets where a fraction of the motion ends without lifts, but no deeper in what the body was lifted out of.
+        private static function setEnd(body:MovingBody, motion:Vector3D, fraction:Number, lifted:ContactList, out:Vector3D):void
+        {
+            var from:Vector3D = body.from;
+            out.setTo(from.x + fraction * motion.x, from.y + fraction * motion.y, from.z + fraction * motion.z);
+            pushBack(body, lifted, out);
+        }
+
+        // Pushes a place back where a body from <code>body.from</code> is deeper in what it was lifted out of. Without this, motions that are shorter than
+        // the clearance of a lift would lead deeper each time.
+        private static function pushBack(body:MovingBody, lifted:ContactList, place:Vector3D):void
+        {
+            var from:Vector3D = body.from;
+            for (var i:int = 0; i < lifted.count; i++)
+            {
+                var contact:ContactPoint = lifted.contacts[i];
+                var deeper:Number = contact.normalX * (from.x - place.x) + contact.normalY * (from.y - place.y) + contact.normalZ * (from.z - place.z);
+                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * body.core.slop)
+                {
+                    contact.push(place, deeper);
+                }
+            }
+        }
+
+        // Sets a place that is a fraction of a way before its end.
+        private static function setBefore(end:Vector3D, way:Vector3D, fraction:Number, out:Vector3D):void
+        {
+            out.setTo(end.x - fraction * way.x, end.y - fraction * way.y, end.z - fraction * way.z);
         }
 
         // At most half of the gap across which two bodies still touch at a place. Two spheres or points may have a narrower one.

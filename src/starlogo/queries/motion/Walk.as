@@ -12,9 +12,6 @@ package starlogo.queries.motion
      */
     public final class Walk
     {
-        // A part of the extent. The agent stands on ground that is at most this far below it.
-        private static const CLOSE:Number = 1e-6;
-
         /** The agent that walks. */
         public var agent:Agent;
 
@@ -34,8 +31,11 @@ package starlogo.queries.motion
         /** How far the agent may come. */
         public var range:Number = 0;
 
-        /** The cosine of the steepest slope. */
-        public var cosine:Number = 1;
+        /** The least z of the normal of a surface that is not too steep to stand on. */
+        public var walkableZ:Number = 1;
+
+        /** The agent stands on ground that is at most this far below it. */
+        public var closeDepth:Number = 0;
 
         /** How a platform carries the agent: the motion, and the turn in degrees. */
         public var carry:Vector3D = new Vector3D();
@@ -59,12 +59,6 @@ package starlogo.queries.motion
         public function Walk(seen:SeenAgents)
         {
             body = new MovingBody(seen);
-        }
-
-        /** The agent stands on ground that is at most this far below it. */
-        public function get closeDepth():Number
-        {
-            return CLOSE * body.extent;
         }
     }
 }

@@ -15,35 +15,47 @@ package starlogo.queries.motion
      * the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls. The method
      * <code>go()</code> shows the order.
      *
-     * <p>Steps take the walk to its next place, <code>Walk.place</code>, and return whether the agent stands there.</p>
+     * <p>Steps take the walk to its next place, <code>Walk.place</code>, and return whether the agent stands there. Then the walk has the floor too.</p>
      *
      * @private
      */
     public final class WalkMover
     {
+        // The agent stands on ground that is at most this far below it. A part of the extent.
+        private static const CLOSE:Number = 1e-6;
+
         // A fall, with the slide after it, is undone if it leads less far down. A part of the extent.
         private static const REST:Number = 1e-8;
 
         // A walk begins with this many pushes at most.
         private static const MOST_PUSHES:int = 8;
 
+        private var _sweep:CoreSweep = new CoreSweep();
+        private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _slider:Slider = new Slider();
         private var _foothold:Foothold;
 
-        // How motions end: up or down, along the ground, and those that may be undone.
-        private var _upright:SlideResult = new SlideResult();
-        private var _along:SlideResult = new SlideResult();
-        private var _tried:SlideResult = new SlideResult();
-
-        // The vector and the limits of a motion, where a fall has come, the rows without the platform and where it carries the agent, and contacts of
-        // overlaps: the deepest one, and another.
-        private var _vector:Vector3D = new Vector3D();
+        // The motion and the limits of a step.
+        private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
-        private var _fallen:Vector3D = new Vector3D();
+
+        // How steps end: a slide, a slide that may be undone, a way up, and a way down.
+        private var _slid:SlideResult = new SlideResult();
+        private var _tried:SlideResult = new SlideResult();
+        private var _above:MotionResult = new MotionResult();
+        private var _below:MotionResult = new MotionResult();
+
+        // The rows without the platform, and the place to which the platform carries the agent.
         private var _others:IntList = new IntList();
         private var _carried:Vector3D = new Vector3D();
-        private var _deepest:ContactPoint = new ContactPoint();
+
+        // The contact of an overlap, and of the deepest one.
         private var _overlap:ContactPoint = new ContactPoint();
+        private var _deepest:ContactPoint = new ContactPoint();
+
+        // Where a fall has come, and the normal of a floor.
+        private var _fallen:Vector3D = new Vector3D();
+        private var _normal:Vector3D = new Vector3D();
 
         /** @param seen has the rows */
         public function WalkMover(seen:SeenAgents)
@@ -51,56 +63,154 @@ package starlogo.queries.motion
             _foothold = new Foothold(seen);
         }
 
-        /** Finds the rows near a walk, and up to a distance from it. */
-        public function findNear(walk:Walk, distance:Number):void
+        /**
+         * Goes a walk. A platform carries the agent first. Then it is pushed out of what it overlaps, goes the pieces of its way, and falls if it does not
+         * stand.
+         *
+         * @param walk where it begins. It receives where it ends, how far the agent was pushed, and which part of the motion it has made
+         * @param platform the row that carries the agent; -1 if none does
+         * @return whether the agent stands at the end
+         */
+        public function go(walk:Walk, platform:int):Boolean
+        {
+            walk.place.copyFrom(walk.body.from);
+            walk.closeDepth = CLOSE * walk.body.extent;
+            findNear(walk, 0);
+            if (platform >= 0)
+            {
+                carry(walk, platform);
+            }
+            var stands:Boolean = recover(walk);
+            stands = goPieces(walk, stands);
+            stands ||= walk.body.hasShape && fall(walk);
+            _recovery.restoreClearance(walk.body, walk.body.rows, walk.place);
+            return stands;
+        }
+
+        // Finds the rows near a walk, and up to a distance from it.
+        private static function findNear(walk:Walk, distance:Number):void
         {
             // the range has the way in it, whatever its direction
             walk.body.findRowsWithin(walk.range + distance, walk.pieces * walk.options.stepHeight,
                     walk.pieces * walk.options.snap + walk.options.fall, walk.agent, walk.options.filter);
         }
 
-        /**
-         * Carries the agent with a platform, before its walk. The agent slides along others that are in its way, but not into the platform. The
-         * platform has moved already, so only the rest of its way, which the agent misses, can lead into it.
-         *
-         * @param platform its row
-         */
-        public function carry(walk:Walk, platform:int):void
+        // Carries the agent with a platform. The agent slides along others that are in its way, but not into the platform. The platform has moved already,
+        // so only the rest of its way, which the agent misses, can lead into it.
+        private function carry(walk:Walk, platform:int):void
         {
             _others.copyFrom(walk.body.rows, platform);
-            var part:Number = _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _along);
-            if (part < 1 && leadsIntoPlatform(walk, platform, _along.place))
-            {
-                _slider.goStraight(walk.body, _others, walk.place, walk.carry, _tried);
-                if (!leadsIntoPlatform(walk, platform, _tried.place))
-                {
-                    _along.place.copyFrom(_tried.place);
-                }
-            }
-            walk.place.copyFrom(_along.place);
-        }
-
-        // Whether the rest of the way that the platform carries the agent, from its end back to a place, leads into the platform.
-        private function leadsIntoPlatform(walk:Walk, platform:int, place:Vector3D):Boolean
-        {
             _carried.copyFrom(walk.place);
             _carried.incrementBy(walk.carry);
-            _vector.copyFrom(place);
-            _vector.decrementBy(_carried);
-            return _slider.meets(walk.body, platform, _carried, _vector);
+            _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);
+            if (_slid.fraction < 1 && leadsInto(walk, platform, _carried, _slid.place))
+            {
+                _slider.goStraight(walk.body, _others, walk.place, walk.carry, _above);
+                if (!leadsInto(walk, platform, _carried, _above.place))
+                {
+                    walk.place.copyFrom(_above.place);
+                    return;
+                }
+            }
+            walk.place.copyFrom(_slid.place);
         }
 
-        /**
-         * Goes the walk: recovers from overlaps, then goes each piece, and falls if the agent does not stand. The agent goes a piece along the ground.
-         * If a wall stops it there, it tries to step up. Otherwise it steps down to the ground. Without ground it goes through the air. The walk
-         * receives how far the agent was pushed, and which part of the motion it has made.
-         *
-         * @return whether the agent stands at the end
-         */
-        public function go(walk:Walk):Boolean
+        // Whether the way from a place to another leads into a row.
+        private function leadsInto(walk:Walk, row:int, from:Vector3D, to:Vector3D):Boolean
         {
-            var stands:Boolean = recover(walk);
-            var beginsInAir:Boolean = !stands;
+            _motion.copyFrom(to);
+            _motion.decrementBy(from);
+            return _sweep.meets(walk.body, row, from, _motion);
+        }
+
+        // Pushes the agent out of what it overlaps. Returns whether it stands then.
+        private function recover(walk:Walk):Boolean
+        {
+            walk.start.copyFrom(walk.place);
+            walk.pushed = 0;
+            var stands:Boolean = goDown(walk, walk.closeDepth, _below);
+            if (!_below.isDeep)
+            {
+                return stands;
+            }
+            walk.place.copyFrom(walk.start);
+            pushOut(walk);
+            walk.pushed = Vector3D.distance(walk.place, walk.start);
+            walk.start.copyFrom(walk.place);
+            return goDown(walk, walk.closeDepth, _below);
+        }
+
+        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else.
+        private function pushOut(walk:Walk):void
+        {
+            var left:Number = sumOfDepths(walk);
+            if (left > 0)
+            {
+                findNear(walk, left);
+            }
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && findDeepest(walk, _deepest); i++)
+            {
+                var length:Number = Math.min(left, _deepest.depth);
+                left -= length;
+                _motion.setTo(0, 0, 0);
+                _deepest.push(_motion, length);
+                _slider.slide(walk.body, walk.body.rows, walk.place, _motion, SlideLimits.NONE, _slid);
+                walk.place.copyFrom(_slid.place);
+            }
+        }
+
+        // The sum of the depths of all overlaps of the agent where it is.
+        private function sumOfDepths(walk:Walk):Number
+        {
+            var sum:Number = 0;
+            for (var i:int = 0; i < walk.body.rows.count; i++)
+            {
+                if (findOverlap(walk, walk.body.rows.numbers[i], _overlap))
+                {
+                    sum += _overlap.depth;
+                }
+            }
+            return sum;
+        }
+
+        // Finds the deepest overlap of the agent where it is. Returns whether there is one.
+        private function findDeepest(walk:Walk, out:ContactPoint):Boolean
+        {
+            out.depth = 0;
+            for (var i:int = 0; i < walk.body.rows.count; i++)
+            {
+                if (findOverlap(walk, walk.body.rows.numbers[i], _overlap) && _overlap.depth > out.depth)
+                {
+                    out.copyFrom(_overlap);
+                }
+            }
+            return out.depth > 0;
+        }
+
+        // Finds how the agent overlaps a row where it is. A push along the contact's normal by its depth leads a clearance out of the row. Returns whether the
+        // overlap counts: not if it is shallow, or with a one-way row.
+        private static function findOverlap(walk:Walk, row:int, out:ContactPoint):Boolean
+        {
+            var body:MovingBody = walk.body;
+            if (body.isOneWay(row) || !body.coreTouches(row, walk.place))
+            {
+                return false;
+            }
+            body.findSeparatingContact(row, walk.place, out);
+            if (body.isShallow(row, out) || !body.overlaps(row, walk.place))
+            {
+                return false;
+            }
+            body.warnIfInside(row, out);
+            out.depth += body.core.clearance;
+            // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
+            return body.bodyOf(row).form != ModelShape.TREE || out.depth <= body.source.halfAlong(out);
+        }
+
+        // Goes all pieces: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
+        private function goPieces(walk:Walk, beginsStanding:Boolean):Boolean
+        {
+            var stands:Boolean = beginsStanding;
             var startX:Number = walk.start.x;
             var startY:Number = walk.start.y;
             for (var i:int = 0; i < walk.pieces; i++)
@@ -109,7 +219,7 @@ package starlogo.queries.motion
                 {
                     walk.start.copyFrom(walk.place);
                     // beyond a gap there may be ground again
-                    stands ||= !beginsInAir && goDown(walk, walk.closeDepth);
+                    stands ||= beginsStanding && goDown(walk, walk.closeDepth, _below);
                 }
                 if (stands)
                 {
@@ -118,19 +228,18 @@ package starlogo.queries.motion
                 else
                 {
                     // in the air all surfaces are walls, except of level floors
-                    slide(walk, walk.start, 0, SlideLimits.LEVEL_Z, _along);
-                    walk.place.copyFrom(_along.place);
+                    slideAlong(walk, walk.start, 0, SlideLimits.LEVEL_Z, _slid);
+                    walk.place.copyFrom(_slid.place);
                 }
             }
             var dx:Number = walk.place.x - startX;
             var dy:Number = walk.place.y - startY;
             walk.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.pieces * walk.pieceLength)) : 1;
-            stands ||= walk.body.hasShape && fall(walk);
-            _slider.restoreClearance(walk.body, walk.place);
             return stands;
         }
 
-        // Goes a piece along the ground, and up or down with it. Returns whether the agent stands then.
+        // Goes a piece along the ground, and up or down with it. If a wall stops the agent there, it tries to step up. Otherwise it steps down to the ground.
+        // Returns whether it stands then.
         private function goOnGround(walk:Walk):Boolean
         {
             if (walk.pieceLength == 0)
@@ -139,85 +248,15 @@ package starlogo.queries.motion
                 walk.place.copyFrom(walk.start);
                 return true;
             }
-            slide(walk, walk.place, riseOf(walk), walk.cosine, _along);
-            if (_along.metWall && stepUp(walk, _along.place))
+            slideAlong(walk, walk.place, riseOf(walk), walk.walkableZ, _slid);
+            if (_slid.metWall && stepUp(walk, _slid.place))
             {
                 return true;
             }
-            walk.place.copyFrom(_along.place);
+            walk.place.copyFrom(_slid.place);
             // the ground may have led up only for a part of the piece: on a ramp, and over the edge of a step
             var height:Number = Math.max(0, walk.place.z - walk.start.z);
-            return goDown(walk, height + walk.options.snap + walk.closeDepth);
-        }
-
-        // Pushes the agent out of what it overlaps. Returns whether it stands then.
-        private function recover(walk:Walk):Boolean
-        {
-            walk.start.copyFrom(walk.place);
-            walk.pushed = 0;
-            var stands:Boolean = goDown(walk, walk.closeDepth);
-            if (!_upright.isDeep)
-            {
-                return stands;
-            }
-            walk.place.copyFrom(walk.start);
-            walk.pushed = pushOut(walk);
-            walk.start.copyFrom(walk.place);
-            return goDown(walk, walk.closeDepth);
-        }
-
-        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. Returns how far the
-        // agent is then from where the walk began.
-        private function pushOut(walk:Walk):Number
-        {
-            var left:Number = findDeepest(walk, _deepest);
-            if (left > 0)
-            {
-                findNear(walk, left);
-            }
-            for (var i:int = 0; i < MOST_PUSHES && left > 0 && findDeepest(walk, _deepest) > 0; i++)
-            {
-                var length:Number = Math.min(left, _deepest.depth);
-                left -= length;
-                _vector.setTo(0, 0, 0);
-                _deepest.push(_vector, length);
-                _slider.slide(walk.body, walk.body.rows, walk.place, _vector, SlideLimits.NONE, _along);
-                walk.place.copyFrom(_along.place);
-            }
-            _vector.copyFrom(walk.place);
-            _vector.decrementBy(walk.start);
-            return _vector.length;
-        }
-
-        // Finds the deepest overlap of the agent where it is. A shallow one does not count, nor one with a one-way row. A push along the contact's normal by
-        // its depth leads a clearance out of the row. Returns the sum of the depths of all overlaps; 0 if there is none.
-        private function findDeepest(walk:Walk, out:ContactPoint):Number
-        {
-            var body:MovingBody = walk.body;
-            var rows:IntList = body.rows;
-            var sum:Number = 0;
-            out.depth = 0;
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                var row:int = rows.numbers[i];
-                if (body.isOneWay(row) || !body.coreTouches(row, walk.place) || body.findContact(row, walk.place, true, _overlap)
-                        || !body.overlaps(row, walk.place))
-                {
-                    continue;
-                }
-                body.warnIfInside(row, _overlap);
-                _overlap.depth += body.core.clearance;
-                // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-                if (body.bodyOf(row).form != ModelShape.TREE || _overlap.depth <= body.source.halfAlong(_overlap))
-                {
-                    sum += _overlap.depth;
-                    if (_overlap.depth > out.depth)
-                    {
-                        out.copyFrom(_overlap);
-                    }
-                }
-            }
-            return sum;
+            return goDown(walk, height + walk.options.snap + walk.closeDepth, _below);
         }
 
         // How far a piece leads up or down if it runs along the ground below the agent.
@@ -229,16 +268,16 @@ package starlogo.queries.motion
         // Tries a piece again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
         private function stepUp(walk:Walk, plain:Vector3D):Boolean
         {
-            goUpright(walk, walk.start, walk.options.stepHeight);
-            var height:Number = _upright.place.z - walk.start.z;
+            goUpright(walk, walk.start, walk.options.stepHeight, _above);
+            var height:Number = _above.place.z - walk.start.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slide(walk, _upright.place, 0, walk.cosine, _tried);
+            slideAlong(walk, _above.place, 0, walk.walkableZ, _tried);
             walk.place.copyFrom(_tried.place);
             var depth:Number = height + walk.options.snap + walk.closeDepth;
-            return isFarther(walk, plain) && (goDown(walk, depth) || (slideOff(walk, depth) && isFarther(walk, plain)));
+            return isFarther(walk, plain) && (goDown(walk, depth, _below) || (slideOff(walk, depth, _below) && isFarther(walk, plain)));
         }
 
         // Whether the agent is farther along the piece than another place.
@@ -248,54 +287,20 @@ package starlogo.queries.motion
             return farther > walk.closeDepth * walk.pieceLength;
         }
 
-        // Slides down what is too steep to stand on, where the way down from a step has ended: a round agent that has met the edge of the next step hangs
-        // on it. Returns whether the agent stands then, and is no farther from where the piece began than the piece is long.
-        private function slideOff(walk:Walk, depth:Number):Boolean
+        // Slides down what is too steep to stand on: a round agent that has met the edge of the next step hangs on it. Below says where the way down from a
+        // step has ended, which was at most as long as the depth. Returns whether the agent stands then, and is no farther from where the piece began
+        // than the piece is long.
+        private function slideOff(walk:Walk, depth:Number, below:MotionResult):Boolean
         {
-            if (_upright.floorRow < 0)
+            if (below.row < 0)
             {
                 return false;
             }
-            slideDown(walk, _upright.place, depth - (walk.place.z - _upright.place.z), walk.pieceLength);
+            slideDown(walk, below.place, depth - (walk.place.z - below.place.z), walk.pieceLength, _tried);
             walk.place.copyFrom(_tried.place);
             var dx:Number = walk.place.x - walk.start.x;
             var dy:Number = walk.place.y - walk.start.y;
-            return dx * dx + dy * dy <= walk.pieceLength * walk.pieceLength && goDown(walk, walk.closeDepth);
-        }
-
-        // Slides along the way of a piece, and up or down.
-        private function slide(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:SlideResult):void
-        {
-            _limits.setTo(walkableZ, walk.pieceLength, SlideLimits.NO_FALL);
-            _vector.setTo(walk.piece.x, walk.piece.y, rise);
-            _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
-        }
-
-        // Goes straight up, or down if dz is less than 0, until something is in the way. Returns the free part.
-        private function goUpright(walk:Walk, from:Vector3D, dz:Number):Number
-        {
-            _vector.setTo(0, 0, dz);
-            return _slider.goStraight(walk.body, walk.body.rows, from, _vector, _upright);
-        }
-
-        // Slides down like a fall, as long as what it slides on is too steep to stand on.
-        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number):void
-        {
-            _limits.setTo(SlideLimits.NO_WALLS, maxHorizontal, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
-            _vector.setTo(0, 0, -depth);
-            _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, _tried);
-        }
-
-        // Goes down to the ground if it is no deeper than this depth, and not too steep. Otherwise the agent stays.
-        private function goDown(walk:Walk, depth:Number):Boolean
-        {
-            goUpright(walk, walk.place, -depth);
-            if (_upright.floorRow < 0 || !(_foothold.standOn(walk, _upright.floor, _upright.floorRow, _upright.place) || standOnOther(walk, _upright.place)))
-            {
-                return false;
-            }
-            walk.place.copyFrom(_upright.place);
-            return true;
+            return dx * dx + dy * dy <= walk.pieceLength * walk.pieceLength && goDown(walk, walk.closeDepth, _below);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
@@ -312,35 +317,78 @@ package starlogo.queries.motion
                 {
                     return false;
                 }
-                left -= goUpright(walk, _fallen, -depth) * depth;
-                isStopped = _upright.floorRow >= 0;
-                _fallen.copyFrom(_upright.place);
+                goUpright(walk, _fallen, -depth, _below);
+                left -= _below.fraction * depth;
+                isStopped = _below.row >= 0;
+                _fallen.copyFrom(_below.place);
             }
             if (!isStopped)
             {
                 // a fall can also end where the ground begins, without being stopped
                 walk.place.copyFrom(_fallen);
-                return goDown(walk, walk.closeDepth);
+                return goDown(walk, walk.closeDepth, _below);
             }
-            if (_foothold.standOn(walk, _upright.floor, _upright.floorRow, _fallen))
+            if (standOn(walk, _below.contact, _below.row, _fallen))
             {
-                walk.place.copyFrom(_fallen);
                 return true;
             }
             var longest:Number = Math.min(walk.options.fall, walk.body.source.placement.size);
-            slideDown(walk, _fallen, Math.min(left, longest), longest / 2);
-            if (!(walk.place.z - _tried.place.z < REST * walk.body.extent))
+            slideDown(walk, _fallen, Math.min(left, longest), longest / 2, _slid);
+            if (!(walk.place.z - _slid.place.z < REST * walk.body.extent))
             {
-                walk.place.copyFrom(_tried.place);
+                walk.place.copyFrom(_slid.place);
             }
-            return goDown(walk, walk.closeDepth);
+            return goDown(walk, walk.closeDepth, _below);
+        }
+
+        // Goes down to the ground if it is no deeper than this depth, and not too steep. Otherwise the agent stays. The result says how the way down ends.
+        private function goDown(walk:Walk, depth:Number, out:MotionResult):Boolean
+        {
+            goUpright(walk, walk.place, -depth, out);
+            return out.row >= 0 && (standOn(walk, out.contact, out.row, out.place) || standOnOther(walk, out.place));
         }
 
         // Lets the agent stand on what else it touches at a place, besides something too steep.
         private function standOnOther(walk:Walk, place:Vector3D):Boolean
         {
-            slideDown(walk, place, walk.closeDepth, walk.body.extent);
-            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && _foothold.standOn(walk, _tried.floor, _tried.floorRow, place);
+            slideDown(walk, place, walk.closeDepth, walk.body.extent, _tried);
+            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
+        }
+
+        // Lets the agent stand at a place, on a row that it touches there, if the row carries it.
+        private function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
+        {
+            if (!_foothold.carries(walk, contact, row, place, _normal))
+            {
+                return false;
+            }
+            walk.place.copyFrom(place);
+            walk.floorRow = row;
+            walk.floorNormal.copyFrom(_normal);
+            return true;
+        }
+
+        // Goes straight up, or down if dz is less than 0, until something is in the way.
+        private function goUpright(walk:Walk, from:Vector3D, dz:Number, out:MotionResult):void
+        {
+            _motion.setTo(0, 0, dz);
+            _slider.goStraight(walk.body, walk.body.rows, from, _motion, out);
+        }
+
+        // Slides along the way of a piece, and up or down.
+        private function slideAlong(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:SlideResult):void
+        {
+            _limits.setWalls(walkableZ, walk.pieceLength);
+            _motion.setTo(walk.piece.x, walk.piece.y, rise);
+            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
+        }
+
+        // Slides down like a fall, as long as what it slides on is too steep to stand on.
+        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number, out:SlideResult):void
+        {
+            _limits.setFall(Math.sqrt(1 - walk.walkableZ * walk.walkableZ) / walk.walkableZ, maxHorizontal);
+            _motion.setTo(0, 0, -depth);
+            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
         }
     }
 }

@@ -51,15 +51,14 @@ package starlogo.queries.motion
                 body.findRowsAlong(motion.x, motion.y, motion.z, agents[0], null);
                 body.beginMotion(body.rows, from, motion);
                 var found:Impact = new Impact();
-                sweep.findFirst(body, from, motion, found);
+                sweep.findFirst(body, body.rows, from, motion, found);
                 var expected:Impact = new Impact();
                 for (k = 0; k < body.rows.count; k++)
                 {
                     var alone:Impact = new Impact();
                     row.count = 0;
                     row.add(body.rows.numbers[k]);
-                    body.obstacles.copyFrom(row);
-                    if (new CoreSweep().findFirst(body, from, motion, alone) && alone.comparedTime < expected.comparedTime)
+                    if (new CoreSweep().findFirst(body, row, from, motion, alone) && alone.comparedTime < expected.comparedTime)
                     {
                         expected = alone;
                     }

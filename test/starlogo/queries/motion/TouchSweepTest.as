@@ -111,7 +111,7 @@ package starlogo.queries.motion
             {
                 _body.readStructure(new Sphere(from, 0.1));
                 _body.findRowsAlong(motion.x, motion.y, motion.z, null, null);
-                _sweep.findTouch(_body, _seen.rowOf(agent), from, motion, new StartLift(), _result);
+                _sweep.findTouch(_body, _seen.rowOf(agent), motion, startWithoutLift(), _result);
                 assertTrue(motion + ": deep", _result.isDeep);
             }
         }
@@ -119,7 +119,6 @@ package starlogo.queries.motion
         private function compare(make:Function):void
         {
             var motion:Vector3D = new Vector3D();
-            var from:Vector3D = new Vector3D();
             for (var i:int = Effort.choose(150, 3000); i > 0; i--)
             {
                 var agent:Agent = agentAt(_model.name, _random.between(-9, 9), _random.between(-9, 9), _random.between(-9, 9));
@@ -133,10 +132,9 @@ package starlogo.queries.motion
                 side.scaleBy((isFar ? 1.5 : 0.5) * agent.size);
                 var middle:Vector3D = new Vector3D(agent.x, agent.y, agent.z + agent.size / 2);
                 _body.readStructure(make(middle.add(side), _structures.frame()));
-                from.setTo(_body.source.placement.x, _body.source.placement.y, _body.source.placement.z);
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
                 _body.findRowsAlong(motion.x, motion.y, motion.z, null, null);
-                _sweep.findTouch(_body, _seen.rowOf(agent), from, motion, new StartLift(), _result);
+                _sweep.findTouch(_body, _seen.rowOf(agent), motion, startWithoutLift(), _result);
                 if (_result.row >= 0)
                 {
                     check(_seen.table.bodyOf(_result.row));
@@ -144,6 +142,13 @@ package starlogo.queries.motion
             }
             _wrong.assertNone();
             assertTrue(_met + " met, " + _deep + " begin deep", _met > 60 && _deep > 30);
+        }
+
+        private function startWithoutLift():MotionStart
+        {
+            var start:MotionStart = new MotionStart();
+            start.place.copyFrom(_body.from);
+            return start;
         }
 
         private function check(tree:Body):void

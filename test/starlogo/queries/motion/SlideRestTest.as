@@ -4,22 +4,23 @@ package starlogo.queries.motion
     import org.flexunit.asserts.assertEquals;
     import starlogo.convex.ContactPoint;
 
-    public class SlidePlanesTest
+    public class SlideRestTest
     {
         [Test]
         public function aPlaneThatIsMetAgainForgetsNoOther():void
         {
-            var planes:SlidePlanes = new SlidePlanes();
-            planes.begin(new Vector3D(1, 1, 0), new SlideLimits());
+            var rest:SlideRest = new SlideRest();
+            var planes:ContactList = new ContactList();
+            rest.begin(new Vector3D(1, 1, 0), SlideLimits.NONE);
             assertEquals(0, planes.add(planeAgainst(1, 0), 5));
             assertEquals(1, planes.add(planeAgainst(0, 1), 6));
             assertEquals("the first again, of another row", 0, planes.add(planeAgainst(1, 0), 7));
             assertEquals("7,6 of 2", planes.rows.slice(0, 2).join() + " of " + planes.count);
-            planes.project();
-            assertEquals("no way between the two", 0, planes.length);
+            rest.project(planes);
+            assertEquals("no way between the two", 0, rest.motion.length);
             planes.remove(1);
-            planes.project();
-            assertEquals("along the first", 1, planes.motion.y);
+            rest.project(planes);
+            assertEquals("along the first", 1, rest.motion.y);
         }
 
         // The contact with a wall that stands across a direction on the ground plane.

@@ -211,6 +211,7 @@ package starlogo.broadphase
             var counts:Vector.<int> = _counts;
             var begins:Vector.<int> = _starts;
             var sum:int = 0;
+            begins[0] = 0;
             for (var i:int = 0; i < bucketCount; i++)
             {
                 var inBucket:int = counts[i];

@@ -45,11 +45,14 @@ package starlogo.broadphase
             _extents = extents;
             count = members.count;
             emptyBuckets();
-            _buckets.length = 0;
             makeRoom(length);
+            for (var row:int = 0; row < _buckets.length; row++)
+            {
+                _buckets[row] = NONE;
+            }
             for (var i:int = 0; i < count; i++)
             {
-                var row:int = members.numbers[i];
+                row = members.numbers[i];
                 var level:BinLevel = _levels[extents.level[row]];
                 enter(row, level, level.bucketAt(extents.x[row], extents.y[row]));
             }

@@ -25,6 +25,9 @@ package starlogo.handlers
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
+        /** The number of touches that have not ended. Read only. */
+        public var count:int = 0;
+
         // By index: all touches that there are, and objects for later ones.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
 
@@ -46,12 +49,6 @@ package starlogo.handlers
 
         // The indices of the touches that ended in this frame, in the order in which they began.
         private var _ended:SortableIntList = new SortableIntList();
-
-        /** The number of touches that have not ended. */
-        public function get count():int
-        {
-            return _all.length - _free.count - _ended.count;
-        }
 
         /**
          * The pairs whose touches may begin in a frame: the added ones if the touches of all others go on. Null stands for all pairs. Ask before
@@ -261,6 +258,7 @@ package starlogo.handlers
             touch.firstFrame = touch.lastFrame = frame;
             touch.serial = _startedCount;
             _startedCount++;
+            count++;
             return touch;
         }
 
@@ -283,6 +281,7 @@ package starlogo.handlers
             {
                 _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
                 _ended.add(touch.index, touch.serial);
+                count--;
             }
         }
 

@@ -91,23 +91,27 @@ package starlogo.search
          */
         public function find(input:FrameInput, mayKeep:Boolean, counts:SearchCounts):FoundPairs
         {
-            table.read(input.agents);
-            _rowMotions.begin();
-            _motions = input.isAnySweeping() ? _rowMotions : null;
+            table.findChanges(input.agents);
+            if (Agent.haveSwept)
+            {
+                _rowMotions.note();
+            }
+            table.readChanges();
+            _motions = Agent.haveSwept && isAnySweeping(input.agents) ? _rowMotions : null;
             // tests since the last search, as those of questions, do not count
-            table.narrowPhase.takeCounts(counts);
+            table.narrowPhase.counts.clear();
             var mayBegin:Boolean = mayKeep && _mayBeKept;
             // if the search throws, the next one is of all rows, because the table has been read
             _mayBeKept = false;
             var isOfChanged:Boolean = mayBegin && _changedRows.find(input, _motions);
             table.readWorld(input.ground, input.edges);
             var memberCount:int = isOfChanged ? findOfChanged(input) : findOfAll(input, mayKeep);
-            table.narrowPhase.takeCounts(counts);
+            counts.copyTests(table.narrowPhase.counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
             counts.candidatePairs = _candidatePairs;
-            counts.sweptPairs = _rowMotions.sweptPairs;
+            counts.sweptPairs = _motions == null ? 0 : _motions.sweptPairs;
             counts.collisions = _pairs.count;
             return _pairs;
         }
@@ -119,7 +123,7 @@ package starlogo.search
             var extents:Extents = table.extents;
             if (_motions != null)
             {
-                _motions.findMotions(table.list.rows);
+                _motions.begin(table.list.rows);
                 extents = _motions.extents;
             }
             begin(input, _pairs);
@@ -138,12 +142,25 @@ package starlogo.search
         {
             begin(input, _pairsOfChanged);
             _changedRows.findPairs(this);
-            findPairsOfWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
-            findPairsOfWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
+            listMembers(_changedRows.rowsToTestWith(ListedAgents.GROUND_ROW), input);
+            findPairsOfWorldAgent(ListedAgents.GROUND_ROW, _members);
+            listMembers(_changedRows.rowsToTestWith(ListedAgents.EDGES_ROW), input);
+            findPairsOfWorldAgent(ListedAgents.EDGES_ROW, _members);
             _pairsOfChanged.putInOrder(_motions != null);
             _changedRows.updatePairs(_pairs, _pairsOfChanged);
             _mayBeKept = true;
             return _changedRows.memberCount;
+        }
+
+        // No entry of the list is null.
+        private static function isAnySweeping(agents:Vector.<Agent>):Boolean
+        {
+            var i:int = agents.length - 1;
+            while (i >= 0 && !agents[i].isSweeping)
+            {
+                i--;
+            }
+            return i >= 0;
         }
 
         private function begin(input:FrameInput, out:FoundPairs):void
@@ -162,8 +179,21 @@ package starlogo.search
             {
                 return all;
             }
-            input.listMembers(table, all, _members);
+            listMembers(all, input);
             return _members;
+        }
+
+        // Lists the members among some rows.
+        private function listMembers(rows:IntList, input:FrameInput):void
+        {
+            _members.count = 0;
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                if (isMember(rows.numbers[i], table, input))
+                {
+                    _members.add(rows.numbers[i]);
+                }
+            }
         }
 
         /** @inheritDoc */
@@ -183,15 +213,15 @@ package starlogo.search
             _out.addPairs(row, others, keepTouching(row, others, count, level), null);
         }
 
-        // Finds the pairs of rows with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
+        // Finds the pairs of members with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
         // interest together with the breed of the ground or of the edges.
-        private function findPairsOfWorldAgent(worldRow:int, rows:IntList):void
+        private function findPairsOfWorldAgent(worldRow:int, members:IntList):void
         {
             if (table.list.agents[worldRow] == null || !_input.interests.isNamed(table.breeds[worldRow]))
             {
                 return;
             }
-            _input.listMembers(table, rows, _membersForWorld);
+            _membersForWorld.copyFrom(members);
             var others:Vector.<int> = _membersForWorld.numbers;
             var count:int = _input.interests.keepOfInterest(table.breeds, worldRow, others, _membersForWorld.count);
             if (_motions != null)

@@ -152,8 +152,12 @@ package starlogo.broadphase
             for (var i:int = 1; i < _levels.length; i++)
             {
                 var level:BinLevel = _levels[i];
+                if (level.count == 0)
+                {
+                    continue;
+                }
                 var coarser:BinLevel = own.width > level.width ? own : level;
-                var found:int = level.count == 0 ? 0 : findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
+                var found:int = findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
                 found = keepNear(row, found, coarser.slack, marks, mark);
                 if (found > 0)
                 {

@@ -58,8 +58,7 @@ package starlogo.search
         // The number of candidates whose breeds are of interest.
         private var _candidatePairs:int = 0;
 
-        // If an agent sweeps: the motion of a pair that is tested, and the times at which a row touches others.
-        private var _motion:RelativeMotion = new RelativeMotion();
+        // If an agent sweeps: the times at which a row touches others.
         private var _times:Vector.<Number> = new Vector.<Number>();
 
         // The members of a search in which some rows may be none, and those that are tested with the ground or the edges of the world.
@@ -207,7 +206,7 @@ package starlogo.search
             _candidatePairs += count;
             if (_motions != null)
             {
-                addTouchingMotions(row, others, count, level);
+                _out.addPairs(row, others, _motions.keepTouching(level, row, others, count, _times), _times);
                 return;
             }
             _out.addPairs(row, others, keepTouching(row, others, count, level), null);
@@ -226,7 +225,7 @@ package starlogo.search
             var count:int = _input.interests.keepOfInterest(table.breeds, worldRow, others, _membersForWorld.count);
             if (_motions != null)
             {
-                addTouchingMotions(worldRow, others, count, null);
+                _out.addPairs(worldRow, others, _motions.keepTouching(null, worldRow, others, count, _times), _times);
                 return;
             }
             _out.addPairs(worldRow, others, keepTouchingWorld(worldRow, others, count), null);
@@ -252,10 +251,14 @@ package starlogo.search
             {
                 var other:int = others[i];
                 var isNear:Boolean = rows.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
-                if (isNear && tests.areTouching(body, rows.bodyOf(other)))
+                if (isNear)
                 {
-                    others[kept] = other;
-                    kept++;
+                    var otherBody:Body = rows.bodyOf(other);
+                    if (tests.pairTestsFor(body, otherBody).areTouching(body, otherBody))
+                    {
+                        others[kept] = other;
+                        kept++;
+                    }
                 }
             }
             return kept;
@@ -276,30 +279,6 @@ package starlogo.search
                 }
             }
             return kept;
-        }
-
-        // Adds the pairs of the rows that touch a row on their motions, with their times. The level is null for the ground and the edges, whose extents
-        // say nothing.
-        private function addTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):void
-        {
-            var ranks:Vector.<int> = table.list.ranks;
-            var rank:int = ranks[row];
-            var times:Vector.<Number> = _times;
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                // the time belongs to the motion of the agent that comes first in the list, relative to the other
-                var isFirst:Boolean = rank < ranks[other];
-                _motions.findFirst(level, isFirst ? row : other, isFirst ? other : row, _motion);
-                if (_motion.time != RelativeMotion.NEVER)
-                {
-                    others[kept] = other;
-                    times[kept] = _motion.time;
-                    kept++;
-                }
-            }
-            _out.addPairs(row, others, kept, times);
         }
 
         /** The table was read without a search: the next search is one of all rows. */

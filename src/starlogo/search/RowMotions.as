@@ -45,6 +45,9 @@ package starlogo.search
 
         private var _table:AgentTable;
 
+        // The motion of a pair that is tested.
+        private var _motion:RelativeMotion = new RelativeMotion();
+
         // When the extents of a pair overlap.
         private var _interval:ContactInterval = new ContactInterval();
         private var _axisMotion:AxisMotion = new AxisMotion();
@@ -137,13 +140,37 @@ package starlogo.search
         }
 
         /**
-         * Finds the time at which two rows first touch. If neither of the two sweeps, they are tested where they are now.
+         * Keeps the rows that touch a row on their motions, and moves them to the beginning of the list.
          *
-         * @param level has the slack of the two rows' extents; null to make the exact test for all pairs
-         * @param motion receives the motion of the first relative to the second, with the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact of two parts if they touch, where b is now (PairTests.findContactOfParts); null if only the time is needed
+         * @param level has the slack of the rows' extents; null for the ground and the edges, whose extents say nothing
+         * @param times receives the times of the touches
+         * @return the number of rows that it keeps
          */
-        public function findFirst(level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint = null):void
+        public function keepTouching(level:BinLevel, row:int, others:Vector.<int>, count:int, times:Vector.<Number>):int
+        {
+            var ranks:Vector.<int> = _table.list.ranks;
+            var rank:int = ranks[row];
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                // the time belongs to the motion of the agent that comes first in the list, relative to the other
+                var isFirst:Boolean = rank < ranks[other];
+                findFirst(level, isFirst ? row : other, isFirst ? other : row, _motion, null);
+                if (_motion.time != RelativeMotion.NEVER)
+                {
+                    others[kept] = other;
+                    times[kept] = _motion.time;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        // Finds the time at which two rows first touch. If neither of the two sweeps, they are tested where they are now. The motion receives the motion of
+        // the first relative to the second, with the time, from 0 to 1, or RelativeMotion.NEVER. If there is an out, it receives the contact of two parts
+        // if they touch, where b is now (PairTests.findContactOfParts).
+        private function findFirst(level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             motion.endAfter(motions.x[a] - motions.x[b], motions.y[a] - motions.y[b], motions.z[a] - motions.z[b]);
             motion.time = RelativeMotion.NEVER;

@@ -72,6 +72,16 @@ result.frames["a Collision with handlers"] = garbage(() => {
 }) - result.moving;
 result.pairs["a Collision with handlers"] = 2 * calls;
 
+let isFew = false;
+result.frames["a Collision, few agents moving in every other frame"] = garbage(() => {
+	isFew = !isFew;
+	if (isFew) for (let i = 0; i < 20; i++) agents[i].moveTo(agents[i].x, agents[i].y, agents[i].z + 1e-3);
+	else move();
+	calls = 0;
+	collision.update(agents);
+}) - result.moving / 2;
+result.pairs["a Collision, few agents moving in every other frame"] = 2 * calls;
+
 // the same agents, half of them cubes now, sweep over hills
 const terrain = new Terrain(101, 101, 1, -50, -50);
 for (let i = 0; i < 100; i++) terrain.raiseMound(100 * random() - 50, 100 * random() - 50, 10, random() - 0.5);

@@ -5,11 +5,14 @@ package support
     import starlogo.collision.BinCollider;
     import starlogo.collision.Contact;
 
-    /** A game's own bins, which may refuse to compute contacts. */
+    /** A game's own bins, which count the contacts that they compute, and may refuse to. */
     public class MoodyBins extends BinCollider
     {
         /** Whether contactOf throws. */
         public var refuses:Boolean = false;
+
+        /** The number of calls of contactOf. */
+        public var contactCount:int = 0;
 
         /** @param greatLand the models */
         public function MoodyBins(greatLand:GreatLand)
@@ -19,6 +22,7 @@ package support
 
         override public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {
+            contactCount++;
             if (refuses)
             {
                 throw new Error("no contact");

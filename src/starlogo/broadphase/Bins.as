@@ -58,7 +58,7 @@ package starlogo.broadphase
          */
         public function findPairs(extents:Extents, members:IntList, sink:PairSink):void
         {
-            sort(extents, members);
+            sortIntoCells(extents, members);
             for (var i:int = 1; i < levels.length; i++)
             {
                 var level:BinLevel = levels[i];
@@ -78,7 +78,7 @@ package starlogo.broadphase
         }
 
         // Puts the members into the order of their cells, by a counting sort.
-        private function sort(extents:Extents, members:IntList):void
+        private function sortIntoCells(extents:Extents, members:IntList):void
         {
             makeLevels(extents);
             countMembers(extents, members);
@@ -211,6 +211,7 @@ package starlogo.broadphase
             var counts:Vector.<int> = _counts;
             var begins:Vector.<int> = _starts;
             var sum:int = 0;
+            begins[0] = 0;
             for (var i:int = 0; i < bucketCount; i++)
             {
                 var inBucket:int = counts[i];

@@ -45,11 +45,14 @@ package starlogo.broadphase
             _extents = extents;
             count = members.count;
             emptyBuckets();
-            _buckets.length = 0;
             makeRoom(length);
+            for (var row:int = 0; row < _buckets.length; row++)
+            {
+                _buckets[row] = NONE;
+            }
             for (var i:int = 0; i < count; i++)
             {
-                var row:int = members.numbers[i];
+                row = members.numbers[i];
                 var level:BinLevel = _levels[extents.level[row]];
                 enter(row, level, level.bucketAt(extents.x[row], extents.y[row]));
             }
@@ -149,8 +152,12 @@ package starlogo.broadphase
             for (var i:int = 1; i < _levels.length; i++)
             {
                 var level:BinLevel = _levels[i];
+                if (level.count == 0)
+                {
+                    continue;
+                }
                 var coarser:BinLevel = own.width > level.width ? own : level;
-                var found:int = level.count == 0 ? 0 : findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
+                var found:int = findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
                 found = keepNear(row, found, coarser.slack, marks, mark);
                 if (found > 0)
                 {

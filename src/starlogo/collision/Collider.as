@@ -12,7 +12,9 @@ package starlogo.collision
     import starlogo.search.ForeignPairs;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
+    import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -198,7 +200,7 @@ package starlogo.collision
         /** @private Lets no agent have a motion in the next frame. */
         engine function forgetMotions():void
         {
-            search.table.places.forgetAll();
+            search.table.forgetMotionStarts();
         }
 
         private function get isOwned():Boolean
@@ -224,9 +226,19 @@ package starlogo.collision
             }
             if ((phase == HANDLING) != (_phase == HANDLING))
             {
-                search.table.holdGround(phase == HANDLING);
+                holdGround(phase == HANDLING);
             }
             _phase = phase;
+        }
+
+        // Holds the ground as the frame has read it, or lets go of it. The edges do not change.
+        private function holdGround(isHeld:Boolean):void
+        {
+            var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
+            if (ground != null)
+            {
+                ground.grid.hold(isHeld);
+            }
         }
 
         /** @private */

@@ -9,6 +9,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
     import starlogo.agents.Breeds;
+    import starlogo.agents.copyAgents;
     import starlogo.collision.snapshots.LastFrame;
     import starlogo.collision.snapshots.Snapshots;
     import starlogo.data.requireGiven;
@@ -380,7 +381,8 @@ package starlogo.collision
             system.enterPhase(Collider.SEARCHING);
             var pairs:FoundPairs = system.findPairs(_input, _foreign, _statistics);
             var searched:Collider = system.equivalentCollider;
-            lastFrame.keep(_input.agents, searched == null ? null : searched.search);
+            lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
+            lastFrame.search = searched == null ? null : searched.search;
             system.enterPhase(Collider.HANDLING);
             _calls.make(pairs, system, _handlers, touches, agents, _handlerErrors);
             lastFrame.hasFailed = false;

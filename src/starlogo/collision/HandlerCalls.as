@@ -58,19 +58,19 @@ package starlogo.collision
             count = 0;
             _areTouchesComplete = true;
             var isTracked:Boolean = tracker.count > 0 || (table.kinds & ~CollisionHandler.COLLISION) != 0;
-            var compared:IntList = isTracked ? tracker.pairsToCompare(pairs) : null;
             if (table.contactKinds != 0)
             {
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
                 _contacts.begin(system);
-                findContacts((table.contactKinds & CollisionHandler.COLLISION) == 0 ? compared : null);
+                findContacts(tracker);
             }
+            var starting:IntList = null;
             if (isTracked)
             {
                 _tracker = tracker;
-                tracker.begin(pairs, compared, table);
+                starting = tracker.begin(pairs, table);
             }
-            callAll((table.kinds & CollisionHandler.COLLISION) == 0 ? compared : null, errors);
+            callAll((table.kinds & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
         }
 
         /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */
@@ -83,16 +83,20 @@ package starlogo.collision
             }
         }
 
-        // Computes the contacts that handlers take, before a handler moves an agent. Null stands for all pairs.
-        private function findContacts(chosen:IntList):void
+        // Computes the contacts that handlers take, before a handler moves an agent. Handlers for starts take none of a touch that goes on.
+        private function findContacts(tracker:TouchTracker):void
         {
+            var chosen:IntList = (_table.contactKinds & CollisionHandler.COLLISION) == 0 ? tracker.pairsThatMayStart(_pairs) : null;
             var end:int = chosen == null ? _pairs.count : chosen.count;
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = chosen == null ? i : chosen.numbers[i];
-                if (_table.handlersOfPair(_pairs, pair).needsContacts)
+                var first:Agent = _pairs.firstOf(pair);
+                var second:Agent = _pairs.secondOf(pair);
+                var kinds:int = _table.handlersOfPair(_pairs, pair).contactKinds;
+                if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && tracker.touchToContinue(first, second) == null)
                 {
-                    _contacts.find(pair, _pairs.firstOf(pair), _pairs.secondOf(pair));
+                    _contacts.find(pair, first, second);
                 }
             }
         }

@@ -161,7 +161,7 @@ package starlogo.handlers
             var missing:Vector.<String> = new Vector.<String>();
             for (var number:int = Breeds.ANY + 1; number < Breeds.NAMES.count; number++)
             {
-                if (!isThere[number] && interests.representativeOf(number) == number)
+                if (!isThere[number] && interests.isNamed(number))
                 {
                     missing.push(Breeds.NAMES.nameOf(number));
                 }

@@ -14,8 +14,8 @@ package starlogo.handlers
         /** The number of handlers whose collider is the first agent. */
         public var firstCount:int;
 
-        /** Whether any handler takes the contact of a touch. */
-        public var needsContacts:Boolean = false;
+        /** The kinds of the handlers that take the contact of a touch: a sum of CollisionHandler.START and COLLISION. */
+        public var contactKinds:int = 0;
 
         /** Whether any handler is for starts or ends of touches. */
         public var tracksTouches:Boolean = false;
@@ -30,7 +30,7 @@ package starlogo.handlers
             firstCount = ofFirst.length;
             for each (var handler:CollisionHandler in handlers)
             {
-                needsContacts ||= handler.needsContact;
+                contactKinds |= handler.needsContact ? handler.kind : 0;
                 tracksTouches ||= handler.kind != CollisionHandler.COLLISION;
             }
         }

@@ -25,6 +25,9 @@ package starlogo.handlers
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
+        /** The number of touches that have not ended. Read only. */
+        public var count:int = 0;
+
         // By index: all touches that there are, and objects for later ones.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
 
@@ -47,29 +50,36 @@ package starlogo.handlers
         // The indices of the touches that ended in this frame, in the order in which they began.
         private var _ended:SortableIntList = new SortableIntList();
 
-        /** The number of touches that have not ended. */
-        public function get count():int
-        {
-            return _all.length - _free.count - _ended.count;
-        }
-
         /**
-         * The pairs whose touches may be others than in the last frame: the added ones if all others go on. Null stands for all pairs. Ask before
+         * The pairs whose touches may begin in a frame: the added ones if the touches of all others go on. Null stands for all pairs. Ask before
          * <code>begin()</code>.
          */
-        public function pairsToCompare(pairs:FoundPairs):IntList
+        public function pairsThatMayStart(pairs:FoundPairs):IntList
         {
             return pairs === _pairs && pairs.areKept && pairs.searches == _search + 1 ? pairs.added : null;
         }
 
         /**
+         * The touch of two agents that goes on if they touch in the next frame too; null if there is none. It does not go on if a breed has changed, or
+         * if handlers were called for the first agent only.
+         */
+        public function touchToContinue(a:Agent, b:Agent):Touch
+        {
+            var index:int = indexOf(a, b);
+            var touch:Touch = index == NONE ? null : _all[index];
+            return touch != null && touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber
+                ? touch : null;
+        }
+
+        /**
          * Begins a frame. The touches of pairs that touched before go on. The others end.
          *
-         * @param compared the answer of <code>pairsToCompare()</code>
          * @param table the handlers. A pair without handlers for starts or ends has no touch
+         * @return the answer of <code>pairsThatMayStart()</code>
          */
-        public function begin(pairs:FoundPairs, compared:IntList, table:HandlerTable):void
+        public function begin(pairs:FoundPairs, table:HandlerTable):IntList
         {
+            var starting:IntList = pairsThatMayStart(pairs);
             frame++;
             _pairs = pairs;
             var before:Vector.<int> = _touches;
@@ -80,7 +90,7 @@ package starlogo.handlers
                 // grows by an eighth, because a vector that grows a little in each frame is copied each time
                 _touches.length = pairs.count + (pairs.count >> 3);
             }
-            if (compared == null)
+            if (starting == null)
             {
                 compareAll(table);
             }
@@ -89,6 +99,7 @@ package starlogo.handlers
                 compareSome(table);
             }
             _ended.sortFirst(_ended.count);
+            return starting;
         }
 
         /** The number of touches that ended in this frame. */
@@ -247,24 +258,19 @@ package starlogo.handlers
             touch.firstFrame = touch.lastFrame = frame;
             touch.serial = _startedCount;
             _startedCount++;
+            count++;
             return touch;
         }
 
-        // Lets the touch of a pair go on, if there is one. It does not go on if the two have no handlers for starts or ends, if a breed has changed, or
-        // if handlers were called for the first agent only.
+        // Lets the touch of a pair go on, if there is one and the two still have handlers for starts or ends.
         private function continueTouch(pair:int, table:HandlerTable):void
         {
-            _touches[pair] = NONE;
-            var index:int = table.handlersOfPair(_pairs, pair).tracksTouches ? indexOf(_pairs.firstOf(pair), _pairs.secondOf(pair)) : NONE;
-            if (index == NONE)
-            {
-                return;
-            }
-            var touch:Touch = _all[index];
-            if (touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
+            var isTracked:Boolean = table.handlersOfPair(_pairs, pair).tracksTouches;
+            var touch:Touch = isTracked ? touchToContinue(_pairs.firstOf(pair), _pairs.secondOf(pair)) : null;
+            _touches[pair] = touch == null ? NONE : touch.index;
+            if (touch != null)
             {
                 touch.lastFrame = frame;
-                _touches[pair] = index;
             }
         }
 
@@ -275,6 +281,7 @@ package starlogo.handlers
             {
                 _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
                 _ended.add(touch.index, touch.serial);
+                count--;
             }
         }
 

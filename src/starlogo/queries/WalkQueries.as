@@ -57,7 +57,7 @@ package starlogo.queries
             link.platform = null;
             if (stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
             {
-                link.setTo(footing.on, _seen.table.bodyOf(walk.floorRow).placement, _seen.table.places.revisions[walk.floorRow]);
+                link.setTo(footing.on, _seen.table.bodyOf(walk.floorRow).placement, _seen.table.revisions[walk.floorRow]);
             }
             return footing;
         }

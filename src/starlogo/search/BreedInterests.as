@@ -122,8 +122,8 @@ package starlogo.search
             return kept;
         }
 
-        /** Whether a pair names a breed. */
-        internal function isNamed(breed:int):Boolean
+        /** @private Whether a pair names a breed. */
+        engine function isNamed(breed:int):Boolean
         {
             return breed >= 0 && breed < _isNamed.length && _isNamed[breed];
         }

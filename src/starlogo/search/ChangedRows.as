@@ -100,7 +100,7 @@ package starlogo.search
             }
             if (motions != null)
             {
-                motions.findMotions(_rows);
+                motions.begin(_rows);
             }
             return updateCells(input) && _cells.haveRightBucketCounts();
         }
@@ -145,10 +145,10 @@ package starlogo.search
         // The number of rows that were read again, or have another place in the list.
         private function countRead():int
         {
-            var count:int = _table.places.changed.count + _table.list.leftOrReordered.count;
+            var count:int = _table.changed.count + _table.list.leftOrReordered.count;
             if (_motions != null)
             {
-                count += _table.places.previouslyChanged.count;
+                count += _motions.previouslyChanged.count;
             }
             return count;
         }
@@ -173,11 +173,11 @@ package starlogo.search
             _cells.makeRoom(length);
             markWorldAgent(ListedAgents.GROUND_ROW, input.ground);
             markWorldAgent(ListedAgents.EDGES_ROW, input.edges);
-            addAll(_table.places.changed);
+            addAll(_table.changed);
             addAll(_table.list.leftOrReordered);
             if (_motions != null)
             {
-                addAll(_table.places.previouslyChanged);
+                addAll(_motions.previouslyChanged);
             }
             if (input.admitted != null)
             {
@@ -188,7 +188,7 @@ package starlogo.search
         // The ground and the edges are no members, but their pairs change with them.
         private function markWorldAgent(worldRow:int, agent:WorldAgent):void
         {
-            if (!_table.isWorldAgentRead(worldRow, agent))
+            if (_table.list.agents[worldRow] !== agent || agent != null && agent.revision != _table.revisions[worldRow])
             {
                 _marks[worldRow] = _mark;
             }
@@ -218,7 +218,7 @@ package starlogo.search
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (input.isMember(_table, row) != _cells.has(row))
+                if (isMember(row, _table, input) != _cells.has(row))
                 {
                     addChanged(row);
                 }
@@ -231,7 +231,7 @@ package starlogo.search
             for (var i:int = 0; i < _rows.count; i++)
             {
                 var row:int = _rows.numbers[i];
-                if (!input.isMember(_table, row))
+                if (!isMember(row, _table, input))
                 {
                     _cells.remove(row);
                 }

@@ -58,8 +58,7 @@ package starlogo.search
         // The number of candidates whose breeds are of interest.
         private var _candidatePairs:int = 0;
 
-        // If an agent sweeps: the motion of a pair that is tested, and the times at which a row touches others.
-        private var _motion:RelativeMotion = new RelativeMotion();
+        // If an agent sweeps: the times at which a row touches others.
         private var _times:Vector.<Number> = new Vector.<Number>();
 
         // The members of a search in which some rows may be none, and those that are tested with the ground or the edges of the world.
@@ -91,23 +90,27 @@ package starlogo.search
          */
         public function find(input:FrameInput, mayKeep:Boolean, counts:SearchCounts):FoundPairs
         {
-            table.read(input.agents);
-            _rowMotions.begin();
-            _motions = input.isAnySweeping() ? _rowMotions : null;
+            table.findChanges(input.agents);
+            if (Agent.haveSwept)
+            {
+                _rowMotions.note();
+            }
+            table.readChanges();
+            _motions = Agent.haveSwept && isAnySweeping(input.agents) ? _rowMotions : null;
             // tests since the last search, as those of questions, do not count
-            table.narrowPhase.takeCounts(counts);
+            table.narrowPhase.counts.clear();
             var mayBegin:Boolean = mayKeep && _mayBeKept;
             // if the search throws, the next one is of all rows, because the table has been read
             _mayBeKept = false;
             var isOfChanged:Boolean = mayBegin && _changedRows.find(input, _motions);
             table.readWorld(input.ground, input.edges);
             var memberCount:int = isOfChanged ? findOfChanged(input) : findOfAll(input, mayKeep);
-            table.narrowPhase.takeCounts(counts);
+            counts.copyTests(table.narrowPhase.counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
             counts.candidatePairs = _candidatePairs;
-            counts.sweptPairs = _rowMotions.sweptPairs;
+            counts.sweptPairs = _motions == null ? 0 : _motions.sweptPairs;
             counts.collisions = _pairs.count;
             return _pairs;
         }
@@ -119,7 +122,7 @@ package starlogo.search
             var extents:Extents = table.extents;
             if (_motions != null)
             {
-                _motions.findMotions(table.list.rows);
+                _motions.begin(table.list.rows);
                 extents = _motions.extents;
             }
             begin(input, _pairs);
@@ -138,12 +141,25 @@ package starlogo.search
         {
             begin(input, _pairsOfChanged);
             _changedRows.findPairs(this);
-            findPairsOfWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
-            findPairsOfWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
+            listMembers(_changedRows.rowsToTestWith(ListedAgents.GROUND_ROW), input);
+            findPairsOfWorldAgent(ListedAgents.GROUND_ROW, _members);
+            listMembers(_changedRows.rowsToTestWith(ListedAgents.EDGES_ROW), input);
+            findPairsOfWorldAgent(ListedAgents.EDGES_ROW, _members);
             _pairsOfChanged.putInOrder(_motions != null);
             _changedRows.updatePairs(_pairs, _pairsOfChanged);
             _mayBeKept = true;
             return _changedRows.memberCount;
+        }
+
+        // No entry of the list is null.
+        private static function isAnySweeping(agents:Vector.<Agent>):Boolean
+        {
+            var i:int = agents.length - 1;
+            while (i >= 0 && !agents[i].isSweeping)
+            {
+                i--;
+            }
+            return i >= 0;
         }
 
         private function begin(input:FrameInput, out:FoundPairs):void
@@ -162,8 +178,21 @@ package starlogo.search
             {
                 return all;
             }
-            input.listMembers(table, all, _members);
+            listMembers(all, input);
             return _members;
+        }
+
+        // Lists the members among some rows.
+        private function listMembers(rows:IntList, input:FrameInput):void
+        {
+            _members.count = 0;
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                if (isMember(rows.numbers[i], table, input))
+                {
+                    _members.add(rows.numbers[i]);
+                }
+            }
         }
 
         /** @inheritDoc */
@@ -177,26 +206,26 @@ package starlogo.search
             _candidatePairs += count;
             if (_motions != null)
             {
-                addTouchingMotions(row, others, count, level);
+                _out.addPairs(row, others, _motions.keepTouching(level, row, others, count, _times), _times);
                 return;
             }
             _out.addPairs(row, others, keepTouching(row, others, count, level), null);
         }
 
-        // Finds the pairs of rows with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
+        // Finds the pairs of members with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
         // interest together with the breed of the ground or of the edges.
-        private function findPairsOfWorldAgent(worldRow:int, rows:IntList):void
+        private function findPairsOfWorldAgent(worldRow:int, members:IntList):void
         {
             if (table.list.agents[worldRow] == null || !_input.interests.isNamed(table.breeds[worldRow]))
             {
                 return;
             }
-            _input.listMembers(table, rows, _membersForWorld);
+            _membersForWorld.copyFrom(members);
             var others:Vector.<int> = _membersForWorld.numbers;
             var count:int = _input.interests.keepOfInterest(table.breeds, worldRow, others, _membersForWorld.count);
             if (_motions != null)
             {
-                addTouchingMotions(worldRow, others, count, null);
+                _out.addPairs(worldRow, others, _motions.keepTouching(null, worldRow, others, count, _times), _times);
                 return;
             }
             _out.addPairs(worldRow, others, keepTouchingWorld(worldRow, others, count), null);
@@ -222,10 +251,14 @@ package starlogo.search
             {
                 var other:int = others[i];
                 var isNear:Boolean = rows.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
-                if (isNear && tests.areTouching(body, rows.bodyOf(other)))
+                if (isNear)
                 {
-                    others[kept] = other;
-                    kept++;
+                    var otherBody:Body = rows.bodyOf(other);
+                    if (tests.pairTestsFor(body, otherBody).areTouching(body, otherBody))
+                    {
+                        others[kept] = other;
+                        kept++;
+                    }
                 }
             }
             return kept;
@@ -246,30 +279,6 @@ package starlogo.search
                 }
             }
             return kept;
-        }
-
-        // Adds the pairs of the rows that touch a row on their motions, with their times. The level is null for the ground and the edges, whose extents
-        // say nothing.
-        private function addTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):void
-        {
-            var ranks:Vector.<int> = table.list.ranks;
-            var rank:int = ranks[row];
-            var times:Vector.<Number> = _times;
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                // the time belongs to the motion of the agent that comes first in the list, relative to the other
-                var isFirst:Boolean = rank < ranks[other];
-                _motions.findFirst(level, isFirst ? row : other, isFirst ? other : row, _motion);
-                if (_motion.time != RelativeMotion.NEVER)
-                {
-                    others[kept] = other;
-                    times[kept] = _motion.time;
-                    kept++;
-                }
-            }
-            _out.addPairs(row, others, kept, times);
         }
 
         /** The table was read without a search: the next search is one of all rows. */

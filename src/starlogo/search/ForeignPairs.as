@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.data.HashTable;
     import starlogo.data.requireGiven;
     import starlogo.search.table.ListedAgents;
 
@@ -14,6 +15,9 @@ package starlogo.search
     {
         private var _list:ListedAgents = new ListedAgents();
         private var _pairs:FoundPairs = new FoundPairs(_list);
+
+        // The pairs that have been read, by their rows, the lesser first.
+        private var _known:HashTable = new HashTable();
 
         /**
          * Begins with the list of a frame.
@@ -32,7 +36,8 @@ package starlogo.search
          *
          * @param pairs the pairs: a0, b0, a1, b1, ...
          * @return the pairs as rows. The next call overwrites them
-         * @throws ArgumentError if there are no pairs, a half pair, or an agent that is null or not in the list
+         * @throws ArgumentError if there are no pairs, a half pair, an agent that is null or not in the list, an agent with itself, or a pair twice,
+         *     in either order
          */
         public function read(pairs:Vector.<Agent>):FoundPairs
         {
@@ -42,9 +47,21 @@ package starlogo.search
                 throw new ArgumentError("the collision system has found pairs of " + pairs.length + " agents, which must be an even number: a0, b0, a1, b1, ...");
             }
             _pairs.begin();
+            _known.clear();
             for (var i:int = 0; i < pairs.length; i += 2)
             {
-                _pairs.add(rowAt(i, pairs), rowAt(i + 1, pairs));
+                var a:int = rowAt(i, pairs);
+                var b:int = rowAt(i + 1, pairs);
+                if (a == b)
+                {
+                    throw new ArgumentError("the collision system has found " + pairs[i] + " with itself: agents[" + i + "] and agents[" + (i + 1) + "]");
+                }
+                if (_known.set (Math.min(a, b), Math.max(a, b), i) >= 0)
+                {
+                    throw new ArgumentError("the collision system has found " + pairs[i] + " and " + pairs[i + 1] + " twice: the second time at agents["
+                            + i + "]");
+                }
+                _pairs.add(a, b);
             }
             return _pairs;
         }

@@ -47,6 +47,9 @@ package starlogo.search
         /** How far trees are tested. */
         public var treeLimits:TreeLimits = new TreeLimits();
 
+        /** Counts the tests. */
+        public var counts:TestCounts = new TestCounts();
+
         /** Says which shape each agent has. */
         public var choice:BaseShapeChoice;
 
@@ -114,20 +117,6 @@ package starlogo.search
                 return;
             }
             tests.findClosest(a, b, areTouchingNow, out);
-        }
-
-        /** Writes a collider's numbers of tests, and sets them to 0. */
-        public function takeCounts(out:SearchCounts):void
-        {
-            sphereTests.takeCounts(out);
-            if (structureTests != null)
-            {
-                structureTests.takeCounts(out);
-            }
-            if (treeTests != null)
-            {
-                treeTests.takeCounts(out);
-            }
         }
 
         /**

@@ -9,6 +9,7 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.intersection.boxes.AxisMotion;
     import starlogo.intersection.boxes.ContactInterval;
     import starlogo.search.table.AgentTable;
@@ -21,17 +22,31 @@ package starlogo.search
      */
     internal final class RowMotions
     {
+        /** By row: the way from the place in the search before. It is 0 for an agent that has not moved, or has come without a motion. */
+        internal var motions:Points = new Points();
+
+        /** By row: whether the agent has come without a motion: it is new, has jumped, or has the shape of another model. */
+        internal var haveJumped:Vector.<Boolean> = new Vector.<Boolean>();
+
+        /** The rows whose motions the search before has noted. */
+        internal var previouslyChanged:IntList = new IntList();
+
         /** By row: the extents of the whole motion. */
         internal var extents:Extents = new Extents();
 
         /** The number of pairs that the search has tested along their motions. Read only. */
         internal var sweptPairs:int = 0;
 
+        // The rows whose motions this search has noted.
+        private var _changed:IntList = new IntList();
+
         // By row: whether the agent sweeps, and has not come without a motion. The ground and the edges of the world do neither.
         private var _sweeps:Vector.<Boolean> = new Vector.<Boolean>();
 
         private var _table:AgentTable;
-        private var _motions:Points;
+
+        // The motion of a pair that is tested.
+        private var _motion:RelativeMotion = new RelativeMotion();
 
         // When the extents of a pair overlap.
         private var _interval:ContactInterval = new ContactInterval();
@@ -41,33 +56,64 @@ package starlogo.search
         public function RowMotions(table:AgentTable)
         {
             _table = table;
-            _motions = table.places.motions;
-        }
-
-        /** Begins a search in which an agent sweeps. */
-        public function begin():void
-        {
-            sweptPairs = 0;
         }
 
         /**
-         * Finds the extents of the motions of rows, and which rows sweep. The table has just been read.
-         *
-         * @param rows the rows; those without a shape are left out, because they are members of no search
+         * Notes the motions of the rows that have changed. Call it in each search once an agent has swept, after the table has found the rows, and
+         * before it reads their places.
          */
-        public function findMotions(rows:IntList):void
+        public function note():void
         {
             if (_table.list.agents.length > _sweeps.length)
             {
-                _sweeps.length = _table.list.agents.length;
+                _sweeps.length = haveJumped.length = _table.list.agents.length;
+                motions.grow(_sweeps.length);
                 extents.grow(_sweeps.length);
             }
+            var before:IntList = previouslyChanged;
+            previouslyChanged = _changed;
+            _changed = before;
+            _changed.copyFrom(_table.changed);
+            // rows that have not changed since have no motion any more
+            for (var i:int = 0; i < previouslyChanged.count; i++)
+            {
+                setMotion(previouslyChanged.numbers[i], 0, 0, 0);
+                haveJumped[previouslyChanged.numbers[i]] = false;
+            }
+            for (i = 0; i < _changed.count; i++)
+            {
+                var row:int = _changed.numbers[i];
+                var agent:Agent = _table.list.agents[row];
+                haveJumped[row] = !_table.isMotionStart(row, agent);
+                if (!haveJumped[row])
+                {
+                    var at:Placement = agent.placement;
+                    setMotion(row, at.x - _table.places.x[row], at.y - _table.places.y[row], at.z - _table.places.z[row]);
+                }
+            }
+        }
+
+        private function setMotion(row:int, x:Number, y:Number, z:Number):void
+        {
+            motions.x[row] = x;
+            motions.y[row] = y;
+            motions.z[row] = z;
+        }
+
+        /**
+         * Begins the tests: finds the extents of the motions of rows, and which rows sweep. The table has just been read.
+         *
+         * @param rows the rows; those without a shape are left out, because they are members of no search
+         */
+        public function begin(rows:IntList):void
+        {
+            sweptPairs = 0;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
                 if (_table.shapes[row] != null)
                 {
-                    _sweeps[row] = !_table.places.haveJumped[row] && _table.list.agents[row].isSweeping;
+                    _sweeps[row] = !haveJumped[row] && _table.list.agents[row].isSweeping;
                     findExtents(row);
                 }
             }
@@ -77,9 +123,9 @@ package starlogo.search
         private function findExtents(row:int):void
         {
             var standing:Extents = _table.extents;
-            var motionX:Number = _motions.x[row];
-            var motionY:Number = _motions.y[row];
-            var motionZ:Number = _motions.z[row];
+            var motionX:Number = motions.x[row];
+            var motionY:Number = motions.y[row];
+            var motionZ:Number = motions.z[row];
             var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
             var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
             extents.x[row] = standing.x[row] - motionX / 2;
@@ -94,15 +140,39 @@ package starlogo.search
         }
 
         /**
-         * Finds the time at which two rows first touch. If neither of the two sweeps, they are tested where they are now.
+         * Keeps the rows that touch a row on their motions, and moves them to the beginning of the list.
          *
-         * @param level has the slack of the two rows' extents; null to make the exact test for all pairs
-         * @param motion receives the motion of the first relative to the second, with the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact of two parts if they touch, where b is now (PairTests.findContactOfParts); null if only the time is needed
+         * @param level has the slack of the rows' extents; null for the ground and the edges, whose extents say nothing
+         * @param times receives the times of the touches
+         * @return the number of rows that it keeps
          */
-        public function findFirst(level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint = null):void
+        public function keepTouching(level:BinLevel, row:int, others:Vector.<int>, count:int, times:Vector.<Number>):int
         {
-            motion.endAfter(_motions.x[a] - _motions.x[b], _motions.y[a] - _motions.y[b], _motions.z[a] - _motions.z[b]);
+            var ranks:Vector.<int> = _table.list.ranks;
+            var rank:int = ranks[row];
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                // the time belongs to the motion of the agent that comes first in the list, relative to the other
+                var isFirst:Boolean = rank < ranks[other];
+                findFirst(level, isFirst ? row : other, isFirst ? other : row, _motion, null);
+                if (_motion.time != RelativeMotion.NEVER)
+                {
+                    others[kept] = other;
+                    times[kept] = _motion.time;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        // Finds the time at which two rows first touch. If neither of the two sweeps, they are tested where they are now. The motion receives the motion of
+        // the first relative to the second, with the time, from 0 to 1, or RelativeMotion.NEVER. If there is an out, it receives the contact of two parts
+        // if they touch, where b is now (PairTests.findContactOfParts).
+        private function findFirst(level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            motion.endAfter(motions.x[a] - motions.x[b], motions.y[a] - motions.y[b], motions.z[a] - motions.z[b]);
             motion.time = RelativeMotion.NEVER;
             if (!eitherSweeps(a, b))
             {
@@ -146,9 +216,9 @@ package starlogo.search
             _table.narrowPhase.pairTestsFor(bodyA, bodyB).separate(bodyA, bodyB, motion, out);
             // the motion was relative to b at its present place, so the point is moved back to where b was at that time
             var back:Number = motion.time - 1;
-            out.x += back * _motions.x[b];
-            out.y += back * _motions.y[b];
-            out.z += back * _motions.z[b];
+            out.x += back * motions.x[b];
+            out.y += back * motions.y[b];
+            out.z += back * motions.z[b];
         }
 
         // Whether one of two rows sweeps and has a motion.
@@ -159,7 +229,7 @@ package starlogo.search
 
         private function hasMoved(row:int):Boolean
         {
-            return _motions.x[row] != 0 || _motions.y[row] != 0 || _motions.z[row] != 0;
+            return motions.x[row] != 0 || motions.y[row] != 0 || motions.z[row] != 0;
         }
 
         // Tests two rows where they are. If they touch, the motion gets the time.
@@ -200,8 +270,8 @@ package starlogo.search
         {
             _interval.begin(1);
             _axisMotion.margin = slack;
-            return narrow(standing.x, standing.halfX, _motions.x, a, b) && narrow(standing.y, standing.halfY, _motions.y, a, b)
-                && narrow(standing.z, standing.halfZ, _motions.z, a, b);
+            return narrow(standing.x, standing.halfX, motions.x, a, b) && narrow(standing.y, standing.halfY, motions.y, a, b)
+                && narrow(standing.z, standing.halfZ, motions.z, a, b);
         }
 
         // Narrows the interval by one direction. It gets the places at the end of the motions, half the lengths, and the motions.

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
 
     use namespace engine;
@@ -80,6 +81,33 @@ package starlogo.search
             nodeVisits = other.nodeVisits;
             triangleTests = other.triangleTests;
             collisions = other.collisions;
+        }
+
+        /** @private Takes the numbers of tests of a narrow phase. */
+        engine function copyTests(tests:TestCounts):void
+        {
+            var structures:Vector.<int> = tests.structures;
+            sphereSphereTests = testsOf(structures, BoundingStructure.SPHERE, BoundingStructure.SPHERE);
+            sphereCapsuleTests = testsOf(structures, BoundingStructure.SPHERE, BoundingStructure.CAPSULE);
+            sphereBoxTests = testsOf(structures, BoundingStructure.SPHERE, BoundingStructure.BOX);
+            capsuleCapsuleTests = testsOf(structures, BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
+            capsuleBoxTests = testsOf(structures, BoundingStructure.CAPSULE, BoundingStructure.BOX);
+            boxBoxTests = testsOf(structures, BoundingStructure.BOX, BoundingStructure.BOX);
+            hullTests = 0;
+            for (var kind:int = 0; kind < BoundingStructure.KIND_COUNT; kind++)
+            {
+                hullTests += testsOf(structures, kind, BoundingStructure.HULL);
+            }
+            hierarchyTests = tests.trees.pairTests;
+            nodeVisits = tests.trees.nodeVisits;
+            triangleTests = tests.trees.triangleTests;
+        }
+
+        // The number of tests of two kinds, in either order.
+        private static function testsOf(structures:Vector.<int>, a:int, b:int):int
+        {
+            var count:int = structures[BoundingStructure.KIND_COUNT * a + b];
+            return a == b ? count : count + structures[BoundingStructure.KIND_COUNT * b + a];
         }
 
         /** All tests between two structures. Tests of the nodes of hierarchies are not included. */

@@ -12,27 +12,23 @@ package starlogo.search
         /** Whether the triangles decide. Then trees are tested down to them. */
         public var exact:Boolean = false;
 
-        private var _maxDepth:int = 5;
+        /** Levels of each tree, if its agent has no limit of its own. Set it by <code>setMaxDepth()</code>. */
+        public var maxDepth:int = 5;
 
-        /** Levels of each tree, if its agent has no limit of its own. @throws RangeError if it is set to less than 1 */
-        public function get maxDepth():int
-        {
-            return _maxDepth;
-        }
-
-        public function set maxDepth(value:int):void
+        /** @throws RangeError if it is less than 1 */
+        public function setMaxDepth(value:int):void
         {
             if (value < 1)
             {
                 throw new RangeError("maxDepth must be at least 1: " + value);
             }
-            _maxDepth = value;
+            maxDepth = value;
         }
 
         /** The number of levels to which the tree of a body is tested. */
         public function depthOf(body:Body):int
         {
-            var depth:int = body.depthLimit == 0 ? _maxDepth : body.depthLimit;
+            var depth:int = body.depthLimit == 0 ? maxDepth : body.depthLimit;
             return exact || depth > BoxTree.LARGEST_DEPTH ? BoxTree.LARGEST_DEPTH : depth;
         }
     }

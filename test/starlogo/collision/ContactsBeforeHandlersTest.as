@@ -205,6 +205,49 @@ package starlogo.collision
             }
         }
 
+        [Test]
+        public function aHandlerForStartsComputesTheContactsOfTouchesThatBegin():void
+        {
+            var system:MoodyBins = new MoodyBins(null);
+            var collision:Collision = new Collision(system);
+            var agents:Vector.<Agent> = new <Agent>[];
+            for (var i:int = 0; i < 20; i++)
+            {
+                agents.push(agentAt("sphere", 0.8 * i, 0, 0, "balls"));
+            }
+            collision.onCollisionStart("balls", "balls", note);
+            assertContacts("all begin", 19);
+            assertContacts("nothing has moved", 0);
+            for each (var agent:Agent in agents)
+            {
+                agent.moveTo(agent.x, agent.y + 0.1, agent.z);
+            }
+            assertContacts("all have moved together", 0);
+            for (i = 0; i < 20; i++)
+            {
+                agents[i].moveTo(agents[i].x, i == 7 ? 5 : 0, 0);
+            }
+            assertContacts("one has left", 0);
+            for (i = 0; i < 20; i++)
+            {
+                agents[i].moveTo(agents[i].x, 0.1, 0);
+            }
+            assertContacts("it is back", 2);
+            agents[3].breed = "walls";
+            collision.onCollisionStart("balls", "walls", note);
+            assertContacts("another breed", 2);
+            collision.onCollision("balls", "walls", note);
+            assertContacts("its contacts are needed in every frame", 2);
+            assertContacts("now too", 2);
+
+            function assertContacts(message:String, count:int):void
+            {
+                system.contactCount = 0;
+                collision.update(agents);
+                assertEquals(message, count, system.contactCount);
+            }
+        }
+
         // A handler has changed a breed, so the contact was not computed before the handlers.
         [Test]
         public function aLateContactThatFailsEndsTheFrame():void

@@ -57,8 +57,7 @@ package starlogo.handlers
                         seen[nameOf(a, b)] = true;
                     }
                 }
-                assertNull("all pairs are others", _tracker.pairsToCompare(_found));
-                _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
+                assertNull("all pairs are others", _tracker.begin(_found, _handlers));
                 assertEquals(frame, _tracker.frame);
                 var left:Array = pairs.filter(function(each:String, ...rest):Boolean
                     {
@@ -160,8 +159,8 @@ package starlogo.handlers
                 {
                     addPair(agentOf(pairs[i], 0), agentOf(pairs[i], 1));
                 }
-                assertEquals("pairs were kept", frame > 1, _tracker.pairsToCompare(_found) != null);
-                _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
+                assertEquals("pairs were kept", frame > 1, _tracker.pairsThatMayStart(_found) != null);
+                assertStrictlyEquals(_tracker.pairsThatMayStart(_found), _tracker.begin(_found, _handlers));
                 var ended:Array = begun.filter(function(each:String, ...rest):Boolean
                     {
                         return pairs.indexOf(each) < 0;
@@ -191,10 +190,10 @@ package starlogo.handlers
             assertTrue("some remained", begun.length > 5);
             beginWithLast();
             _found.dropped.count = _found.added.count = 0;
-            _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
+            _tracker.begin(_found, _handlers);
             _tracker.end(false);
             beginWithLast();
-            assertNull("the frame before was not complete", _tracker.pairsToCompare(_found));
+            assertNull("the frame before was not complete", _tracker.pairsThatMayStart(_found));
         }
 
         [Test]
@@ -224,7 +223,7 @@ package starlogo.handlers
         private function next():Touch
         {
             _tracker.end(false);
-            _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
+            _tracker.begin(_found, _handlers);
             return _tracker.touchAt(0);
         }
 

@@ -33,6 +33,9 @@ package starlogo.search
             assertThrows(ArgumentError, /which is not in the list/, read, [_a, _b], [_a, _b, _a, _c]);
             assertThrows(ArgumentError, /is null/, read, [_a, null], []);
             assertThrows(ArgumentError, /is listed twice/, read, [_a, _a], []);
+            assertThrows(ArgumentError, /has found .*with itself: agents\[2\] and agents\[3\]/, read, list, [_a, _b, _c, _c]);
+            assertThrows(ArgumentError, /has found .* twice: the second time at agents\[4\]/, read, list, [_a, _b, _a, _c, _b, _a]);
+            assertThrows(ArgumentError, /has found .* twice: the second time at agents\[2\]/, read, list, [_a, _b, _a, _b]);
             read(list, [_a, _c]);
             assertPairs([_a, _c]);
         }

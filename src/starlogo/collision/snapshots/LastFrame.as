@@ -3,10 +3,9 @@ package starlogo.collision.snapshots
     import starlogo.agents.Agent;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
-    import starlogo.search.FrameInput;
 
     /**
-     * What a Collision keeps of its last frame: the list as it was when the frame began, which search has read it, and the touches.
+     * What a Collision keeps of its last frame, as a record: the list as it was when the frame began, which search has read it, and the touches.
      *
      * @private
      */
@@ -23,21 +22,5 @@ package starlogo.collision.snapshots
 
         /** The pairs that touch. */
         public var touches:TouchTracker = new TouchTracker();
-
-        /**
-         * Copies the list of a frame.
-         *
-         * @param readBy the search that has read it, or null
-         */
-        public function keep(list:Vector.<Agent>, readBy:CollisionSearch):void
-        {
-            if (list === agents)
-            {
-                // the game's own list, from now on
-                agents = new Vector.<Agent>();
-            }
-            FrameInput.copyList(list, agents);
-            search = readBy;
-        }
     }
 }

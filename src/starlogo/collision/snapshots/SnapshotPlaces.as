@@ -2,10 +2,10 @@ package starlogo.collision.snapshots
 {
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
+    import starlogo.broadphase.Points;
     import starlogo.engine;
     import starlogo.geometry.isInWorld;
     import starlogo.search.table.AgentTable;
-    import starlogo.search.table.RowPlaces;
 
     use namespace engine;
 
@@ -30,11 +30,11 @@ package starlogo.collision.snapshots
          */
         public static function write(bytes:ByteArray, list:Vector.<Agent>, table:AgentTable, keepsMotions:Boolean):void
         {
-            var places:RowPlaces = table.places;
+            var places:Points = table.places;
             for (var i:int = 0; i < list.length; i++)
             {
                 var row:int = table.list.rows.numbers[i];
-                bytes.writeBoolean(keepsMotions && table.shapes[row] != null && places.isMotionStart(row, list[i])
+                bytes.writeBoolean(keepsMotions && table.shapes[row] != null && table.isMotionStart(row, list[i])
                         && table.shapes[row].modelName == list[i].shape);
                 bytes.writeDouble(places.x[row]);
                 bytes.writeDouble(places.y[row]);

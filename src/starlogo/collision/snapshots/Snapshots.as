@@ -4,6 +4,7 @@ package starlogo.collision.snapshots
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.agents.Agent;
+    import starlogo.agents.copyAgents;
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.handlers.Touch;
@@ -134,7 +135,8 @@ package starlogo.collision.snapshots
                 ground.restoreGrid(parts.ground);
             }
             frame.touches = parts.touches;
-            frame.keep(agents, search);
+            frame.agents = copyAgents(agents, frame.agents);
+            frame.search = search;
             frame.hasFailed = false;
         }
 

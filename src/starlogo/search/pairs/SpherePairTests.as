@@ -1,9 +1,11 @@
 package starlogo.search.pairs
 {
     import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
@@ -15,9 +17,8 @@ package starlogo.search.pairs
     import starlogo.intersection.SphereSphereKernel;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.SearchCounts;
+    import starlogo.search.TestCounts;
     import starlogo.search.table.AgentTable;
-    import starlogo.search.table.RowPlaces;
 
     use namespace engine;
 
@@ -28,8 +29,10 @@ package starlogo.search.pairs
      */
     public final class SpherePairTests extends PairTests
     {
-        // The number of tests since takeCounts().
-        private var _testCount:int = 0;
+        // In TestCounts.structures: the index of two spheres.
+        private static const TWO_SPHERES:int = BoundingStructure.KIND_COUNT * BoundingStructure.SPHERE + BoundingStructure.SPHERE;
+
+        private var _counts:TestCounts;
 
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
@@ -39,10 +42,16 @@ package starlogo.search.pairs
         private var _gap:CoreGap = new CoreGap();
         private var _kernel:SphereSphereKernel = new SphereSphereKernel();
 
+        /** @param counts counts the tests */
+        public function SpherePairTests(counts:TestCounts)
+        {
+            _counts = counts;
+        }
+
         /** Gives these tests to a narrow phase that does not have them. */
         public static function addTo(narrowPhase:NarrowPhase):void
         {
-            narrowPhase.sphereTests ||= new SpherePairTests();
+            narrowPhase.sphereTests ||= new SpherePairTests(narrowPhase.counts);
         }
 
         /**
@@ -62,7 +71,7 @@ package starlogo.search.pairs
             var radius:Number = radii[row];
             var slack:Number = level.slack;
             var kept:int = 0;
-            _testCount += count;
+            _counts.structures[TWO_SPHERES] += count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
@@ -89,7 +98,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            _testCount++;
+            _counts.structures[TWO_SPHERES]++;
             return areOverlapping(a, b);
         }
 
@@ -137,13 +146,6 @@ package starlogo.search.pairs
             out.depth = 0;
         }
 
-        /** Writes the number of tests, and sets it to 0. */
-        public function takeCounts(out:SearchCounts):void
-        {
-            out.sphereSphereTests = _testCount;
-            _testCount = 0;
-        }
-
         private function areOverlapping(a:Body, b:Body):Boolean
         {
             setTo(a, b);
@@ -166,7 +168,7 @@ package starlogo.search.pairs
         private function setToRows(table:AgentTable, a:int, b:int):void
         {
             var extents:Extents = table.extents;
-            var places:RowPlaces = table.places;
+            var places:Points = table.places;
             var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
             var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));
             _gap.x = extents.x[a] - extents.x[b];
@@ -183,7 +185,7 @@ package starlogo.search.pairs
         private function sweep(motion:RelativeMotion):void
         {
             var areTouchingAtEnd:Boolean = isGapClosed();
-            _testCount++;
+            _counts.structures[TWO_SPHERES]++;
             _gap.x += motion.startX;
             _gap.y += motion.startY;
             _gap.z += motion.startZ;

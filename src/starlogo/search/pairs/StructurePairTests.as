@@ -9,7 +9,7 @@ package starlogo.search.pairs
     import starlogo.intersection.ray.ConvexRay;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.SearchCounts;
+    import starlogo.search.TestCounts;
 
     use namespace engine;
 
@@ -20,42 +20,21 @@ package starlogo.search.pairs
      */
     public final class StructurePairTests extends PairTests
     {
-        // The number of tests since takeCounts(), by the kinds of the first and the second structure.
-        private var _testCounts:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
+        private var _counts:TestCounts;
         private var _apart:ApartContact = new ApartContact();
+
+        /** @param counts counts the tests */
+        public function StructurePairTests(counts:TestCounts)
+        {
+            _counts = counts;
+        }
 
         /** Gives these tests to a narrow phase that does not have them. So a game of spheres alone does not load their code. */
         public static function addTo(narrowPhase:NarrowPhase):void
         {
             SpherePairTests.addTo(narrowPhase);
-            narrowPhase.structureTests ||= new StructurePairTests();
+            narrowPhase.structureTests ||= new StructurePairTests(narrowPhase.counts);
             narrowPhase.convexRay ||= new ConvexRay();
-        }
-
-        /** Writes the numbers of tests, and sets them to 0. */
-        public function takeCounts(out:SearchCounts):void
-        {
-            out.sphereCapsuleTests = countOf(BoundingStructure.SPHERE, BoundingStructure.CAPSULE);
-            out.sphereBoxTests = countOf(BoundingStructure.SPHERE, BoundingStructure.BOX);
-            out.capsuleCapsuleTests = countOf(BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
-            out.capsuleBoxTests = countOf(BoundingStructure.CAPSULE, BoundingStructure.BOX);
-            out.boxBoxTests = countOf(BoundingStructure.BOX, BoundingStructure.BOX);
-            out.hullTests = 0;
-            for (var kind:int = 0; kind < BoundingStructure.KIND_COUNT; kind++)
-            {
-                out.hullTests += countOf(kind, BoundingStructure.HULL);
-            }
-            for (var i:int = 0; i < _testCounts.length; i++)
-            {
-                _testCounts[i] = 0;
-            }
-        }
-
-        // The number of tests of two kinds, in either order.
-        private function countOf(a:int, b:int):int
-        {
-            var count:int = _testCounts[BoundingStructure.KIND_COUNT * a + b];
-            return a == b ? count : count + _testCounts[BoundingStructure.KIND_COUNT * b + a];
         }
 
         /** @inheritDoc */
@@ -63,7 +42,7 @@ package starlogo.search.pairs
         {
             var structureA:BoundingStructure = a.worldStructure();
             var structureB:BoundingStructure = b.worldStructure();
-            _testCounts[BoundingStructure.KIND_COUNT * a.form + b.form]++;
+            _counts.structures[BoundingStructure.KIND_COUNT * a.form + b.form]++;
             return PairTable.areTouching(structureA, structureB);
         }
 
@@ -72,7 +51,7 @@ package starlogo.search.pairs
         {
             var structureA:BoundingStructure = a.worldStructure();
             var structureB:BoundingStructure = b.worldStructure();
-            _testCounts[BoundingStructure.KIND_COUNT * a.form + b.form]++;
+            _counts.structures[BoundingStructure.KIND_COUNT * a.form + b.form]++;
             PairTable.findTime(structureA, structureB, motion);
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && PairTable.areTouching(structureA, structureB))

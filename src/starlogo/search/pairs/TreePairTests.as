@@ -14,7 +14,6 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.TreeExitSearch;
-    import starlogo.search.SearchCounts;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
     import starlogo.solid.TreeAndStructure;
@@ -73,7 +72,7 @@ package starlogo.search.pairs
         public static function addTo(narrowPhase:NarrowPhase):void
         {
             var limits:TreeLimits = narrowPhase.treeLimits;
-            var counts:TreeCounts = new TreeCounts();
+            var counts:TreeCounts = narrowPhase.counts.trees;
             narrowPhase.treeTests ||= new TreePairTests(limits, counts, new TreePairTests(limits, counts, null));
         }
 
@@ -164,15 +163,6 @@ package starlogo.search.pairs
             _at.z = point.z;
             _treeAndStructure.setTo(body.shape.hierarchy, body.placement, _limits.depthOf(body), POINT, _at, isExact);
             return _treeAndStructure.nearestTriangle();
-        }
-
-        /** Writes the numbers of tests, and sets them to 0. */
-        public function takeCounts(out:SearchCounts):void
-        {
-            out.hierarchyTests = _counts.pairTests;
-            out.nodeVisits = _counts.nodeVisits;
-            out.triangleTests = _counts.triangleTests;
-            _counts.pairTests = _counts.nodeVisits = _counts.triangleTests = 0;
         }
 
         // Whether triangles decide: if there are triangles, the collider is exact, and these are not the tests by leaves.

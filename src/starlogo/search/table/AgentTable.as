@@ -1,9 +1,12 @@
+// This file is long because all that writes the columns of a row is in it.
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
     import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
@@ -13,8 +16,8 @@ package starlogo.search.table
 
     /**
      * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. ListedAgents says which
-     * agent has which row, and RowPlaces where it is. It has columns because with thousands of agents reading memory takes most of the
-     * time. Each row has a body for tests.
+     * agent has which row. The table has columns because with thousands of agents reading memory takes most of the time. Each row has a body for
+     * tests.
      *
      * <p>A row stays as the last search has read it, even if the agent has changed since: its place, its rotation and its shape. docs/state.md
      * lists the changes that make a part of a row void.</p>
@@ -23,14 +26,14 @@ package starlogo.search.table
      */
     public final class AgentTable
     {
+        // In place of a revision: the last search has not seen the agent. It is less than the revision of any jump.
+        private static const NOT_SEEN:int = -2;
+
         /** Chooses the shapes of the agents, and tests their bodies. It may have other tables too. */
         public var narrowPhase:NarrowPhase;
 
         /** The list that was read last, and the row of each agent. */
         public var list:ListedAgents = new ListedAgents();
-
-        /** Where the agents are. */
-        public var places:RowPlaces = new RowPlaces();
 
         /** By row: the number of the agent's breed. */
         engine var breeds:Vector.<int> = new Vector.<int>();
@@ -38,18 +41,27 @@ package starlogo.search.table
         /** By row: the shape of the agent's model. It is null while the model is loading, and for a row without an agent or with a new one. */
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
+        /** By row: where the last search saw the agent, and the agent's revision then. */
+        engine var places:Points = new Points();
+        engine var revisions:Vector.<int> = new Vector.<int>();
+
+        /** By row: the extents of the shape at that place. */
+        engine var extents:Extents = new Extents();
+
+        // By row: the way from the agent's place to the middle of its extents.
+        private var _offsets:Points = new Points();
+
         // By row: the body, and the agent's bodyRevision at which it was read.
         private var _bodies:Vector.<Body> = new Vector.<Body>();
         private var _bodyRevisions:Vector.<int> = new Vector.<int>();
 
-        /** By row: the extents of the shape. */
-        engine var extents:Extents;
-
-        // The number of rows read last whose models are still loading.
+        /** The number of rows read last whose models are still loading. */
         engine var loadingCount:int = 0;
 
-        // The rows that are being read: those whose agents have changed; of these, those whose bodies have, and their new shapes.
-        private var _changed:IntList = new IntList();
+        /** The rows that are being read, because their agents have changed. */
+        engine var changed:IntList = new IntList();
+
+        // Of these, the rows whose bodies have changed, and their new shapes.
         private var _reshaped:IntList = new IntList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
@@ -59,18 +71,24 @@ package starlogo.search.table
         public function AgentTable(narrowPhase:NarrowPhase)
         {
             this.narrowPhase = narrowPhase;
-            extents = places.extents;
             grow(ListedAgents.FIRST_LISTED);
         }
 
+        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>findChanges()</code> does */
+        public function read(agents:Vector.<Agent>):void
+        {
+            findChanges(agents);
+            readChanges();
+        }
+
         /**
-         * Reads a list of agents, with the place and the shape that each of them has now.
+         * Takes a list of agents, and finds the rows to read. The rows are still as they were. Call <code>readChanges()</code> next.
          *
          * @throws ArgumentError if an agent is null or listed twice, or its model is unknown or lacks data that is needed. The positions and
          *     motions of the last search are then unchanged
          * @throws RangeError if a structure is out of the world; the same holds then
          */
-        public function read(agents:Vector.<Agent>):void
+        public function findChanges(agents:Vector.<Agent>):void
         {
             narrowPhase.choice.forgetReplaced();
             list.beginRead();
@@ -89,7 +107,13 @@ package starlogo.search.table
                 list.accept();
                 followList();
             }
-            _changed = places.read(_changed, list.agents);
+            forgetOtherModels();
+        }
+
+        /** Reads the rows that have changed. */
+        public function readChanges():void
+        {
+            readPlaces();
             loadingCount = takeShapes(_reshaped, _newShapes);
         }
 
@@ -110,7 +134,7 @@ package starlogo.search.table
                 findShapes(_reshaped, _newShapes);
                 takeShapes(_reshaped, _newShapes);
             }
-            places.readNow(row, agent);
+            readPlace(row, agent);
         }
 
         /**
@@ -131,19 +155,23 @@ package starlogo.search.table
             }
             if (!hasMotion)
             {
-                places.forget(row);
+                revisions[row] = NOT_SEEN;
             }
         }
 
-        /**
-         * Whether the ground or the edges of a search are those that were read last, and have not changed since.
-         *
-         * @param row GROUND_ROW or EDGES_ROW
-         * @param agent the ground or the edges of the search, or null
-         */
-        public function isWorldAgentRead(row:int, agent:WorldAgent):Boolean
+        /** Whether a motion of an agent may begin at its place: the last search has seen the agent there, and it has not jumped since. */
+        public function isMotionStart(row:int, agent:Agent):Boolean
         {
-            return list.agents[row] === agent && (agent == null || agent.revision == places.revisions[row]);
+            return agent.jumpRevision <= revisions[row];
+        }
+
+        /** Lets no motion of any agent begin at its place, as if the last search had not seen it. */
+        public function forgetMotionStarts():void
+        {
+            for (var row:int = 0; row < revisions.length; row++)
+            {
+                revisions[row] = NOT_SEEN;
+            }
         }
 
         /** Reads the ground and the edges of the world for a search. Either may be null. */
@@ -164,7 +192,7 @@ package starlogo.search.table
             {
                 breeds[row] = agent.breedNumber;
                 readSurface(row);
-                places.readNow(row, agent);
+                readPlace(row, agent);
             }
         }
 
@@ -184,16 +212,6 @@ package starlogo.search.table
             }
         }
 
-        /** Holds the ground as it was read, or lets go of it. The edges do not change. */
-        public function holdGround(isHeld:Boolean):void
-        {
-            var ground:ModelShape = shapes[ListedAgents.GROUND_ROW];
-            if (ground != null)
-            {
-                ground.grid.hold(isHeld);
-            }
-        }
-
         /**
          * The body of an agent as it is now. Its shape is null while the agent's model is loading.
          *
@@ -203,7 +221,7 @@ package starlogo.search.table
         {
             narrowPhase.choice.forgetReplaced();
             var row:int = list.rowOf(agent);
-            if (row >= 0 && agent.revision == places.revisions[row] && isBodyCurrent(row))
+            if (row >= 0 && agent.revision == revisions[row] && isBodyCurrent(row))
             {
                 return bodyOf(row);
             }
@@ -236,13 +254,13 @@ package starlogo.search.table
         {
             var rows:Vector.<int> = listed.numbers;
             var byRow:Vector.<Agent> = list.agents;
-            var seen:Vector.<int> = places.revisions;
+            var seen:Vector.<int> = revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var shapesSeen:Vector.<ModelShape> = shapes;
             var end:int = agents.length;
-            var changed:IntList = _changed;
+            var changedRows:IntList = changed;
             var reshaped:IntList = _reshaped;
-            changed.count = reshaped.count = 0;
+            changedRows.count = reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
@@ -260,7 +278,7 @@ package starlogo.search.table
                     {
                         reshaped.add(row);
                     }
-                    changed.add(row);
+                    changedRows.add(row);
                     // also if the list is refused: then the next search reads the row again
                     breeds[row] = agent.breedNumber;
                 }
@@ -308,8 +326,10 @@ package starlogo.search.table
         {
             var row:int = shapes.length;
             shapes.length = _bodies.length = length;
-            breeds.length = _bodyRevisions.length = length;
+            breeds.length = revisions.length = _bodyRevisions.length = length;
             places.grow(length);
+            extents.grow(length);
+            _offsets.grow(length);
             for (; row < length; row++)
             {
                 _bodies[row] = new Body();
@@ -327,6 +347,97 @@ package starlogo.search.table
             {
                 out[i] = narrowPhase.choice.shapeOf(list.agents[reshaped.numbers[i]]);
             }
+        }
+
+        // Lets no motion begin where a row had the shape of another model, or none.
+        private function forgetOtherModels():void
+        {
+            for (var i:int = 0; i < _reshaped.count; i++)
+            {
+                var before:ModelShape = shapes[_reshaped.numbers[i]];
+                var next:ModelShape = _newShapes[i];
+                if (before == null || next == null || next.modelName != before.modelName)
+                {
+                    revisions[_reshaped.numbers[i]] = NOT_SEEN;
+                }
+            }
+        }
+
+        // Reads the places of the rows that have changed, and moves their extents.
+        private function readPlaces():void
+        {
+            var numbers:Vector.<int> = changed.numbers;
+            var agents:Vector.<Agent> = list.agents;
+            var seen:Vector.<int> = revisions;
+            var xs:Vector.<Number> = places.x;
+            var ys:Vector.<Number> = places.y;
+            var zs:Vector.<Number> = places.z;
+            var offsetX:Vector.<Number> = _offsets.x;
+            var offsetY:Vector.<Number> = _offsets.y;
+            var offsetZ:Vector.<Number> = _offsets.z;
+            var boxes:Extents = extents;
+            var middleX:Vector.<Number> = boxes.x;
+            var middleY:Vector.<Number> = boxes.y;
+            var middleZ:Vector.<Number> = boxes.z;
+            var levelsEndSquared:Number = boxes.levelsEndSquared;
+            var end:int = changed.count;
+            for (var i:int = 0; i < end; i++)
+            {
+                var row:int = numbers[i];
+                var agent:Agent = agents[row];
+                var at:Placement = agent.placement;
+                seen[row] = agent.revision;
+                xs[row] = at.x;
+                ys[row] = at.y;
+                zs[row] = at.z;
+                var atX:Number = at.x + offsetX[row];
+                var atY:Number = at.y + offsetY[row];
+                var atZ:Number = at.z + offsetZ[row];
+                middleX[row] = atX;
+                middleY[row] = atY;
+                middleZ[row] = atZ;
+                // a new row has no level, and its extents are not known yet
+                if (atX * atX + atY * atY + atZ * atZ >= levelsEndSquared && boxes.level[row] != 0)
+                {
+                    boxes.assignLevel(row);
+                }
+            }
+        }
+
+        // Reads the place of one agent as it is now.
+        private function readPlace(row:int, agent:Agent):void
+        {
+            revisions[row] = agent.revision;
+            places.x[row] = agent.placement.x;
+            places.y[row] = agent.placement.y;
+            places.z[row] = agent.placement.z;
+            moveExtents(row);
+        }
+
+        // Reads the extents of a row's body, which has another shape, turn or size than before.
+        private function readExtents(row:int, body:Body):void
+        {
+            _offsets.x[row] = body.offsetX;
+            _offsets.y[row] = body.offsetY;
+            _offsets.z[row] = body.offsetZ;
+            extents.halfX[row] = body.halfX;
+            extents.halfY[row] = body.halfY;
+            extents.halfZ[row] = body.halfZ;
+            extents.radius[row] = body.radius;
+            extents.offset[row] = body.offset;
+            moveExtents(row);
+            // the ground and the edges of the world are in no bins
+            if (row >= ListedAgents.FIRST_LISTED)
+            {
+                extents.assignLevel(row);
+            }
+        }
+
+        private function moveExtents(row:int):void
+        {
+            extents.x[row] = places.x[row] + _offsets.x[row];
+            extents.y[row] = places.y[row] + _offsets.y[row];
+            extents.z[row] = places.z[row] + _offsets.z[row];
         }
 
         // Gives rows the shapes that findShapes has found, and reads their bodies. Returns the number of rows whose models are loading. These
@@ -350,13 +461,8 @@ package starlogo.search.table
         // Gives a row its shape, and reads the body with it, and the extents of the body. The shape is null while the model is loading.
         private function takeShape(row:int, shape:ModelShape):void
         {
-            var before:ModelShape = shapes[row];
-            if (before == null || shape == null || shape.modelName != before.modelName)
-            {
-                places.endMotion(row);
-            }
             // writing an object costs Adobe's VM more than comparing it first
-            if (shape !== before)
+            if (shape !== shapes[row])
             {
                 shapes[row] = shape;
             }
@@ -368,7 +474,7 @@ package starlogo.search.table
             var body:Body = _bodies[row];
             body.readAgent(agent, shape);
             body.rank = list.ranks[row];
-            places.readExtents(row, body);
+            readExtents(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
         }
     }

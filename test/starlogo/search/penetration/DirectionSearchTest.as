@@ -7,6 +7,7 @@ package starlogo.search.penetration
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.search.Body;
+    import starlogo.search.TestCounts;
     import starlogo.search.pairs.StructurePairTests;
     import support.assertClose;
 
@@ -16,7 +17,7 @@ package starlogo.search.penetration
         private static const RADIUS:Number = 0.1;
         private static const DEEP:Number = 0.4;
 
-        private var _pair:DisplacedPair = new DisplacedPair(new StructurePairTests());
+        private var _pair:DisplacedPair = new DisplacedPair(new StructurePairTests(new TestCounts()));
         private var _search:DirectionSearch = new DirectionSearch(_pair);
         private var _out:ContactPoint = new ContactPoint();
 

@@ -49,9 +49,9 @@ package starlogo.fitting
         }
 
         /**
-         * The algorithm and its settings in a few words. Two fitters with the same signature find the same structures. If it is null, the
-         * structures are not kept in a FitStore or a cooked file. A client's own fitter may have a signature, which must change whenever its
-         * results do.
+         * The algorithm and its settings in a few words. Two fitters with the same signature find the same structures, so a FitSession computes
+         * them once. If it is null, the structures are not kept in a FitStore or a cooked file. A client's own fitter may have a signature, which
+         * must change whenever its results do.
          */
         public function get signature():String
         {

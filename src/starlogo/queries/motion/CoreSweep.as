@@ -22,9 +22,6 @@ package starlogo.queries.motion
      */
     public final class CoreSweep
     {
-        // A motion runs along a plane if the sine of the angle between them is at most this.
-        private static const PARALLEL_SINE:Number = SlideRest.PARALLEL_SINE;
-
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
         // How the core meets one row.
@@ -189,7 +186,7 @@ package starlogo.queries.motion
         private static function findCrossed(planes:ContactList, motion:Vector3D, out:ContactPoint):int
         {
             var row:int = -1;
-            var least:Number = -PARALLEL_SINE * motion.length;
+            var least:Number = -SlideRest.PARALLEL_SINE * motion.length;
             for (var i:int = 0; i < planes.count; i++)
             {
                 var along:Number = planes.contacts[i].along(motion);
@@ -218,7 +215,7 @@ package starlogo.queries.motion
             }
             var length:Number = motion.length;
             var clearanceTime:Number = body.core.clearance / length;
-            var against:Number = -PARALLEL_SINE * length;
+            var against:Number = -SlideRest.PARALLEL_SINE * length;
             out.time = _relative.time;
             if (out.time > 0 && !(contact.along(motion) < against) && !body.core.isFlat)
             {

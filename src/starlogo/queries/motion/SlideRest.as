@@ -54,7 +54,6 @@ package starlogo.queries.motion
             motion.copyFrom(whole);
             gone = 0;
             shorten();
-            beginCorner();
         }
 
         /** Begins a corner: the present rest becomes the wanted motion. A fall begins each corner straight down again. */

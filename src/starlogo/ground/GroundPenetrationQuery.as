@@ -155,7 +155,6 @@ package starlogo.ground
                 if (_pairs.kernel.isThroughTriangle(_tried) && isClearlyDeeper(_tried, deepest, out) && isDepthProven(_tried))
                 {
                     deepest = _tried.depth;
-                    _pairs.leaveOutShallower(deepest);
                     keep(_tried, out);
                 }
             }

@@ -185,7 +185,7 @@ package starlogo.ground
             var shape:ConvexShape = kernel.shape;
             isAbovePieces = false;
             shapeInBox = inBox;
-            margin = shape.margin + _margin;
+            margin = shape.margin += _margin;
             point.x = shape.x;
             point.y = shape.y;
             point.z = shape.z;

@@ -76,19 +76,12 @@ package starlogo.ground
             pieces.begin(asWhole);
             _search.motion = motion;
             _search.maxDistance = maxDistance;
-            _search.minHeight = -Infinity;
         }
 
         /** From now on only triangles count that are at most this far away. */
         public function leaveOutFarther(maxDistance:Number):void
         {
             _search.maxDistance = maxDistance;
-        }
-
-        /** From now on only triangles count that a piece may be clearly deeper behind than this. */
-        public function leaveOutShallower(depth:Number):void
-        {
-            _search.minHeight = depth;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */

@@ -28,7 +28,7 @@ package starlogo.hierarchy
          *
          * @param motion of the second tree, from the pose on
          * @param visitor decides about nodes that decide; null if their boxes do
-         * @return the nodes or items that touch first, and the time as <code>least</code>; the next search overwrites it
+         * @return the nodes or items that touch first, and the time; the next search overwrites it
          */
         public function findTouch(trees:PosedTrees, motion:RelativeMotion, visitor:NodePairVisitor):BestPair
         {
@@ -67,7 +67,7 @@ package starlogo.hierarchy
             _sweep.findTime(_pair);
             if (_pair.time < out.least)
             {
-                out.least = _pair.time;
+                out.least = out.time = _pair.time;
                 out.a = a;
                 out.b = b;
             }

@@ -106,6 +106,18 @@ package starlogo.models
         }
 
         [Test]
+        public function aNodeThatIsKeptHasTheBoxesOfTheNewPose():void
+        {
+            var model:Model = new Model("pyramid", CORNERS, FACES);
+            var root:HierarchyNode = landOf(model).hierarchies.root("pyramid");
+            var pose:Vector.<Number> = CORNERS.slice();
+            pose[3] = 9;
+            assertTrue(Box(root.bounds).halfX < 0.6);
+            model.pose(pose);
+            assertClose(1, Box(root.bounds).halfX, 1e-6);
+        }
+
+        [Test]
         public function eachLandOfTheModelFollows():void
         {
             var model:Model = new Model("pyramid", CORNERS, FACES);

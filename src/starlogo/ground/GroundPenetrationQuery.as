@@ -127,7 +127,7 @@ package starlogo.ground
         {
             var proof:DepthProof = contact.proof;
             var count:int = 0;
-            _pairs.begin(RelativeMotion.NONE, maxDistance, true);
+            _pairs.beginWhole(maxDistance);
             while (_pairs.next())
             {
                 _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
@@ -178,9 +178,17 @@ package starlogo.ground
                 {
                     var depth:Number = _tried.depth;
                     _pairs.kernel.leadOutside(RelativeMotion.NONE, _tried);
-                    // with a clearly shorter way out it may be as deep up to rounding, with a clearly longer one it has to be clearly deeper
-                    var shorter:Number = out.depth - _tried.depth;
-                    var needed:Number = shorter > rounding ? deepest - rounding : (shorter < -rounding ? deepest + rounding : deepest);
+                    var needed:Number = deepest;
+                    if (_tried.depth < out.depth - rounding)
+                    {
+                        // with a clearly shorter way out it may be as deep up to rounding
+                        needed -= rounding;
+                    }
+                    else if (_tried.depth > out.depth + rounding)
+                    {
+                        // with a clearly longer one it has to be clearly deeper
+                        needed += rounding;
+                    }
                     if (!out.proof.hasTriangle || depth > needed)
                     {
                         deepest = Math.max(depth, deepest);

@@ -94,15 +94,22 @@ package starlogo.ground
             _placement.z = motion.startZ + time * motion.z;
         }
 
-        /**
-         * Begins. Then <code>next()</code> goes on to the first piece or node.
-         *
-         * @param asWhole whether the structure around the whole model is the only piece
-         */
-        public function begin(asWhole:Boolean):void
+        /** Begins. Then <code>next()</code> goes on to the first piece or node. */
+        public function begin():void
+        {
+            beginAt(isTree ? 0 : WHOLE);
+        }
+
+        /** Begins with the structure around the whole model as the only piece. */
+        public function beginWhole():void
+        {
+            beginAt(WHOLE);
+        }
+
+        private function beginAt(node:int):void
         {
             _first = _end = 0;
-            _nodes[0] = isTree && !asWhole ? 0 : WHOLE;
+            _nodes[0] = node;
             _nodeCount = 1;
         }
 

@@ -189,7 +189,7 @@ package starlogo.solid
             _kernel.shape.margin = _outerTolerance;
             _plane.setTriangle(_firstMesh.corners, 9 * best.a);
             Placement.invert(_placement, _toSecond.placement);
-            if (_plane.isMetBy(_kernel.shape, motion, out) && !isBehindPlane(pair.b, _toSecond, motion, out))
+            if (_plane.isMetBy(_kernel.shape, motion, out) && !hasTriangleBehind(pair.b, _toSecond, motion, out))
             {
                 out.setNormal(_plane.normal.x, _plane.normal.y, _plane.normal.z);
                 return;
@@ -200,14 +200,14 @@ package starlogo.solid
             _kernel.shape.setTriangle(_firstMesh.corners, 9 * best.a);
             _kernel.shape.margin = _outerTolerance;
             _reversed.setReversed(motion);
-            if (_plane.isMetBy(_kernel.shape, _reversed, out) && !isBehindPlane(pair.a, _toFirst, RelativeMotion.NONE, out))
+            if (_plane.isMetBy(_kernel.shape, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, RelativeMotion.NONE, out))
             {
                 out.setNormal(-_plane.normal.x, -_plane.normal.y, -_plane.normal.z);
             }
         }
 
-        // Whether a model has a triangle at a contact that is not wholly before the plane. The kernel's shape is its triangle that touches there.
-        private function isBehindPlane(model:ModelTree, pose:RelativePose, motion:RelativeMotion, contact:ContactPoint):Boolean
+        // Whether a model has a triangle at a contact that is, at least in part, behind the plane. The kernel's shape is its triangle that touches there.
+        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var radius:Number = PROBE * _kernel.shape.extent;
             var back:Number = (1 + PROBE_GAP) * radius + 2 * _tolerance;

@@ -238,10 +238,10 @@ package starlogo.ground
             {
                 var library:HierarchiesLibrary = new HierarchiesLibrary();
                 library.add("bars", bar(-4, lengths[0]).concat(bar(4, lengths[1])), BAR.concat(
-                                BAR.map(function(corner:uint, i:int, all:Vector.<uint>):uint
-                    {
-                        return corner + 8;
-                    })));
+                            BAR.map(function(corner:uint, i:int, all:Vector.<uint>):uint
+                                {
+                                    return corner + 8;
+                                })));
                 _placement.x = _placement.y = 0;
                 _placement.z = 10;
                 for each (var exact:Boolean in [false, true])

@@ -11,6 +11,7 @@ package starlogo.models
     import starlogo.collision.HierarchicalCollider;
     import starlogo.data.areSameNumbers;
     import starlogo.engine;
+    import starlogo.hierarchy.HierarchyNode;
     import support.assertClose;
     import support.assertThrows;
     import support.landOf;

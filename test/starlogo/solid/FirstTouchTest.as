@@ -49,8 +49,8 @@ package starlogo.solid
                 var other:Agent = new Agent(_random.pick(["wall", "cube", "block"]), "walls");
                 other.hierarchical = _random.chance(0.8);
                 mover.hierarchical = !other.hierarchical || _random.chance(0.5);
-                mover.collideAs = mover.hierarchical ? null : _random.pick(["box", "hull"]);
-                other.collideAs = other.hierarchical ? null : _random.pick(["box", "hull"]);
+                mover.collideAs = mover.hierarchical ? "tightest" : _random.pick(["box", "hull"]);
+                other.collideAs = other.hierarchical ? "tightest" : _random.pick(["box", "hull"]);
                 other.heading = _random.pick([0, 90, _random.between(0, 360)]);
                 var beside:Number = (WIDTHS[mover.shape] - WIDTHS[other.shape]) / 2;
                 var above:Number = HEIGHTS[other.shape] - HEIGHTS[mover.shape];
@@ -78,7 +78,7 @@ package starlogo.solid
                 var mover:Agent = new Agent(_random.pick(["cube", "block"]), "movers");
                 var side:int = _random.pick([-1, 1]);
                 mover.hierarchical = _random.chance(0.4);
-                mover.collideAs = mover.hierarchical ? null : _random.pick(["box", "hull"]);
+                mover.collideAs = mover.hierarchical ? "tightest" : _random.pick(["box", "hull"]);
                 mover.sweeps = true;
                 mover.moveTo(0, 1.5 - WIDTHS[mover.shape] / 2 * _random.pick([1, _random.between(-0.9, 3)]), _random.pick([2, _random.between(-1, 1)]));
                 _collision.update(new <Agent>[mover]);

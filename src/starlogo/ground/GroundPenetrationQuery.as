@@ -233,7 +233,7 @@ package starlogo.ground
             var x:Number = origin.x + contact.x - depth / 2 * contact.normalX;
             var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || leastExit(_pairs.grid, x, y, z, depth, _around) >= LEAST_SHARE_PROVEN * depth;
+            return depth == 0 || _pairs.grid.leastExit(x, y, z, depth, _around) >= LEAST_SHARE_PROVEN * depth;
         }
 
         // Whether the triangle of a contact is not in front of the current triangle's plane, up to rounding.

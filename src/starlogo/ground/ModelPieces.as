@@ -97,20 +97,16 @@ package starlogo.ground
         /** Begins. Then <code>next()</code> goes on to the first piece or node. */
         public function begin():void
         {
-            beginAt(isTree ? 0 : WHOLE);
+            _first = _end = 0;
+            _nodes[0] = isTree ? 0 : WHOLE;
+            _nodeCount = 1;
         }
 
         /** Begins with the structure around the whole model as the only piece. */
         public function beginWhole():void
         {
-            beginAt(WHOLE);
-        }
-
-        private function beginAt(node:int):void
-        {
-            _first = _end = 0;
-            _nodes[0] = node;
-            _nodeCount = 1;
+            begin();
+            _nodes[0] = WHOLE;
         }
 
         /** Goes on to the next piece, or to the next node above the pieces. Returns false if there is none. */

@@ -71,22 +71,17 @@ package starlogo.ground
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
+            _triangles.stop();
             pieces.begin();
-            beginPieces(motion, maxDistance);
+            _search.motion = motion;
+            _search.maxDistance = maxDistance;
         }
 
         /** Begins with the structure around the whole model as the only piece, which stands. */
         public function beginWhole(maxDistance:Number):void
         {
+            begin(RelativeMotion.NONE, maxDistance);
             pieces.beginWhole();
-            beginPieces(RelativeMotion.NONE, maxDistance);
-        }
-
-        private function beginPieces(motion:RelativeMotion, maxDistance:Number):void
-        {
-            _triangles.stop();
-            _search.motion = motion;
-            _search.maxDistance = maxDistance;
         }
 
         /** From now on only triangles count that are at most this far away. */

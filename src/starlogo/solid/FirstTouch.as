@@ -22,14 +22,13 @@ package starlogo.solid
         /** Touches up to this time count. Read only. */
         public var latest:Number = 0;
 
-        // Of the one that is chosen: when it is touched, and how squarely.
-        private var _chosenTime:Number = RelativeMotion.NEVER;
-        private var _chosenSquareness:Number = 0;
+        // How squarely the one is met that is chosen.
+        private var _squareness:Number = 0;
 
         /** Begins. Touches up to a time count. */
         public function begin(latest:Number):void
         {
-            time = _chosenTime = RelativeMotion.NEVER;
+            time = RelativeMotion.NEVER;
             this.latest = latest;
         }
 
@@ -49,16 +48,17 @@ package starlogo.solid
             }
             if (motion.time < time)
             {
+                // What is clearly later does not count any more.
+                _squareness = motion.time < time - Tolerances.SAME_TIME ? -Infinity : _squareness;
                 time = motion.time;
                 latest = Math.min(latest, time > 0 ? time + Tolerances.SAME_TIME : 0);
             }
             var squareness:Number = squarenessOf(plane.normal, motion, -1) + (other == null ? 0 : squarenessOf(other.normal, motion, 1));
-            if (_chosenTime <= latest && squareness <= _chosenSquareness)
+            if (!(squareness > _squareness))
             {
                 return false;
             }
-            _chosenTime = motion.time;
-            _chosenSquareness = squareness;
+            _squareness = squareness;
             return true;
         }
 

@@ -14,7 +14,7 @@ package starlogo.ground
         // The search begins with squares of which the box is at most this many long, because most boxes are small.
         private static const FIRST_SQUARES:int = 3;
 
-        // How far the box is from what is left out, in rounding errors of coordinates: those of a test, and what TOUCHING adds to a radius.
+        // The box is farther from what is left out than rounding errors may be, by this factor.
         private static const FARTHER:Number = 4;
 
         /** The height 0 of the ground, relative to the search's origin. Read only. */
@@ -53,15 +53,15 @@ package starlogo.ground
             alongY.firstCell = grid.y - search.origin.y - border;
             zeroHeight = -search.origin.z;
             _slack = FARTHER * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.firstCell) + Math.abs(box.y) + Math.abs(alongY.firstCell) + Math.abs(box.z)
-                    + Math.abs(zeroHeight) + box.halfX + box.halfY + box.halfZ + grid.cellWidth
+                    + Math.abs(zeroHeight) + grid.cellWidth
                     + latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
-            alongX.half = box.halfX + _slack;
+            alongX.half = box.halfX * Tolerances.OUTER + _slack;
             alongX.travel = motion.x;
             alongY.middle = box.y;
-            alongY.half = box.halfY + _slack;
+            alongY.half = box.halfY * Tolerances.OUTER + _slack;
             alongY.travel = motion.y;
-            _halfZ = box.halfZ + _slack;
+            _halfZ = box.halfZ * Tolerances.OUTER + _slack;
         }
 
         /** The level with whose squares the search begins. */

@@ -4,6 +4,7 @@ package starlogo.ground
     import starlogo.convex.ConvexShape;
     import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Tolerances;
 
     /** Rules out squares of the ground that the shape of a GroundSearch clearly does not come near. */
     internal final class SquareSeparation
@@ -33,7 +34,8 @@ package starlogo.ground
                 return false;
             }
             shape.project(direction, _ofShape);
-            var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.least - shape.radius - shape.margin
+            var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.least
+                - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.extent
                 - Math.max(direction.x * high.x, direction.x * low.x) - Math.max(direction.y * high.y, direction.y * low.y)
                 - Math.max(direction.z * high.z, direction.z * low.z);
             var motion:RelativeMotion = search.motion;

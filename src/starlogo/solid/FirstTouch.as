@@ -22,7 +22,7 @@ package starlogo.solid
         /** Touches up to this time count. Read only. */
         public var latest:Number = 0;
 
-        // How squarely the one is met that is chosen.
+        // How squarely the chosen one is met.
         private var _squareness:Number = 0;
 
         /** Begins. Touches up to a time count. */
@@ -35,7 +35,7 @@ package starlogo.solid
         /**
          * Takes a touch. Afterwards <code>time</code> and <code>latest</code> may be earlier, even if another touch stays the chosen one.
          *
-         * @param motion has the time of the touch; the vector may be reversed
+         * @param motion of the shape, or of the other triangle, with the time of the touch
          * @param plane of the triangle
          * @param other of the other triangle; null if a shape touches the first one
          * @return whether it is the one to choose, of all so far

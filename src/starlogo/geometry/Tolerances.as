@@ -201,9 +201,9 @@ package starlogo.geometry
         public static const UPRIGHT:Number = 1e-6;
 
         /**
-         * The largest difference between two computations of the same time of impact, as a fraction of the motion. Smaller: because of
-         * rounding, the contact of the deepest piece may replace that of the first touch of the ground. Larger: a later touch may replace
-         * the first one.
+         * The largest difference between two computations of the same time of impact, as a fraction of the motion. Of the triangles that touch
+         * within it, the one that the motion meets most squarely makes the contact. Smaller: because of rounding, a side that a motion
+         * grazes may make the contact. Larger: a later touch may replace the first one.
          */
         public static const SAME_TIME:Number = 1e-9;
 

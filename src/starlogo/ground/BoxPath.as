@@ -14,7 +14,7 @@ package starlogo.ground
         // The search begins with squares of which the box is at most this many long, because most boxes are small.
         private static const FIRST_SQUARES:int = 3;
 
-        // A shape is farther from a square that is left out than rounding errors may be, by this factor.
+        // The box is farther from what is left out than rounding errors may be, by this factor.
         private static const FARTHER:Number = 4;
 
         /** The height 0 of the ground, relative to the search's origin. Read only. */
@@ -52,16 +52,16 @@ package starlogo.ground
             alongX.firstCell = grid.x - search.origin.x - border;
             alongY.firstCell = grid.y - search.origin.y - border;
             zeroHeight = -search.origin.z;
-            var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.firstCell) + Math.abs(box.y) + Math.abs(alongY.firstCell) + Math.abs(box.z)
-                    + Math.abs(zeroHeight) + grid.cellWidth + latest * Math.abs(motion.x) + latest * Math.abs(motion.y) + latest * Math.abs(motion.z));
-            _slack = FARTHER * rounding;
+            _slack = FARTHER * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.firstCell) + Math.abs(box.y) + Math.abs(alongY.firstCell) + Math.abs(box.z)
+                    + Math.abs(zeroHeight) + grid.cellWidth
+                    + latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
-            alongX.half = box.halfX + rounding;
+            alongX.half = box.halfX * Tolerances.OUTER + _slack;
             alongX.travel = motion.x;
             alongY.middle = box.y;
-            alongY.half = box.halfY + rounding;
+            alongY.half = box.halfY * Tolerances.OUTER + _slack;
             alongY.travel = motion.y;
-            _halfZ = box.halfZ + rounding;
+            _halfZ = box.halfZ * Tolerances.OUTER + _slack;
         }
 
         /** The level with whose squares the search begins. */
@@ -118,8 +118,7 @@ package starlogo.ground
             var end:Number = search.box.z + passage.to * search.motion.z;
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, search.maxDistance * search.maxDistance - passage.besideSquared));
-            var bottom:Number = Math.min(start, end) - _halfZ;
-            passage.low = Math.max(bottom - up, bottom + search.minHeight + 2 * _slack);
+            passage.low = Math.min(start, end) - _halfZ - up;
             passage.high = Math.max(start, end) + _halfZ + up;
         }
 

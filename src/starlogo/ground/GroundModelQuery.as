@@ -6,6 +6,7 @@ package starlogo.ground
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.solid.FirstTouch;
     import starlogo.solid.ImpactQuery;
     import starlogo.solid.ModelTree;
 
@@ -27,8 +28,9 @@ package starlogo.ground
         /** Finds how deep the model is in the ground, and ways out. */
         public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
 
-        // The motion of the search for the first touch. It begins where the model is, because the model is moved to the beginning.
+        // The motion of the search for the first touch, and what chooses it. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
+        private var _touch:FirstTouch = new FirstTouch();
 
         // For the upper bound of a distance: a point of the ground, and the same point as the corners of a triangle.
         private var _nearest:GroundPoint = new GroundPoint();
@@ -80,28 +82,26 @@ package starlogo.ground
         /** @inheritDoc */
         override public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            motion.time = RelativeMotion.NEVER;
+            _touch.begin(motion.latest);
             _sweep.copyVector(motion);
             _sweep.earliest = motion.earliest;
             _sweep.latest = motion.latest;
             _pairs.pieces.moveTo(motion, 0);
             _pairs.begin(_sweep, 0);
-            while (motion.time > 0 && _pairs.next())
+            while (_touch.time > 0 && _pairs.next())
             {
-                _sweep.time = RelativeMotion.NEVER;
-                if (!_pairs.kernel.stayApart(_sweep))
+                if (_pairs.kernel.stayApart(_sweep))
                 {
-                    _pairs.kernel.findTime(_sweep);
+                    continue;
                 }
-                if (_sweep.time < motion.time)
+                _pairs.kernel.findTime(_sweep);
+                if (_touch.choose(_sweep, _pairs.kernel.plane) && out != null)
                 {
-                    motion.time = _sweep.latest = _sweep.time;
-                    if (out != null)
-                    {
-                        _pairs.kernel.findContact(_sweep, out);
-                    }
+                    _pairs.kernel.findContact(_sweep, out);
                 }
+                _sweep.latest = _touch.latest;
             }
+            motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 out.proof.clear();
@@ -181,7 +181,7 @@ package starlogo.ground
             // without ground it is infinite
             if (!_pairs.pieces.isTree && out.distance < Infinity)
             {
-                _pairs.pieces.begin(false);
+                _pairs.pieces.begin();
                 _pairs.pieces.next();
                 _pairs.kernel.setTriangle(pointAsTriangle(x, y, z));
                 _pairs.kernel.findCloser(out);

@@ -127,7 +127,7 @@ package starlogo.ground
         {
             var proof:DepthProof = contact.proof;
             var count:int = 0;
-            _pairs.begin(RelativeMotion.NONE, maxDistance, true);
+            _pairs.beginWhole(maxDistance);
             while (_pairs.next())
             {
                 _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
@@ -155,7 +155,6 @@ package starlogo.ground
                 if (_pairs.kernel.isThroughTriangle(_tried) && isClearlyDeeper(_tried, deepest, out) && isDepthProven(_tried))
                 {
                     deepest = _tried.depth;
-                    _pairs.leaveOutShallower(deepest);
                     keep(_tried, out);
                 }
             }
@@ -179,9 +178,17 @@ package starlogo.ground
                 {
                     var depth:Number = _tried.depth;
                     _pairs.kernel.leadOutside(RelativeMotion.NONE, _tried);
-                    // with a clearly shorter way out it may be as deep up to rounding, with a clearly longer one it has to be clearly deeper
-                    var shorter:Number = out.depth - _tried.depth;
-                    var needed:Number = shorter > rounding ? deepest - rounding : (shorter < -rounding ? deepest + rounding : deepest);
+                    var needed:Number = deepest;
+                    if (_tried.depth < out.depth - rounding)
+                    {
+                        // with a clearly shorter way out it may be as deep up to rounding
+                        needed -= rounding;
+                    }
+                    else if (_tried.depth > out.depth + rounding)
+                    {
+                        // with a clearly longer one it has to be clearly deeper
+                        needed += rounding;
+                    }
                     if (!out.proof.hasTriangle || depth > needed)
                     {
                         deepest = Math.max(depth, deepest);
@@ -226,7 +233,7 @@ package starlogo.ground
             var x:Number = origin.x + contact.x - depth / 2 * contact.normalX;
             var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || leastExit(_pairs.grid, x, y, z, depth, _around) >= LEAST_SHARE_PROVEN * depth;
+            return depth == 0 || _pairs.grid.leastExit(x, y, z, depth, _around) >= LEAST_SHARE_PROVEN * depth;
         }
 
         // Whether the triangle of a contact is not in front of the current triangle's plane, up to rounding.

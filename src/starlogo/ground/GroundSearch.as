@@ -33,10 +33,7 @@ package starlogo.ground
         /** The lower end, relative to the origin, of walls at the ground's borders and around holes. -Infinity: below the box. */
         public var floor:Number = -Infinity;
 
-        /** A limit: how far from the standing box a triangle still counts. */
+        /** A limit: how far from the standing box a triangle still counts. Tall walls are cut beyond it. */
         public var maxDistance:Number = 0;
-
-        /** A limit: only triangles count that come clearly higher above the bottom of the box than this. */
-        public var minHeight:Number = -Infinity;
     }
 }

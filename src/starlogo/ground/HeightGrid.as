@@ -316,8 +316,36 @@ package starlogo.ground
             return hasCell(column, row) || !isBlocky && (hasCell(column - 1, row) || hasCell(column, row - 1) || hasCell(column - 1, row - 1));
         }
 
-        /** How far a place of the ground is from where the ground ends, along x or y. */
-        public function distanceToEnd(atX:Number, atY:Number):Number
+        /**
+         * A lower bound for the lengths of the exits from the ground at a place; 0 if none is known. Exits that are longer than
+         * <code>maxLength</code> do not count.
+         *
+         * @param around receives bounds of the heights near the place
+         */
+        public function leastExit(atX:Number, atY:Number, atZ:Number, maxLength:Number, around:HeightRange):Number
+        {
+            var high:Number = heightAt(atX, atY);
+            if (!(high > atZ && distanceToEnd(atX, atY) >= maxLength))
+            {
+                return 0;
+            }
+            pyramid.findAround(atX, atY, maxLength, maxLength, around);
+            if (around.hasHole)
+            {
+                return 0;
+            }
+            var least:Number = Math.max(0, around.least - atZ);
+            if (isBlocky)
+            {
+                return least;
+            }
+            var slopeX:Number = around.stepX / cellWidth;
+            var slopeY:Number = around.stepY / cellWidth;
+            return Math.max(least, (high - atZ) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
+        }
+
+        // How far a place of the ground is from where the ground ends, along x or y.
+        private function distanceToEnd(atX:Number, atY:Number):Number
         {
             var alongX:Number = Math.min(atX - x, x + (columns - 1) * cellWidth - atX);
             var alongY:Number = Math.min(atY - y, y + (rows - 1) * cellWidth - atY);

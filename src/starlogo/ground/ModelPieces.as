@@ -94,16 +94,19 @@ package starlogo.ground
             _placement.z = motion.startZ + time * motion.z;
         }
 
-        /**
-         * Begins. Then <code>next()</code> goes on to the first piece or node.
-         *
-         * @param asWhole whether the structure around the whole model is the only piece
-         */
-        public function begin(asWhole:Boolean):void
+        /** Begins. Then <code>next()</code> goes on to the first piece or node. */
+        public function begin():void
         {
             _first = _end = 0;
-            _nodes[0] = isTree && !asWhole ? 0 : WHOLE;
+            _nodes[0] = isTree ? 0 : WHOLE;
             _nodeCount = 1;
+        }
+
+        /** Begins with the structure around the whole model as the only piece. */
+        public function beginWhole():void
+        {
+            begin();
+            _nodes[0] = WHOLE;
         }
 
         /** Goes on to the next piece, or to the next node above the pieces. Returns false if there is none. */
@@ -185,7 +188,7 @@ package starlogo.ground
             var shape:ConvexShape = kernel.shape;
             isAbovePieces = false;
             shapeInBox = inBox;
-            margin = shape.margin + _margin;
+            margin = shape.margin += _margin;
             point.x = shape.x;
             point.y = shape.y;
             point.z = shape.z;

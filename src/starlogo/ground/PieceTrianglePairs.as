@@ -68,27 +68,26 @@ package starlogo.ground
          *
          * @param motion of the pieces from where they are: triangles count that they may meet until its latest time. This may become earlier meanwhile
          * @param maxDistance triangles count that are at most this far away
-         * @param asWhole whether the structure around the whole model is the only piece
          */
-        public function begin(motion:RelativeMotion, maxDistance:Number, asWhole:Boolean = false):void
+        public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
             _triangles.stop();
-            pieces.begin(asWhole);
+            pieces.begin();
             _search.motion = motion;
             _search.maxDistance = maxDistance;
-            _search.minHeight = -Infinity;
+        }
+
+        /** Begins with the structure around the whole model as the only piece, which stands. */
+        public function beginWhole(maxDistance:Number):void
+        {
+            begin(RelativeMotion.NONE, maxDistance);
+            pieces.beginWhole();
         }
 
         /** From now on only triangles count that are at most this far away. */
         public function leaveOutFarther(maxDistance:Number):void
         {
             _search.maxDistance = maxDistance;
-        }
-
-        /** From now on only triangles count that a piece may be clearly deeper behind than this. */
-        public function leaveOutShallower(depth:Number):void
-        {
-            _search.minHeight = depth;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */

@@ -4,6 +4,7 @@ package starlogo.ground
     import starlogo.convex.ConvexShape;
     import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Tolerances;
 
     /** Rules out squares of the ground that the shape of a GroundSearch clearly does not come near. */
     internal final class SquareSeparation
@@ -15,8 +16,9 @@ package starlogo.ground
         private var _place:Vector3D = new Vector3D();
 
         /**
-         * Whether the shape stays farther away from an axis-aligned box around a square than the search's <code>maxDistance</code>. Their
-         * distance along one direction decides: it is exact for spheres, and a close lower bound for capsules and boxes.
+         * Whether the shape, with its margin, stays farther away from an axis-aligned box around a square than the search's
+         * <code>maxDistance</code>. Their distance along one direction decides: it is exact for spheres, and a close lower bound for capsules and
+         * boxes.
          *
          * @param search has the shape, and its motion
          * @param low the least corner around the square
@@ -32,7 +34,8 @@ package starlogo.ground
                 return false;
             }
             shape.project(direction, _ofShape);
-            var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.least - shape.radius
+            var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.least
+                - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.extent
                 - Math.max(direction.x * high.x, direction.x * low.x) - Math.max(direction.y * high.y, direction.y * low.y)
                 - Math.max(direction.z * high.z, direction.z * low.z);
             var motion:RelativeMotion = search.motion;

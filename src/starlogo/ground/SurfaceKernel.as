@@ -43,6 +43,13 @@ package starlogo.ground
             _isPlaneSet = false;
         }
 
+        /** The triangle's plane. Read only. */
+        public function get plane():TrianglePlane
+        {
+            preparePlane();
+            return _plane;
+        }
+
         /** Whether the shape touches the triangle. */
         public function areTouching():Boolean
         {

@@ -10,8 +10,11 @@ package starlogo.hierarchy
      */
     public final class BestPair
     {
-        /** The best time or distance found, or Infinity. */
+        /** No larger time or distance counts. It is the best one found, or Infinity; a visitor of times may leave room for others at the same time. */
         public var least:Number = Infinity;
+
+        /** For times: when two first touch, or Infinity. */
+        public var time:Number = Infinity;
 
         /** For times: the two that touch first, which are nodes, or slots if a visitor decides by items. Undefined if none touch. */
         public var a:int = 0;

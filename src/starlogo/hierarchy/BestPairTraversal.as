@@ -45,7 +45,7 @@ package starlogo.hierarchy
             var out:BestPair = _best;
             var visits:int = 1;
             var top:int = 1;
-            out.least = out.points.distance = Infinity;
+            out.least = out.time = out.points.distance = Infinity;
             out.bound = 0;
             estimate(trees, 0, 0, out);
             nodes[0] = 0;

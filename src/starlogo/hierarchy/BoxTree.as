@@ -8,7 +8,7 @@ package starlogo.hierarchy
     /**
      * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
      *
-     * <p>The package hierarchy keeps, builds and visits such trees. A BoxTreeBuilder divides a model's items, and a NodeMaker makes the nodes. A
+     * <p>The package hierarchy keeps, builds and visits such trees. A BoxTreeBuilder makes the nodes. A
      * <i>Search</i> visits the nodes of one tree, and a <i>Traversal</i> pairs of nodes of two trees (PosedTrees). Both call a <i>Visitor</i> at the
      * nodes where they end, which decides about these. Read this class first, then BoxSearch and NodeVisitor, then OverlapTraversal and
      * NodePairVisitor. A TriangleMesh has the corners of a tree's triangles, in the order of the tree.</p>
@@ -72,11 +72,14 @@ package starlogo.hierarchy
         /** The radius of a sphere around the origin that contains the model. Rounding errors are relative to it. Complete with the root's box. */
         public var radiusAboutOrigin:Number = 0;
 
+        // The number of nodes while they are made.
+        private var _count:int = 0;
+
         // The result of boxOf().
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
         /**
-         * Creates a tree without nodes. A NodeMaker makes them.
+         * Creates a tree without nodes. A BoxTreeBuilder makes them, or a CookedTree.
          *
          * @param vertices x, y, z of each
          * @param triangles three vertex indices each, or null if the vertices are the items
@@ -255,18 +258,81 @@ package starlogo.hierarchy
             }
         }
 
-        /** Keeps only the first nodes, so many. Columns with much more room than that are copied. */
-        public function cutTo(count:int):void
+        /**
+         * Makes the root, without children. Until <code>completeNodes()</code>, the columns are longer than the number of nodes. They begin with room for
+         * the nodes of most models, because longer columns are copies.
+         */
+        public function beginNodes():void
         {
-            if (4 * count < 3 * left.length)
+            var room:int = Math.min(2 * itemCount, 0.4 * itemCount + 1000);
+            boxes = new Vector.<Number>(6 * room);
+            left = new Vector.<int>(room);
+            first = new Vector.<int>(room);
+            end = new Vector.<int>(room);
+            endsUpToDepth = new Vector.<int>(room);
+            splits = new Vector.<int>(room);
+            _count = 0;
+            addNode(0, itemCount, 1);
+        }
+
+        /**
+         * Gives a node two children. They have no boxes yet.
+         *
+         * @param axis the axis along which it is split
+         * @param middle the slot of the right child's first item
+         * @param isBelow whether the node is a leaf, or below one
+         * @return the left child
+         */
+        public function divide(node:int, axis:int, middle:int, isBelow:Boolean):int
+        {
+            var level:int = levelOf(node);
+            var child:int = _count;
+            left[node] = child;
+            endsUpToDepth[node] = isBelow ? LARGEST_DEPTH : level;
+            splits[node] = level << 2 | axis;
+            addNode(first[node], middle, level + 1);
+            addNode(middle, end[node], level + 1);
+            return child;
+        }
+
+        /** Ends the making of nodes. */
+        public function completeNodes():void
+        {
+            if (4 * _count < 3 * left.length)
             {
-                boxes = boxes.slice(0, 6 * count);
-                left = left.slice(0, count);
-                first = first.slice(0, count);
-                end = end.slice(0, count);
-                endsUpToDepth = endsUpToDepth.slice(0, count);
-                splits = splits.slice(0, count);
+                boxes = boxes.slice(0, 6 * _count);
+                left = left.slice(0, _count);
+                first = first.slice(0, _count);
+                end = end.slice(0, _count);
+                endsUpToDepth = endsUpToDepth.slice(0, _count);
+                splits = splits.slice(0, _count);
             }
+            setRoom(_count);
+        }
+
+        /** Removes all nodes. */
+        public function removeNodes():void
+        {
+            _count = 0;
+            completeNodes();
+        }
+
+        private function addNode(from:int, to:int, level:int):void
+        {
+            var node:int = _count;
+            if (node == left.length)
+            {
+                setRoom(2 * node);
+            }
+            first[node] = from;
+            end[node] = to;
+            endsUpToDepth[node] = EXACT;
+            splits[node] = level << 2;
+            _count = node + 1;
+        }
+
+        private function setRoom(count:int):void
+        {
             boxes.length = 6 * count;
             left.length = first.length = end.length = endsUpToDepth.length = splits.length = count;
         }

@@ -39,7 +39,6 @@ package starlogo.hierarchy
         private static const ITEMS_PER_NODE:int = 10;
 
         private var _tree:BoxTree;
-        private var _nodes:NodeMaker;
         private var _minVerticesToSplit:int;
         private var _maxDepth:int;
         private var _splitByMean:Boolean;
@@ -85,18 +84,13 @@ package starlogo.hierarchy
         private function takeItems():void
         {
             _items = new TreeItems(_tree);
-            slices(_tree.itemCount, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(divide).call(finish);
-        }
-
-        private function finish():void
-        {
-            _nodes.complete();
+            slices(_tree.itemCount, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(divide).call(_tree.completeNodes);
         }
 
         private function beginRoot():void
         {
             _tree.measureRadiusAboutOrigin(_items.bounds);
-            _nodes = new NodeMaker(_tree);
+            _tree.beginNodes();
             _tree.enclose(0, _items.bounds);
             _waiting.push(0);
             _areBelow.push(false);
@@ -212,7 +206,7 @@ package starlogo.hierarchy
         // Makes the children of a node, whose items are divided.
         private function makeChildren(node:int):void
         {
-            var child:int = _nodes.divide(node, _items.axis, _items.middle, _areBelow[_waiting.length - 1]);
+            var child:int = _tree.divide(node, _items.axis, _items.middle, _areBelow[_waiting.length - 1]);
             _tree.enclose(child, _items.leftExtents);
             _tree.enclose(child + 1, _items.rightExtents);
         }

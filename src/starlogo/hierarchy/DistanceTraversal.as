@@ -24,8 +24,7 @@ package starlogo.hierarchy
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
 
-        // The second tree's axes times its scale, and the vector from the middle of the first tree's node to the middle of the second's, of the pair
-        // that is estimated.
+        // The second tree's axes, and the pair that is estimated.
         private var _pair:BoxPair = new BoxPair();
 
         // The radii of the spheres around both trees together. The rounding error is relative to it.
@@ -49,7 +48,7 @@ package starlogo.hierarchy
         {
             var relative:Placement = trees.pose.placement;
             _radii = trees.a.radius + trees.b.radius * relative.size;
-            _pair.axes.readAxes(relative, relative.size);
+            _pair.axes.readAxes(relative, 1);
             out.copyFrom(find(trees, visitor).points);
         }
 
@@ -63,91 +62,60 @@ package starlogo.hierarchy
         {
             var pair:BoxPair = _pair;
             var axes:BoxAxes = pair.axes;
-            var pose:RelativePose = trees.pose;
-            var relative:Placement = pose.placement;
-            var boxes:Vector.<Number> = trees.b.boxes;
-            var at:int = 6 * b;
-            var bX:Number = boxes[at];
-            var bY:Number = boxes[int(at + 1)];
-            var bZ:Number = boxes[int(at + 2)];
-            var x:Number = axes.m00 * bX + axes.m01 * bY + axes.m02 * bZ + relative.x;
-            var y:Number = axes.m10 * bX + axes.m11 * bY + axes.m12 * bZ + relative.y;
-            var z:Number = axes.m20 * bX + axes.m21 * bY + axes.m22 * bZ + relative.z;
-            bX = boxes[int(at + 3)];
-            bY = boxes[int(at + 4)];
-            bZ = boxes[int(at + 5)];
-            boxes = trees.a.boxes;
-            at = 6 * a;
-            x -= boxes[at];
-            y -= boxes[int(at + 1)];
-            z -= boxes[int(at + 2)];
-            var distance:Number = x < 0 ? -x : x;
-            distance -= boxes[int(at + 3)] + axes.abs00 * bX + axes.abs01 * bY + axes.abs02 * bZ;
+            trees.readPair(a, b, pair);
+            var distance:Number = pair.x < 0 ? -pair.x : pair.x;
+            distance -= pair.aX + axes.abs00 * pair.bX + axes.abs01 * pair.bY + axes.abs02 * pair.bZ;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
-            distance = y < 0 ? -y : y;
-            distance -= boxes[int(at + 4)] + axes.abs10 * bX + axes.abs11 * bY + axes.abs12 * bZ;
+            distance = pair.y < 0 ? -pair.y : pair.y;
+            distance -= pair.aY + axes.abs10 * pair.bX + axes.abs11 * pair.bY + axes.abs12 * pair.bZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            distance = z < 0 ? -z : z;
-            distance -= boxes[int(at + 5)] + axes.abs20 * bX + axes.abs21 * bY + axes.abs22 * bZ;
+            distance = pair.z < 0 ? -pair.z : pair.z;
+            distance -= pair.aZ + axes.abs20 * pair.bX + axes.abs21 * pair.bY + axes.abs22 * pair.bZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            var far:Number = out.least + pose.tolerance + 2 * SLACK * (out.least + _radii);
+            var far:Number = out.least + trees.pose.tolerance + 2 * SLACK * (out.least + _radii);
             if (squared > far * far)
             {
                 out.bound = out.least;
                 return;
             }
-            pair.x = x;
-            pair.y = y;
-            pair.z = z;
-            raise(Math.sqrt(squared), pose, out);
-            estimateAlongSecond(pair, trees, at, 6 * b, out);
+            raise(Math.sqrt(squared), trees.pose, out);
+            estimateAlongSecond(pair, trees.pose, out);
             if (out.points.distance < Infinity)
             {
-                estimateAlongLine(pair, trees, at, 6 * b, out);
+                estimateAlongLine(pair, trees.pose, out);
             }
         }
 
-        // Raises the bound to the distance of two boxes, whose numbers begin at two indices, along the axes of the second one. The products contain its scale.
-        private function estimateAlongSecond(pair:BoxPair, trees:PosedTrees, a:int, b:int, out:BestPair):void
+        // Raises the bound to the distance of two boxes along the axes of the second one.
+        private function estimateAlongSecond(pair:BoxPair, pose:RelativePose, out:BestPair):void
         {
             var axes:BoxAxes = pair.axes;
-            var boxesA:Vector.<Number> = trees.a.boxes;
-            var boxesB:Vector.<Number> = trees.b.boxes;
-            var scale:Number = trees.pose.placement.size;
-            var x:Number = pair.x;
-            var y:Number = pair.y;
-            var z:Number = pair.z;
-            var halfX:Number = boxesA[int(a + 3)];
-            var halfY:Number = boxesA[int(a + 4)];
-            var halfZ:Number = boxesA[int(a + 5)];
-            var distance:Number = axes.m00 * x + axes.m10 * y + axes.m20 * z;
+            var distance:Number = axes.m00 * pair.x + axes.m10 * pair.y + axes.m20 * pair.z;
             distance = distance < 0 ? -distance : distance;
-            distance = (distance - axes.abs00 * halfX - axes.abs10 * halfY - axes.abs20 * halfZ) / scale - scale * boxesB[int(b + 3)];
+            distance -= axes.abs00 * pair.aX + axes.abs10 * pair.aY + axes.abs20 * pair.aZ + pair.bX;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
-            distance = axes.m01 * x + axes.m11 * y + axes.m21 * z;
+            distance = axes.m01 * pair.x + axes.m11 * pair.y + axes.m21 * pair.z;
             distance = distance < 0 ? -distance : distance;
-            distance = (distance - axes.abs01 * halfX - axes.abs11 * halfY - axes.abs21 * halfZ) / scale - scale * boxesB[int(b + 4)];
+            distance -= axes.abs01 * pair.aX + axes.abs11 * pair.aY + axes.abs21 * pair.aZ + pair.bY;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            distance = axes.m02 * x + axes.m12 * y + axes.m22 * z;
+            distance = axes.m02 * pair.x + axes.m12 * pair.y + axes.m22 * pair.z;
             distance = distance < 0 ? -distance : distance;
-            distance = (distance - axes.abs02 * halfX - axes.abs12 * halfY - axes.abs22 * halfZ) / scale - scale * boxesB[int(b + 5)];
+            distance -= axes.abs02 * pair.aX + axes.abs12 * pair.aY + axes.abs22 * pair.aZ + pair.bZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            raise(Math.sqrt(squared), trees.pose, out);
+            raise(Math.sqrt(squared), pose, out);
         }
 
         // Raises the bound to the distance of two boxes along the line between the closest points so far. It rules out most of the pairs that are not
         // nearer.
-        private function estimateAlongLine(pair:BoxPair, trees:PosedTrees, a:int, b:int, out:BestPair):void
+        private function estimateAlongLine(pair:BoxPair, pose:RelativePose, out:BestPair):void
         {
             var axes:BoxAxes = pair.axes;
-            var boxesA:Vector.<Number> = trees.a.boxes;
-            var boxesB:Vector.<Number> = trees.b.boxes;
             var points:ClosestPoints = out.points;
             var toX:Number = points.b.x - points.a.x;
             var toY:Number = points.b.y - points.a.y;
@@ -163,12 +131,11 @@ package starlogo.hierarchy
             alongX = alongX < 0 ? -alongX : alongX;
             alongY = alongY < 0 ? -alongY : alongY;
             alongZ = alongZ < 0 ? -alongZ : alongZ;
-            var distance:Number = pair.x * toX + pair.y * toY + pair.z * toZ
-                - alongX * boxesB[int(b + 3)] - alongY * boxesB[int(b + 4)] - alongZ * boxesB[int(b + 5)];
+            var distance:Number = pair.x * toX + pair.y * toY + pair.z * toZ - alongX * pair.bX - alongY * pair.bY - alongZ * pair.bZ;
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
             toZ = toZ < 0 ? -toZ : toZ;
-            raise((distance - boxesA[int(a + 3)] * toX - boxesA[int(a + 4)] * toY - boxesA[int(a + 5)] * toZ) / length, trees.pose, out);
+            raise((distance - pair.aX * toX - pair.aY * toY - pair.aZ * toZ) / length, pose, out);
         }
 
         // Raises the bound to a computed distance, less its rounding error.

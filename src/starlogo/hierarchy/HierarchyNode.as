@@ -21,7 +21,6 @@ package starlogo.hierarchy
         // Null until they are read.
         private var _left:HierarchyNode = null;
         private var _right:HierarchyNode = null;
-        private var _bounds:BoundingStructure = null;
 
         /** Not for clients: the HierarchiesLibrary makes the nodes. */
         public function HierarchyNode()
@@ -73,13 +72,12 @@ package starlogo.hierarchy
         }
 
         /**
-         * The axis-aligned box around the node's part. It is slightly larger than the part (Tolerances.SURFACES and NESTING). The object
-         * belongs to the node, so clone it before changing it.
+         * A new axis-aligned box around the node's part as it is now: <code>Model.pose()</code> changes it. The box is slightly larger than the
+         * part (Tolerances.SURFACES and NESTING).
          */
         public function get bounds():BoundingStructure
         {
-            _bounds ||= _tree.boxOf(_node).clone();
-            return _bounds;
+            return _tree.boxOf(_node).clone();
         }
 
         /** The number of triangles under the node; 0 if only vertices are known. */

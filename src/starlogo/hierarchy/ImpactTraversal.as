@@ -28,7 +28,7 @@ package starlogo.hierarchy
          *
          * @param motion of the second tree, from the pose on
          * @param visitor decides about nodes that decide; null if their boxes do
-         * @return the nodes or items that touch first, and the time as <code>least</code>; the next search overwrites it
+         * @return the nodes or items that touch first, and the time; the next search overwrites it
          */
         public function findTouch(trees:PosedTrees, motion:RelativeMotion, visitor:NodePairVisitor):BestPair
         {
@@ -50,7 +50,7 @@ package starlogo.hierarchy
          */
         override protected function estimate(trees:PosedTrees, a:int, b:int, out:BestPair):void
         {
-            readPair(trees, 6 * a, 6 * b, out);
+            readPair(trees, a, b, out);
             _sweep.findTimeOfFaces(_pair);
             out.bound = _pair.time;
         }
@@ -63,39 +63,23 @@ package starlogo.hierarchy
                 visitor.findTouch(a, b, out);
                 return;
             }
-            readPair(trees, 6 * a, 6 * b, out);
+            readPair(trees, a, b, out);
             _sweep.findTime(_pair);
             if (_pair.time < out.least)
             {
-                out.least = _pair.time;
+                out.least = out.time = _pair.time;
                 out.a = a;
                 out.b = b;
             }
         }
 
-        // Reads the boxes whose numbers begin at two indices. Times after the best one so far do not count.
+        // Reads the boxes of two nodes. Times after the best one so far do not count.
         private function readPair(trees:PosedTrees, a:int, b:int, best:BestPair):void
         {
-            var relative:Placement = trees.pose.placement;
-            var boxesA:Vector.<Number> = trees.a.boxes;
-            var boxesB:Vector.<Number> = trees.b.boxes;
-            var pair:BoxPair = _pair;
-            var scale:Number = relative.size;
-            var x:Number = boxesB[b] * scale;
-            var y:Number = boxesB[int(b + 1)] * scale;
-            var z:Number = boxesB[int(b + 2)] * scale;
-            pair.bX = boxesB[int(b + 3)] * scale;
-            pair.bY = boxesB[int(b + 4)] * scale;
-            pair.bZ = boxesB[int(b + 5)] * scale;
-            pair.x = relative.r00 * x + relative.r01 * y + relative.r02 * z + relative.x - boxesA[a];
-            pair.y = relative.r10 * x + relative.r11 * y + relative.r12 * z + relative.y - boxesA[int(a + 1)];
-            pair.z = relative.r20 * x + relative.r21 * y + relative.r22 * z + relative.z - boxesA[int(a + 2)];
-            pair.aX = boxesA[int(a + 3)];
-            pair.aY = boxesA[int(a + 4)];
-            pair.aZ = boxesA[int(a + 5)];
-            if (best.least < pair.latest)
+            trees.readPair(a, b, _pair);
+            if (best.least < _pair.latest)
             {
-                pair.latest = best.least;
+                _pair.latest = best.least;
             }
         }
     }

@@ -19,7 +19,7 @@ package starlogo.hierarchy
         /**
          * Finds when items of two nodes first touch.
          *
-         * @param best receives the time and the two items, if they touch no later than the best pair so far
+         * @param best receives the time and the two items, if they are the first ones to touch so far
          */
         public function findTouch(a:int, b:int, best:BestPair):void
         {

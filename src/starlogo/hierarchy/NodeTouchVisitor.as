@@ -69,9 +69,15 @@ package starlogo.hierarchy
                 sweep.latest = limit;
                 PairTable.findTime(_structure, box, sweep);
             }
-            if (keepEarlier(sweep, _motion))
+            if (sweep.time <= limit && sweep.time < _motion.time)
             {
                 _found = node;
+                limit = _motion.time = sweep.time;
+                if (!(limit > 0))
+                {
+                    // nothing is touched earlier than at the beginning
+                    endSearch();
+                }
             }
         }
     }

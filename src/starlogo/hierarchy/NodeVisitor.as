@@ -1,7 +1,6 @@
 package starlogo.hierarchy
 {
     import flash.errors.IllegalOperationError;
-    import starlogo.convex.RelativeMotion;
 
     /**
      * Decides about the nodes at which a BoxSearch ends, which calls it for each one, in the order in which its box may meet them, or from the
@@ -22,28 +21,6 @@ package starlogo.hierarchy
         protected final function endSearch():void
         {
             limit = -Infinity;
-        }
-
-        /**
-         * Keeps the time of a touch if it is within the limit and earlier than those of all touches before. Then the limit is that time. The search ends
-         * if it is 0, because nothing is touched earlier than at the beginning.
-         *
-         * @param motion has the time
-         * @param earliest has the time of the earliest touch so far; receives this one if it is earlier
-         * @return whether it is
-         */
-        protected final function keepEarlier(motion:RelativeMotion, earliest:RelativeMotion):Boolean
-        {
-            if (!(motion.time <= limit && motion.time < earliest.time))
-            {
-                return false;
-            }
-            limit = earliest.time = motion.time;
-            if (!(limit > 0))
-            {
-                endSearch();
-            }
-            return true;
         }
 
         /**

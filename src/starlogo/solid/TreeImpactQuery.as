@@ -59,7 +59,7 @@ package starlogo.solid
         {
             _pair.relateAt(motion, motion.time);
             RelativePose.relateMotion(_pair.placementA, motion, _motion);
-            // Only what touches at once counts. The motion gives the contact its direction.
+            // Only what touches at once counts. The motion turns the contact to a plane that it comes against.
             _motion.latest = 0;
             _pair.findTouch(_motion, out);
             if (_motion.time == RelativeMotion.NEVER)

@@ -63,8 +63,12 @@ package starlogo.solid
         // tolerance is more than those CORES, because it has SURFACES of the radii.
         private var _outerTolerance:Number = 0;
 
-        // The plane of a triangle.
+        // The planes of a triangle of the first model, and of one of the second.
         private var _plane:TrianglePlane = new TrianglePlane();
+        private var _planeOfSecond:TrianglePlane = new TrianglePlane();
+
+        // Chooses the triangles that touch first.
+        private var _touch:FirstTouch = new FirstTouch();
 
         // A small ball behind a plane at a contact, in the first model's space, and what finds triangles there: with the pose of that space in the space
         // of each model, and the motion of a ball that stands.
@@ -99,6 +103,7 @@ package starlogo.solid
             _extentsOfFirst = _firstMesh.extents;
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
+            _touch.begin(motion.latest);
             _movedFrom = -1;
             _tolerance = pair.pose.tolerance + Touching.marginOfSurface(pair.a.boxTree.radius + pair.b.boxTree.radius * _placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
@@ -130,19 +135,22 @@ package starlogo.solid
             var motion:RelativeMotion = _motion;
             var first:int = _firstMesh.tree.first[a];
             var end:int = _firstMesh.tree.end[a];
-            // Of triangles that touch at the same time, those of the nodes that are tested last count.
-            var time:Number = RelativeMotion.NEVER;
             // Higher indices come first, as in the traversal.
-            for (var i:int = move(b) - 1; i >= 0 && time > 0; i--)
+            for (var i:int = move(b) - 1; i >= 0 && _touch.time > 0; i--)
             {
                 setSecond(i);
-                for (var slot:int = end - 1; slot >= first && time > 0; slot--)
+                _planeOfSecond.setTriangle(_moved, 9 * i);
+                for (var slot:int = end - 1; slot >= first && _touch.time > 0; slot--)
                 {
-                    if (findTime(slot) && motion.time < time)
+                    if (findTime(slot))
                     {
-                        time = motion.latest = best.least = motion.time;
-                        best.a = slot;
-                        best.b = _movedFrom + i;
+                        if (_touch.choose(motion, _plane, _planeOfSecond))
+                        {
+                            best.a = slot;
+                            best.b = _movedFrom + i;
+                        }
+                        best.time = _touch.time;
+                        best.least = motion.latest = _touch.latest;
                     }
                 }
             }
@@ -181,7 +189,7 @@ package starlogo.solid
             _kernel.shape.margin = _outerTolerance;
             _plane.setTriangle(_firstMesh.corners, 9 * best.a);
             Placement.invert(_placement, _toSecond.placement);
-            if (_plane.isMetBy(_kernel.shape, motion, out) && !isBehindPlane(pair.b, _toSecond, motion, out))
+            if (_plane.isMetBy(_kernel.shape, motion, out) && !hasTriangleBehind(pair.b, _toSecond, motion, out))
             {
                 out.setNormal(_plane.normal.x, _plane.normal.y, _plane.normal.z);
                 return;
@@ -192,14 +200,14 @@ package starlogo.solid
             _kernel.shape.setTriangle(_firstMesh.corners, 9 * best.a);
             _kernel.shape.margin = _outerTolerance;
             _reversed.setReversed(motion);
-            if (_plane.isMetBy(_kernel.shape, _reversed, out) && !isBehindPlane(pair.a, _toFirst, RelativeMotion.NONE, out))
+            if (_plane.isMetBy(_kernel.shape, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, RelativeMotion.NONE, out))
             {
                 out.setNormal(-_plane.normal.x, -_plane.normal.y, -_plane.normal.z);
             }
         }
 
-        // Whether a model has a triangle at a contact that is not wholly before the plane. The kernel's shape is its triangle that touches there.
-        private function isBehindPlane(model:ModelTree, pose:RelativePose, motion:RelativeMotion, contact:ContactPoint):Boolean
+        // Whether a model has a triangle at a contact that is, at least in part, behind the plane. The kernel's shape is its triangle that touches there.
+        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var radius:Number = PROBE * _kernel.shape.extent;
             var back:Number = (1 + PROBE_GAP) * radius + 2 * _tolerance;

@@ -50,8 +50,9 @@ package starlogo.solid
         // The plane of a triangle.
         private var _plane:TrianglePlane = new TrianglePlane();
 
-        // The slot of the triangle that is touched first.
+        // The slot of the triangle that is touched first, and what chooses it.
         private var _found:int = -1;
+        private var _touch:FirstTouch = new FirstTouch();
 
         /** @param counts counts the nodes that are visited and the triangles that are tested */
         public function TriangleTouchVisitor(counts:TreeCounts)
@@ -73,9 +74,10 @@ package starlogo.solid
         {
             limit = motion.latest;
             begin(model, structure, pose, motion);
-            motion.time = RelativeMotion.NEVER;
+            _touch.begin(limit);
             _found = -1;
             _search.find(_mesh.tree, BoxTree.EXACT, this);
+            motion.time = _touch.time;
             return _found;
         }
 
@@ -162,9 +164,17 @@ package starlogo.solid
                 {
                     _kernel.findTime(_mesh.corners, 9 * i, _sweep);
                 }
-                if (keepEarlier(_sweep, _motion))
+                if (_touch.choose(_sweep, _plane))
                 {
                     _found = i;
+                }
+                if (!(_touch.time > 0))
+                {
+                    endSearch();
+                }
+                else if (_touch.latest < limit)
+                {
+                    limit = _touch.latest;
                     sweepExtents();
                 }
             }

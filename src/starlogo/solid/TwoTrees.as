@@ -87,7 +87,7 @@ package starlogo.solid
         override internal function findTouch(motion:RelativeMotion, out:ContactPoint):void
         {
             var best:BestPair = _impacts.findTouch(_trees, motion, visitorFor(motion));
-            motion.time = best.least;
+            motion.time = best.time;
             if (out == null || motion.time == RelativeMotion.NEVER)
             {
                 return;

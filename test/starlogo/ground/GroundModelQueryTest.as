@@ -2,17 +2,23 @@ package starlogo.ground
 {
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.libraries.HierarchiesLibrary;
     import starlogo.terrain.Terrain;
     import support.Complaints;
     import support.Effort;
     import support.RandomGround;
+    import support.assertClose;
 
     use namespace engine;
 
@@ -23,6 +29,9 @@ package starlogo.ground
     public class GroundModelQueryTest
     {
         private static const KINDS:Array = ["rough", "steps", "hills"];
+
+        // The triangles of a box whose corners have a bit for each axis.
+        private static const BAR:Vector.<uint> = new <uint>[0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5];
 
         private var _random:SeededRandom = new SeededRandom(2139);
         private var _structures:RandomStructures = new RandomStructures(_random);
@@ -183,6 +192,76 @@ package starlogo.ground
             }
             _wrong.assertNone();
             assertTrue(onSurface > 0);
+        }
+
+        // Large structures are tested against fewer squares than small ones.
+        [Test]
+        public function structuresOfAllSizesTouchAcrossTheWholeGap():void
+        {
+            for each (var far:Number in [0, 1e5, 1e6])
+            {
+                _terrain = new Terrain(101, 101, 1, far - 50, far - 50);
+                for each (var half:Number in [0.25, 1, 1.45, 1.75, 5, 50, 5000])
+                {
+                    var ball:Sphere = new Sphere(new Vector3D(), half);
+                    var box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half, half, half);
+                    var place:Number = 2 * Tolerances.PLACES * (2 * far + half);
+                    checkGap(ball, far, half, place + (Tolerances.TOUCHING - 1) * half);
+                    checkGap(box, far, half, place);
+                }
+            }
+        }
+
+        private function checkGap(structure:BoundingStructure, far:Number, half:Number, gap:Number):void
+        {
+            _structure = structure;
+            _placement.x = _placement.y = far;
+            _placement.z = half + 0.99 * gap;
+            setTo(_query, 0, 0, 0);
+            assertTrue(structure + " at " + far, _query.overlapsAt(RelativeMotion.NONE, 0));
+        }
+
+        // Two bars stick in the side of a column. The one that is deepest counts, whether it comes first or last.
+        [Test]
+        public function theDeepestPieceCountsInAnyOrder():void
+        {
+            _terrain = new Terrain(81, 41, 1, -40, -20);
+            _terrain.isBlocky = true;
+            for (var column:int = 40; column < 81; column++)
+            {
+                for (var row:int = 0; row < 41; row++)
+                {
+                    _terrain.setHeight(column, row, 40);
+                }
+            }
+            for each (var lengths:Array in [[6, 7.5], [7.5, 6]])
+            {
+                var library:HierarchiesLibrary = new HierarchiesLibrary();
+                library.add("bars", bar(-4, lengths[0]).concat(bar(4, lengths[1])), BAR.concat(
+                            BAR.map(function(corner:uint, i:int, all:Vector.<uint>):uint
+                                {
+                                    return corner + 8;
+                                })));
+                _placement.x = _placement.y = 0;
+                _placement.z = 10;
+                for each (var exact:Boolean in [false, true])
+                {
+                    _query.setTo(_terrain.grid, library.treeOf("bars"), library.root("bars").bounds, _placement, 5, exact);
+                    _query.findContact(RelativeMotion.NONE, _out);
+                    assertClose(8, _out.depth, 1e-9, lengths + " " + exact);
+                }
+            }
+        }
+
+        // The corners of a bar along x, up to so far behind the side of the columns, which is at -0.5.
+        private static function bar(y:Number, length:Number):Vector.<Number>
+        {
+            var corners:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < 8; i++)
+            {
+                corners.push((i & 1) == 0 ? -1 : length, y + ((i & 2) == 0 ? -1 : 1), (i & 4) == 0 ? -0.5 : 0.5);
+            }
+            return corners;
         }
 
         // The greatest height of the ground near a place: there, because it may be on a ridge, and around it, because it may be the side of a column

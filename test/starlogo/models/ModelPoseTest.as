@@ -11,6 +11,7 @@ package starlogo.models
     import starlogo.collision.HierarchicalCollider;
     import starlogo.data.areSameNumbers;
     import starlogo.engine;
+    import starlogo.hierarchy.HierarchyNode;
     import support.assertClose;
     import support.assertThrows;
     import support.landOf;
@@ -103,6 +104,18 @@ package starlogo.models
             assertTrue(areSameNumbers(first, model.vertices));
             assertEquals(revision, land.revisionOf("pyramid"));
             assertTrue(Box(land.hierarchies.root("pyramid").bounds).halfX < 0.6);
+        }
+
+        [Test]
+        public function aNodeThatIsKeptHasTheBoxesOfTheNewPose():void
+        {
+            var model:Model = new Model("pyramid", CORNERS, FACES);
+            var root:HierarchyNode = landOf(model).hierarchies.root("pyramid");
+            var pose:Vector.<Number> = CORNERS.slice();
+            pose[3] = 9;
+            assertTrue(Box(root.bounds).halfX < 0.6);
+            model.pose(pose);
+            assertClose(1, Box(root.bounds).halfX, 1e-6);
         }
 
         [Test]

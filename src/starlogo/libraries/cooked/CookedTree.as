@@ -5,7 +5,6 @@ package starlogo.libraries.cooked
     import starlogo.hierarchy.BoxRefit;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
-    import starlogo.hierarchy.NodeMaker;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.VarInt;
     import starlogo.steps.StepSequence;
@@ -31,7 +30,6 @@ package starlogo.libraries.cooked
 
         private var _bytes:ByteArray;
         private var _tree:BoxTree;
-        private var _nodes:NodeMaker;
         private var _maxDepth:int;
 
         // The nodes that still have to be read, the next one last.
@@ -118,7 +116,7 @@ package starlogo.libraries.cooked
         private function refuse():void
         {
             isRefused = true;
-            _tree.cutTo(0);
+            _tree.removeNodes();
         }
 
         // Every item must come exactly once.
@@ -143,7 +141,7 @@ package starlogo.libraries.cooked
 
         private function beginTree():void
         {
-            _nodes = new NodeMaker(_tree);
+            _tree.beginNodes();
             _waiting.push(0);
         }
 
@@ -178,7 +176,7 @@ package starlogo.libraries.cooked
             {
                 return false;
             }
-            var left:int = _nodes.divide(node, division % BELOW, middle, division >= BELOW);
+            var left:int = _tree.divide(node, division % BELOW, middle, division >= BELOW);
             _waiting.push(left + 1, left);
             return true;
         }
@@ -186,7 +184,7 @@ package starlogo.libraries.cooked
         // The steps that compute the boxes.
         private function measuring():Steps
         {
-            _nodes.complete();
+            _tree.completeNodes();
             return new BoxRefit(_tree);
         }
     }

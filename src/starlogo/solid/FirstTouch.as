@@ -1,0 +1,73 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Chooses the triangle, or the pair of triangles, whose contact is that of a first touch. It is the one that is touched first. Of those that
+     * are touched at the same time (Tolerances.SAME_TIME), it is the one whose plane the motion meets most squarely. So a shape that stands flush
+     * with an obstacle touches the side that stops it, and not a side that it only grazes.
+     *
+     * <p>What touches at time 0 ends the search, because nothing is earlier. The way out of an overlap is another search.</p>
+     *
+     * @private
+     */
+    public final class FirstTouch
+    {
+        /** The time of the earliest touch so far, or RelativeMotion.NEVER. Read only. */
+        public var time:Number = RelativeMotion.NEVER;
+
+        /** Touches up to this time count. Read only. */
+        public var latest:Number = 0;
+
+        // How squarely the chosen one is met.
+        private var _squareness:Number = 0;
+
+        /** Begins. Touches up to a time count. */
+        public function begin(latest:Number):void
+        {
+            time = RelativeMotion.NEVER;
+            this.latest = latest;
+        }
+
+        /**
+         * Takes a touch. Afterwards <code>time</code> and <code>latest</code> may be earlier, even if another touch stays the chosen one.
+         *
+         * @param motion of the shape, or of the other triangle, with the time of the touch
+         * @param plane of the triangle
+         * @param other of the other triangle; null if a shape touches the first one
+         * @return whether it is the one to choose, of all so far
+         */
+        public function choose(motion:RelativeMotion, plane:TrianglePlane, other:TrianglePlane = null):Boolean
+        {
+            if (!(motion.time <= latest))
+            {
+                return false;
+            }
+            if (motion.time < time)
+            {
+                // What is clearly later does not count any more.
+                _squareness = motion.time < time - Tolerances.SAME_TIME ? -Infinity : _squareness;
+                time = motion.time;
+                latest = Math.min(latest, time > 0 ? time + Tolerances.SAME_TIME : 0);
+            }
+            var squareness:Number = squarenessOf(plane.normal, motion, -1) + (other == null ? 0 : squarenessOf(other.normal, motion, 1));
+            if (!(squareness > _squareness))
+            {
+                return false;
+            }
+            _squareness = squareness;
+            return true;
+        }
+
+        // The component of the motion against a plane, or along it if the side is 1. A plane that is met from behind counts only if none is met from
+        // the front.
+        private static function squarenessOf(normal:Vector3D, motion:RelativeMotion, side:int):Number
+        {
+            var speed:Number = side * (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z);
+            return speed > 0 ? speed : -Tolerances.DIRECTION * speed;
+        }
+    }
+}

@@ -100,8 +100,8 @@ package starlogo.solid
             _sweep.copyVector(motion);
             for (i = 0; i < 6; i += 2)
             {
-                extents[i] += shape.radius;
-                extents[int(i + 1)] -= shape.radius;
+                extents[i] -= shape.margin + rounding;
+                extents[int(i + 1)] += shape.margin + rounding;
             }
             sweepExtents();
         }
@@ -138,7 +138,7 @@ package starlogo.solid
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
             {
-                if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) > _radius * _radius)
+                if (isBesideExtents(_extents, _mesh.corners, 9 * i))
                 {
                     continue;
                 }

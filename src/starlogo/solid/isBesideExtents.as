@@ -1,7 +1,7 @@
 package starlogo.solid
 {
     /**
-     * Whether a triangle is beside extents. All comparisons are made and then combined, because processors cannot predict single ones.
+     * Whether a triangle is beyond one side of extents. One branch decides by all comparisons together, because processors predict single ones badly.
      *
      * @param extents minX, maxX, minY, ...
      * @param corners has nine numbers of the triangle

@@ -104,7 +104,7 @@ package starlogo.ground
             }
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                out.proof.clear();
+                out.provenDepth = 0;
                 _pairs.moveToWorld(out);
             }
         }
@@ -181,7 +181,7 @@ package starlogo.ground
             // without ground it is infinite
             if (!_pairs.pieces.isTree && out.distance < Infinity)
             {
-                _pairs.pieces.begin(false);
+                _pairs.pieces.begin();
                 _pairs.pieces.next();
                 _pairs.kernel.setTriangle(pointAsTriangle(x, y, z));
                 _pairs.kernel.findCloser(out);

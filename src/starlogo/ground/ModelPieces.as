@@ -94,15 +94,11 @@ package starlogo.ground
             _placement.z = motion.startZ + time * motion.z;
         }
 
-        /**
-         * Begins. Then <code>next()</code> goes on to the first piece or node.
-         *
-         * @param asWhole whether the structure around the whole model is the only piece
-         */
-        public function begin(asWhole:Boolean):void
+        /** Begins. Then <code>next()</code> goes on to the first piece or node. */
+        public function begin():void
         {
             _first = _end = 0;
-            _nodes[0] = isTree && !asWhole ? 0 : WHOLE;
+            _nodes[0] = isTree ? 0 : WHOLE;
             _nodeCount = 1;
         }
 

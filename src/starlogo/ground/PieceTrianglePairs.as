@@ -68,12 +68,11 @@ package starlogo.ground
          *
          * @param motion of the pieces from where they are: triangles count that they may meet until its latest time. This may become earlier meanwhile
          * @param maxDistance triangles count that are at most this far away
-         * @param asWhole whether the structure around the whole model is the only piece
          */
-        public function begin(motion:RelativeMotion, maxDistance:Number, asWhole:Boolean = false):void
+        public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
             _triangles.stop();
-            pieces.begin(asWhole);
+            pieces.begin();
             _search.motion = motion;
             _search.maxDistance = maxDistance;
             _search.minHeight = -Infinity;

@@ -101,7 +101,7 @@ package starlogo.search.penetration
          */
         public function tryNext(most:Number, out:ContactPoint):int
         {
-            if (!(_push.length <= most) || _contacts.count > MOST_CONTACTS)
+            if (_push.length == Infinity || _push.length > most || _contacts.count > MOST_CONTACTS)
             {
                 return ENDED;
             }

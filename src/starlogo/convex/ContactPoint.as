@@ -28,8 +28,10 @@ package starlogo.convex
          */
         public var triangle:int = -1;
 
-        /** What else is known of the depth. Only tests of the ground write it. */
-        public var proof:DepthProof = new DepthProof();
+        /**
+         * The shortest exit is at least about as long as this: it may be a fifth shorter. 0 if nothing is known. Only tests of the ground write it.
+         */
+        public var provenDepth:Number = 0;
 
         /** Becomes the same as another contact. */
         public function copyFrom(other:ContactPoint):void
@@ -42,7 +44,7 @@ package starlogo.convex
             normalZ = other.normalZ;
             depth = other.depth;
             triangle = other.triangle;
-            proof.copyFrom(other.proof);
+            provenDepth = other.provenDepth;
         }
 
         /**

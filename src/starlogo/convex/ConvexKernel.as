@@ -9,7 +9,7 @@ package starlogo.convex
      * ConvexShape first, then this class from the top, then CorePair, CoreDistance, Simplex and SimplexPart.
      *
      * <p>In all packages a kernel decides about two shapes or structures, and a pair is two of them. a and b are the two of a question, in the order
-     * of the call; a is the one that moves. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint with its DepthProof) stand
+     * of the call; a is the one that moves. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint) stand
      * here for all packages, because the others that fill them may use this one.</p>
      *
      * <p>areTouching and findTime agree about what touches: see Touching. findTime adds the margin of the motion. The distance and the depth leave

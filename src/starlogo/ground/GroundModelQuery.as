@@ -104,7 +104,7 @@ package starlogo.ground
             motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                out.proof.clear();
+                out.provenDepth = 0;
                 _pairs.moveToWorld(out);
             }
         }

@@ -1,7 +1,6 @@
 package starlogo.ground
 {
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.DepthProof;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
@@ -23,11 +22,8 @@ package starlogo.ground
         // A depth behind a triangle's plane is off by at most this many margins of the triangle, because of rounding.
         private static const MARGINS_OF_ROUNDING:Number = 10;
 
-        // Two exits have nearly the same direction if the cosine of their angle is larger.
-        private static const SAME_EXIT:Number = 0.98;
-
-        // The most exits that are found.
-        private static const MOST_EXITS:int = 12;
+        // Less than each depth: there is no contact.
+        private static const NONE:Number = -1;
 
         private var _pairs:PieceTrianglePairs;
 
@@ -51,16 +47,14 @@ package starlogo.ground
          */
         public function findContact(out:ContactPoint):void
         {
-            var proof:DepthProof = out.proof;
-            proof.clear();
             if (findDeepestBehind(out))
             {
                 // a point of the model is that deep behind a triangle
-                proof.provenDepth = out.depth;
+                out.provenDepth = out.depth;
             }
             else if (findDeepestOverlap(out))
             {
-                proof.provenDepth = isDepthProven(out) ? out.depth : 0;
+                out.provenDepth = isDepthProven(out) ? out.depth : 0;
             }
             else
             {
@@ -82,7 +76,7 @@ package starlogo.ground
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
-            out.proof.clear();
+            out.provenDepth = 0;
             _pairs.moveToWorld(out);
         }
 
@@ -113,52 +107,22 @@ package starlogo.ground
             return false;
         }
 
-        /**
-         * Finds ways out in front of the planes of triangles. The standing structure around the model is behind these planes or touches them. Of ways in
-         * nearly the same direction, the shortest counts. If the contact has a triangle of the ground, only planes count that this triangle is not in
-         * front of.
-         *
-         * @param contact of the model and the ground, here or near here
-         * @param maxDistance how far away from the structure triangles may be
-         * @param exits receives a contact for each way, in the world; made longer if needed
-         * @return how many ways there are
-         */
-        public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
-        {
-            var proof:DepthProof = contact.proof;
-            var count:int = 0;
-            _pairs.beginWhole(maxDistance);
-            while (_pairs.next())
-            {
-                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_pairs.triangle.margin && (!proof.hasTriangle || isBehind(_tried, proof)))
-                {
-                    count = addExit(_tried, exits, count);
-                }
-            }
-            for (var i:int = 0; i < count; i++)
-            {
-                _pairs.moveToWorld(exits[i]);
-            }
-            return count;
-        }
-
         // Finds the contact with the triangle that the model is deepest behind. Only triangles count that the way out from a piece's deepest point passes
         // through, and only depths that are proven. Returns whether there is one.
         private function findDeepestBehind(out:ContactPoint):Boolean
         {
-            var deepest:Number = 0;
+            var deepest:Number = NONE;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
                 _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
-                if (_pairs.kernel.isThroughTriangle(_tried) && isClearlyDeeper(_tried, deepest, out) && isDepthProven(_tried))
+                if (_pairs.kernel.isThroughTriangle(_tried) && isClearlyDeeper(_tried, deepest) && isDepthProven(_tried))
                 {
                     deepest = _tried.depth;
-                    keep(_tried, out);
+                    out.copyFrom(_tried);
                 }
             }
-            return out.proof.hasTriangle;
+            return deepest != NONE;
         }
 
         // Finds the contact with the triangle that the model overlaps most. Of overlaps that are equally deep, up to rounding, the one with the shorter
@@ -166,7 +130,7 @@ package starlogo.ground
         // there is one.
         private function findDeepestOverlap(out:ContactPoint):Boolean
         {
-            var deepest:Number = 0;
+            var deepest:Number = NONE;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
@@ -189,14 +153,14 @@ package starlogo.ground
                         // with a clearly longer one it has to be clearly deeper
                         needed += rounding;
                     }
-                    if (!out.proof.hasTriangle || depth > needed)
+                    if (deepest == NONE || depth > needed)
                     {
                         deepest = Math.max(depth, deepest);
-                        keep(_tried, out);
+                        out.copyFrom(_tried);
                     }
                 }
             }
-            return out.proof.hasTriangle;
+            return deepest != NONE;
         }
 
         // How much a depth behind the current triangle may be off by rounding.
@@ -206,19 +170,10 @@ package starlogo.ground
             return MARGINS_OF_ROUNDING * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
-        // Whether a contact is the first one, or deeper than the deepest one so far by more than rounding.
-        private function isClearlyDeeper(contact:ContactPoint, deepest:Number, kept:ContactPoint):Boolean
+        // Whether a contact is deeper than the deepest one so far by more than rounding.
+        private function isClearlyDeeper(contact:ContactPoint, deepest:Number):Boolean
         {
-            return !kept.proof.hasTriangle || (deepest > 0 ? contact.depth >= deepest + _pairs.triangle.margin : contact.depth > 0);
-        }
-
-        // Keeps a contact, with the current triangle.
-        private function keep(contact:ContactPoint, out:ContactPoint):void
-        {
-            var origin:Placement = _pairs.origin;
-            var proof:DepthProof = out.proof;
-            out.copyFrom(contact);
-            proof.setTriangle(_pairs.triangle.corners, origin.x, origin.y, origin.z);
+            return deepest > 0 ? contact.depth >= deepest + _pairs.triangle.margin : contact.depth > deepest;
         }
 
         // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
@@ -234,44 +189,6 @@ package starlogo.ground
             var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
             return depth == 0 || _pairs.grid.leastExit(x, y, z, depth, _around) >= LEAST_SHARE_PROVEN * depth;
-        }
-
-        // Whether the triangle of a contact is not in front of the current triangle's plane, up to rounding.
-        private function isBehind(exit:ContactPoint, proof:DepthProof):Boolean
-        {
-            var origin:Placement = _pairs.origin;
-            var x:Number = origin.x - proof.x;
-            var y:Number = origin.y - proof.y;
-            var z:Number = origin.z - proof.z;
-            var slack:Number = MARGINS_OF_ROUNDING * _pairs.triangle.margin + x * exit.normalX + y * exit.normalY + z * exit.normalZ;
-            if (x != 0 || y != 0 || z != 0)
-            {
-                slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
-            }
-            return _pairs.kernel.isBehindPlane(proof.corners, slack);
-        }
-
-        // Adds an exit to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.
-        private static function addExit(exit:ContactPoint, exits:Vector.<ContactPoint>, count:int):int
-        {
-            var at:int = 0;
-            while (at < count && exit.normalX * exits[at].normalX + exit.normalY * exits[at].normalY + exit.normalZ * exits[at].normalZ <= SAME_EXIT)
-            {
-                at++;
-            }
-            if (at == MOST_EXITS)
-            {
-                return count;
-            }
-            if (at == exits.length)
-            {
-                exits[at] = new ContactPoint();
-            }
-            if (at == count || exit.depth < exits[at].depth)
-            {
-                exits[at].copyFrom(exit);
-            }
-            return Math.max(count, at + 1);
         }
     }
 }

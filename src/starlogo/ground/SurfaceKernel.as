@@ -189,27 +189,6 @@ package starlogo.ground
             return true;
         }
 
-        /**
-         * Whether another triangle is wholly behind the triangle's plane.
-         *
-         * @param corners has nine numbers of the other triangle
-         * @param slack how far it may be in front of the plane
-         */
-        public function isBehindPlane(corners:Vector.<Number>, slack:Number):Boolean
-        {
-            preparePlane();
-            var normal:Vector3D = _plane.normal;
-            var most:Number = _plane.offset + slack;
-            for (var i:int = 0; i < 9; i += 3)
-            {
-                if (!(normal.x * corners[i] + normal.y * corners[int(i + 1)] + normal.z * corners[int(i + 2)] <= most))
-                {
-                    return false;
-                }
-            }
-            return true;
-        }
-
         // Moves a contact to the point of the shape that is farthest against the triangle's normal. If there are several, it is their middle.
         private function moveToDeepest(out:ContactPoint):void
         {

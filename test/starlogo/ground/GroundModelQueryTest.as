@@ -22,10 +22,7 @@ package starlogo.ground
 
     use namespace engine;
 
-    /**
-     * The exits from the ground depend on the contact that they are asked for, and on nothing that was asked before. A sweep keeps to the times that
-     * count. The point of an overlap is in both.
-     */
+    /** A sweep of a model and the ground keeps to the times that count. The point of an overlap is in both. */
     public class GroundModelQueryTest
     {
         private static const KINDS:Array = ["rough", "steps", "hills"];
@@ -38,103 +35,12 @@ package starlogo.ground
         private var _wrong:Complaints = new Complaints();
         private var _query:GroundModelQuery = new GroundModelQuery();
         private var _out:ContactPoint = new ContactPoint();
-        private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
         // The ground, and a structure that overlaps it.
         private var _terrain:Terrain;
         private var _structure:BoundingStructure;
         private var _placement:Placement = new Placement();
         private var _maxDistance:Number = 0;
-
-        // The query is shared by all bodies, so what another body has asked in between must not count.
-        [Test]
-        public function exitsAreThoseOfTheirOwnBodysContact():void
-        {
-            var fresh:GroundModelQuery = new GroundModelQuery();
-            var away:ContactPoint = new ContactPoint();
-            var filtered:int = 0;
-            for (var i:int = 0; filtered < Effort.choose(100, 2000, 30); i++)
-            {
-                makeOverlap(i);
-                setTo(fresh, 0, 0, 0);
-                fresh.findContact(RelativeMotion.NONE, _out);
-                var expected:String = exitsOf(fresh);
-                setTo(_query, 0, 0, 0);
-                _query.findContact(RelativeMotion.NONE, _out);
-                setTo(_query, 0.3 * _maxDistance, 0.2 * _maxDistance, -0.5 * _maxDistance);
-                _query.findContact(RelativeMotion.NONE, away);
-                filtered += expected != exitsFrom(_query, away) ? 1 : 0;
-                compare(i, expected, exitsOf(_query));
-            }
-            _wrong.assertNone();
-        }
-
-        // A contact of a first touch, or of another pair, has no triangle.
-        [Test]
-        public function exitsAfterAnImpactAreNotThoseOfAContactBefore():void
-        {
-            var met:int = 0;
-            for (var i:int = 0; met < Effort.choose(100, 2000, 30); i++)
-            {
-                makeOverlap(i);
-                var down:RelativeMotion = new RelativeMotion();
-                down.endAfter(0, 0, -40 * _maxDistance);
-                setTo(_query, 0, 0, 0);
-                if (_query.overlapsAt(down, 0))
-                {
-                    continue;
-                }
-                _query.findContact(RelativeMotion.NONE, _out);
-                _query.findImpact(down, _out);
-                if (down.time == RelativeMotion.NEVER)
-                {
-                    continue;
-                }
-                var all:ContactPoint = new ContactPoint();
-                var expected:String = exitsFrom(_query, all);
-                met += expected == "" ? 0 : 1;
-                compare(i, expected, exitsOf(_query));
-                _out.copyFrom(new ContactPoint());
-                compare(i, expected, exitsOf(_query));
-            }
-            _wrong.assertNone();
-        }
-
-        // The contact of a moving body that overlaps from the beginning on is relative to the end of its motion, and its exits are those where it was.
-        [Test]
-        public function exitsWhereAMotionBeganAreThoseOfABodyThatStandsThere():void
-        {
-            var all:ContactPoint = new ContactPoint();
-            var filtered:int = 0;
-            for (var i:int = 0; filtered < Effort.choose(100, 2000, 30); i++)
-            {
-                makeOverlap(i);
-                var motion:RelativeMotion = new RelativeMotion(0);
-                motion.endAfter(_random.between(-3, 3) * _maxDistance, _random.between(-3, 3) * _maxDistance, _random.between(-3, 3) * _maxDistance);
-                setTo(_query, motion.x, motion.y, motion.z);
-                _query.findImpact(motion, null);
-                if (motion.time == 0)
-                {
-                    // it touches the surface, so its contact is that of a first touch
-                    continue;
-                }
-                motion.time = 0;
-                _query.findContact(motion, _out);
-                var contact:String = textOf(_out);
-                var found:String = exitsOf(_query);
-                setTo(_query, 0, 0, 0);
-                _query.findContact(RelativeMotion.NONE, _out);
-                if (textOf(_out) != contact)
-                {
-                    // rounding decides whether a depth that ends at the border of a column is needed
-                    continue;
-                }
-                var expected:String = exitsOf(_query);
-                filtered += expected != exitsFrom(_query, all) ? 1 : 0;
-                compare(i, expected, found);
-            }
-            _wrong.assertNone();
-        }
 
         // Until shortly before the touch there is none; until shortly after it, and from shortly before it on, there is the same.
         [Test]
@@ -146,7 +52,7 @@ package starlogo.ground
                 makeOverlap(i);
                 var down:RelativeMotion = new RelativeMotion();
                 down.endAfter(_random.between(-1, 1) * _maxDistance, _random.between(-1, 1) * _maxDistance, -10 * _maxDistance);
-                setTo(_query, 0, 0, 0);
+                setQuery();
                 if (_query.overlapsAt(down, 0))
                 {
                     continue;
@@ -179,7 +85,7 @@ package starlogo.ground
             for (var i:int = 0; i < Effort.choose(400, 8000, 100); i++)
             {
                 makeOverlap(i);
-                setTo(_query, 0, 0, 0);
+                setQuery();
                 _query.findClosest(true, points);
                 var slack:Number = 1e-9 * (_maxDistance + Math.abs(_placement.z));
                 var height:Number = heightAround(points.a.x, points.a.y, slack);
@@ -287,52 +193,14 @@ package starlogo.ground
                 _placement.x = _terrain.x + _random.between(0.2, 0.8) * _terrain.columns * _terrain.cellWidth;
                 _placement.y = _terrain.y + _random.between(0.2, 0.8) * _terrain.rows * _terrain.cellWidth;
                 _placement.z = _terrain.heightAt(_placement.x, _placement.y) + _random.between(-1.5, 0.5) * _maxDistance;
-                setTo(_query, 0, 0, 0);
+                setQuery();
             }
             while (!_query.overlapsAt(RelativeMotion.NONE, 0));
         }
 
-        private function setTo(query:GroundModelQuery, x:Number, y:Number, z:Number):void
+        private function setQuery():void
         {
-            var placement:Placement = new Placement();
-            placement.copyFrom(_placement);
-            placement.x += x;
-            placement.y += y;
-            placement.z += z;
-            query.setTo(_terrain.grid, null, _structure, placement, 1, false);
-        }
-
-        private function exitsOf(query:GroundModelQuery):String
-        {
-            return exitsFrom(query, _out);
-        }
-
-        private function exitsFrom(query:GroundModelQuery, contact:ContactPoint):String
-        {
-            setTo(query, 0, 0, 0);
-            var count:int = query.penetration.findExits(contact, _maxDistance, _exits);
-            var texts:Array = [];
-            for (var k:int = 0; k < count; k++)
-            {
-                texts.push(textOf(_exits[k]));
-            }
-            return texts.sort().join("; ");
-        }
-
-        private static function textOf(contact:ContactPoint):String
-        {
-            var digits:Array = [];
-            for each (var number:Number in [contact.normalX, contact.normalY, contact.normalZ, contact.depth])
-            {
-                // 0 and -0 are one
-                digits.push(Math.round(1e6 * number) / 1e6 + 0);
-            }
-            return digits.join(" ");
-        }
-
-        private function compare(i:int, expected:String, found:String):void
-        {
-            _wrong.addIf(found != expected, KINDS[i % KINDS.length], i + ", " + _structure + ": " + found + " instead of " + expected);
+            _query.setTo(_terrain.grid, null, _structure, _placement, 1, false);
         }
     }
 }

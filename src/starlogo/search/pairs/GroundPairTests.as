@@ -1,6 +1,5 @@
 package starlogo.search.pairs
 {
-    import flash.geom.Vector3D;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -32,10 +31,6 @@ package starlogo.search.pairs
         private static const CELL_SHARE:Number = 1e-4;
 
         private var _limits:TreeLimits;
-
-        private var _supportSearch:SupportSearch;
-        private var _farthest:SupportPoint = new SupportPoint();
-        private var _inwards:Vector3D = new Vector3D();
         private var _separation:GroundExitSearch;
         private var _apart:ApartContact = new ApartContact();
 
@@ -49,7 +44,6 @@ package starlogo.search.pairs
         public function GroundPairTests(limits:TreeLimits)
         {
             _limits = limits;
-            _supportSearch = new SupportSearch(limits);
             _separation = new GroundExitSearch(this);
         }
 
@@ -131,32 +125,6 @@ package starlogo.search.pairs
         override public function extentOf(a:Body, b:Body):Number
         {
             return Math.max(CELL_SHARE * gridOf(b).cellWidth, 2 * a.largestHalf);
-        }
-
-        /**
-         * Finds contacts with which other ways of a body out of the ground may begin.
-         *
-         * @param contact of the two, here or near here
-         * @param maxDistance parts of the ground farther away do not count
-         * @param exits receives the contacts, each with another direction
-         * @return their number
-         */
-        public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
-        {
-            var count:int = queryOf(a, b).penetration.findExits(contact, maxDistance, exits);
-            if (a.form == ModelShape.TREE)
-            {
-                for (var i:int = 0; i < count; i++)
-                {
-                    // the depth of the structure around the tree becomes that of the tree itself
-                    var exit:ContactPoint = exits[i];
-                    var plane:Number = exit.normalX * exit.x + exit.normalY * exit.y + exit.normalZ * exit.z + exit.depth / 2;
-                    _inwards.setTo(-exit.normalX, -exit.normalY, -exit.normalZ);
-                    _supportSearch.findSupport(a, _inwards, _farthest);
-                    exit.depth = plane + _farthest.support;
-                }
-            }
-            return count;
         }
 
         /** @inheritDoc */

@@ -1,5 +1,5 @@
 // This folder finds short ways out of overlaps, for contacts that separate two bodies. A DisplacedPair puts the first body to places that are tried.
-// TreeExitSearch and GroundExitSearch try pushes out of all contacts so far (PushOut, with PushQueue and HalfSpaceSolver), and look for the end of
+// TreeExitSearch and GroundExitSearch try pushes out of all contacts so far (PushOut, with HalfSpaceSolver), and look for the end of
 // a way along one direction (DirectionSearch). Read this file first, then PushOut, then TreeExitSearch.
 package starlogo.search.penetration
 {

@@ -62,7 +62,6 @@ package starlogo.search.penetration
             _slack = slack;
             out.length = Infinity;
             out.planeCount = 0;
-            out.planes[0] = -1;
             _tried.setTo(0, 0, 0);
             if (leadsOut(0))
             {
@@ -75,7 +74,7 @@ package starlogo.search.penetration
             {
                 _longest = Math.max(_longest, FARTHEST * _depths[i]);
                 _tried.setTo(_depths[i] * _xs[i], _depths[i] * _ys[i], _depths[i] * _zs[i]);
-                keepShorter(1, i, 0, 0, out);
+                keepShorter(1, out);
             }
             for (i = 1; i < count && mostPlanes > 1; i++)
             {
@@ -103,7 +102,7 @@ package starlogo.search.penetration
             var y:Number = along * sumY + across * differenceY;
             var z:Number = along * sumZ + across * differenceZ;
             _tried.setTo(x, y, z);
-            keepShorter(2, i, j, 0, out);
+            keepShorter(2, out);
             var lineX:Number = sumY * differenceZ - sumZ * differenceY;
             var lineY:Number = sumZ * differenceX - sumX * differenceZ;
             var lineZ:Number = sumX * differenceY - sumY * differenceX;
@@ -111,12 +110,12 @@ package starlogo.search.penetration
             {
                 var far:Number = (_depths[k] - (x * _xs[k] + y * _ys[k] + z * _zs[k])) / (lineX * _xs[k] + lineY * _ys[k] + lineZ * _zs[k]);
                 _tried.setTo(x + far * lineX, y + far * lineY, z + far * lineZ);
-                keepShorter(3, i, j, k, out);
+                keepShorter(3, out);
             }
         }
 
         // Keeps the displacement that is tried if it is shorter and leads out of all half-spaces. Planes that do not meet make no numbers of it.
-        private function keepShorter(planeCount:int, last:int, second:int, third:int, out:ShortestExit):void
+        private function keepShorter(planeCount:int, out:ShortestExit):void
         {
             var length:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
             if (length < out.length && length <= _longest && leadsOut(length))
@@ -124,9 +123,6 @@ package starlogo.search.penetration
                 out.displacement.copyFrom(_tried);
                 out.length = length;
                 out.planeCount = planeCount;
-                out.planes[0] = last;
-                out.planes[1] = second;
-                out.planes[2] = third;
             }
         }
 

@@ -5,11 +5,11 @@ package starlogo.search.penetration
     import starlogo.geometry.Tolerances;
 
     /**
-     * Pushes the first of two bodies out of the second. It tries the shortest push out of all contacts so far (PushQueue). If the two still touch
-     * after it, their contact there is added. So a box in a corner of floor and wall goes out of both at once.
+     * Pushes the first of two bodies out of the second. It tries the shortest push out of all contacts so far. A contact requires a push of at least its
+     * depth along its normal. If the two still touch after the push, their contact there is added. So a box in a corner of floor and wall goes out
+     * of both at once.
      *
-     * <p><code>find()</code> is a whole search. Another search takes its steps itself: <code>begin()</code>, and then in each round <code>add()</code>
-     * for contacts of its own, and <code>tryNext()</code>.</p>
+     * <p><code>find()</code> is a whole search. Another search takes its steps itself: <code>begin()</code>, and then <code>tryNext()</code>.</p>
      */
     internal final class PushOut
     {
@@ -22,28 +22,25 @@ package starlogo.search.penetration
         /** A result of <code>tryNext()</code>: the push frees the body. */
         public static const FREE:int = 0;
 
-        /** A result of <code>tryNext()</code>: the push does not free the body. Pushes that also lead out of the contact there are added. */
+        /** A result of <code>tryNext()</code>: the push does not free the body. The next one also leads out of the contact there. */
         public static const BLOCKED:int = 1;
 
-        /** A result of <code>tryNext()</code>: the push is too long, and was not tried. */
-        public static const TOO_LONG:int = 2;
+        /** A result of <code>tryNext()</code>: the next push is too long, or no push leads out of all contacts, or they are too many. */
+        public static const ENDED:int = 2;
 
-        /** A result of <code>tryNext()</code>: no push is left that can free the body. */
-        public static const NONE_LEFT:int = 3;
-
-        // The most contacts that a push of find() leads out of: the three sides of a corner, and one that was met before them. With one, an eighth of the
-        // contacts of random trees are longer, up to 11 times as long. With six, 2 % are shorter.
-        private static const MOST_CONTACTS:int = 4;
+        // The most contacts that a push leads out of. Three are the sides of a corner; others were met before them.
+        private static const MOST_CONTACTS:int = 6;
 
         // How much farther than its depth a push leads out of each contact, as a fraction of SEPARATION. This is more than the gap across which
         // surfaces touch.
         private static const SLACK:Number = 0.001;
 
-        /** The contact that was found last: the first one, or the one after a push. Read only. */
-        public var contact:ContactPoint = new ContactPoint();
+        // The contacts, with depths from where the body was at the beginning; and the push out of them.
+        private var _contacts:HalfSpaceSolver = new HalfSpaceSolver();
+        private var _push:ShortestExit = new ShortestExit();
 
-        // The pushes. The current one is tried.
-        private var _pushes:PushQueue = new PushQueue();
+        // The contact after a push.
+        private var _next:ContactPoint = new ContactPoint();
 
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
@@ -64,10 +61,10 @@ package starlogo.search.penetration
         /** Begins where the first body touches the second, with the push out of their contact there. */
         public function begin(first:ContactPoint):void
         {
-            _pushes.begin();
-            contact.copyFrom(first);
+            _contacts.begin();
+            _contacts.solve(1, 0, _push);
             _pair.putBack();
-            add(contact);
+            add(first);
         }
 
         /**
@@ -81,45 +78,32 @@ package starlogo.search.penetration
         public function find(first:ContactPoint, most:Number, out:ContactPoint):Boolean
         {
             begin(first);
-            for (var tries:int = MOST_CONTACTS; tries > 0; tries--)
+            var result:int = BLOCKED;
+            while (result == BLOCKED)
             {
-                var result:int = tryNext(most, out);
-                if (result != BLOCKED)
-                {
-                    return result == FREE;
-                }
+                result = tryNext(most, out);
             }
-            return false;
+            return result == FREE;
         }
 
-        /** Adds the push that also leads out of a contact, which was found after the current push. */
-        public function add(found:ContactPoint):void
-        {
-            _pushes.add(found, SLACK * Tolerances.SEPARATION * _pair.extent + _pair.roundingGap);
-        }
-
-        /** The push that was tried last; 0 at the beginning. Do not change it. */
+        /** The push that was tried last, or that <code>tryNext()</code> tries next if it was not blocked. Do not change it. */
         public function get push():Vector3D
         {
-            return _pushes.current.displacement;
+            return _push.displacement;
         }
 
         /**
-         * Goes on to the shortest push that is left, and tries it.
+         * Tries the shortest push out of all contacts so far.
          *
          * @param most the length of the longest push that counts
          * @param out receives its normal and its depth if the first body is free after it
-         * @return FREE, BLOCKED, TOO_LONG or NONE_LEFT
+         * @return FREE, BLOCKED or ENDED
          */
         public function tryNext(most:Number, out:ContactPoint):int
         {
-            if (!_pushes.next())
+            if (_push.length == Infinity || _push.length > most || _contacts.count > MOST_CONTACTS)
             {
-                return NONE_LEFT;
-            }
-            if (_pushes.length > most)
-            {
-                return TOO_LONG;
+                return ENDED;
             }
             if (!goToBlocked())
             {
@@ -130,33 +114,41 @@ package starlogo.search.penetration
             return BLOCKED;
         }
 
-        // Adds the contact of the first body, which is blocked on its way along the current push.
-        private function addBlock():void
+        // Adds a contact that was found after the push: the next push leads out of it too. Each goes a little farther than the one before.
+        private function add(found:ContactPoint):void
         {
-            _pair.findContactOfParts(contact);
-            // the body is a little farther than the push
-            contact.depth += (_tried.distance - _pushes.length) * (contact.normalX * _tried.x + contact.normalY * _tried.y + contact.normalZ * _tried.z);
-            add(contact);
+            var slack:Number = (SLACK * Tolerances.SEPARATION * _pair.extent + _pair.roundingGap) * (1 << _push.planeCount);
+            _contacts.add(found.normalX, found.normalY, found.normalZ, found.depth + slack + found.along(_push.displacement));
+            _contacts.solve(3, 0, _push);
         }
 
-        // Tries the current push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there, and _tried
+        // Adds the contact of the first body, which is blocked on its way along the push.
+        private function addBlock():void
+        {
+            _pair.findContactOfParts(_next);
+            // the body is a little farther than the push
+            _next.depth += (_tried.distance - _push.length) * (_next.normalX * _tried.x + _next.normalY * _tried.y + _next.normalZ * _tried.z);
+            add(_next);
+        }
+
+        // Tries the push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there, and _tried
         // has the distance. Returns whether they touch.
         private function goToBlocked():Boolean
         {
             // beyond its end, a push out of several contacts may lead into one of them again
-            var isOfSeveral:Boolean = _pushes.current.planeCount > 1;
-            _tried.setDirection(push.x / _pushes.length, push.y / _pushes.length, push.z / _pushes.length);
-            _tried.distance = _pushes.length;
+            var isOfSeveral:Boolean = _push.planeCount > 1;
+            _tried.setDirection(_push.displacement.x / _push.length, _push.displacement.y / _push.length, _push.displacement.z / _push.length);
+            _tried.distance = _push.length;
             if (isOfSeveral && _pair.testAt(_tried))
             {
                 return true;
             }
-            _tried.distance = _pushes.length + _pair.probeDistance;
+            _tried.distance = _push.length + _pair.probeDistance;
             if (_pair.testAt(_tried))
             {
                 return true;
             }
-            _tried.distance = _pushes.length + ROOM * _pair.extent;
+            _tried.distance = _push.length + ROOM * _pair.extent;
             return isOfSeveral && _pair.testAt(_tried);
         }
 
@@ -164,8 +156,8 @@ package starlogo.search.penetration
         private function takePush(out:ContactPoint):void
         {
             out.setNormal(_tried.x, _tried.y, _tried.z);
-            out.depth = _pushes.length;
-            _tried.distance = _pushes.length - _pair.probeDistance;
+            out.depth = _push.length;
+            _tried.distance = _push.length - _pair.probeDistance;
             if (_tried.distance > 0 && !_pair.testAt(_tried))
             {
                 _directions.shorten(_tried, out);

@@ -17,8 +17,5 @@ package starlogo.search.penetration
 
         /** On how many planes the displacement ends: the half-spaces of these decide. */
         public var planeCount:int = 0;
-
-        /** The numbers of these half-spaces: first the one that was added last, which is -1 if there is none. */
-        public var planes:Vector.<int> = new <int>[-1, 0, 0];
     }
 }

@@ -30,12 +30,12 @@ const home = mkdtempSync(path.join(tmpdir(), 'ant-'));
 after(() => rmSync(home, { recursive: true }));
 
 /** Runs antw with a program in Ant's place that prints some lines and ends with a status. */
-function runAnt(lines, status) {
+function runAnt(lines, status, ...given) {
 	mkdirSync(path.join(home, 'bin'), { recursive: true });
 	writeFileSync(path.join(home, 'bin/ant'), `#!/bin/sh\ncat <<'END'\n${lines.join('\n')}\nEND\nexit ${status}\n`, { mode: 0o755 });
 	// a copy, whose reports are none of a run that is going on
 	writeFileSync(path.join(home, 'antw'), read('antw'), { mode: 0o755 });
-	return spawnSync(path.join(home, 'antw'), ['compile'], { encoding: 'utf8', env: { ...process.env, ANT_HOME: home, IVY_JAR: path.join(home, 'antw') } });
+	return spawnSync(path.join(home, 'antw'), given.length > 0 ? given : ['compile'], { encoding: 'utf8', env: { ...process.env, ANT_HOME: home, IVY_JAR: path.join(home, 'antw') } });
 }
 
 test('a build that fails says why last, without the lines of Ant around it', () => {
@@ -87,6 +87,23 @@ for (const signal of ['SIGTERM', 'SIGINT', 'SIGKILL']) {
 		rmSync(ended);
 	});
 }
+
+test('the list of targets leaves a run in the same folder its counts, and prints none', () => {
+	assert.equal(runAnt([], 0).status, 0);
+	const counts = path.join(home, 'bin/test-reports/summary-node.txt');
+	mkdirSync(path.dirname(counts), { recursive: true });
+	writeFileSync(counts, '1 passed, 0 failed, 0 skipped\n');
+	assert.equal(runAnt(['Main targets:'], 0, '-p').stdout, 'Main targets:\n');
+	assert.ok(existsSync(counts));
+	rmSync(path.dirname(counts), { recursive: true });
+});
+
+test('an option reaches its check with a sign of whether it has a value', () => {
+	mkdirSync(path.join(home, 'build'), { recursive: true });
+	writeFileSync(path.join(home, 'build/options.mjs'), 'console.log(...process.argv.slice(2));');
+	assert.match(runAnt([], 0, 'test', '-Dtest=a=b', '-Dfull').stdout, /^test= full\n/);
+	rmSync(path.join(home, 'build'), { recursive: true });
+});
 
 test('a second run in the folder is refused until the first has ended, or is a server\'s', async () => {
 	assert.equal(runAnt([], 0).status, 0);
@@ -159,17 +176,21 @@ test('tests that fail without a player are named, whatever Node prints', () => {
 	assert.deepEqual(failuresIn('▶ a.test.mjs\n  ✖ adds two (1.5ms)\n✔ adds three (0.2ms)\n✖ failing tests:\n\n✖ adds two (1.5ms)\n'), ['adds two']);
 });
 
-test('an option that no build file reads is refused, with the nearest, and so is a target', () => {
+test('a name that is no option is refused, with the nearest, and so is an option without its value, and a target', () => {
 	const check = (...names) => {
 		const { status, stderr } = spawnSync(process.execPath, ['build/options.mjs', ...names], { cwd: root, encoding: 'utf8' });
 		return [status, stderr];
 	};
-	assert.deepEqual(check('figure'), [64, 'antw: there is no option -Dfigure; there is -Dfigures\n']);
-	assert.deepEqual(check('compar', 'xyzzy'), [64, 'antw: there is no option -Dcompar; there is -Dcompare\nantw: there is no option -Dxyzzy\n']);
-	assert.deepEqual(check('test', 'full', 'ant.logger.defaults'), [0, '']);
+	assert.deepEqual(check('figure='), [64, 'antw: there is no option -Dfigure; there is -Dfigures\n']);
+	assert.deepEqual(check('compar=', 'xyzzy'), [64, 'antw: there is no option -Dcompar; there is -Dcompare\nantw: there is no option -Dxyzzy\n']);
+	assert.deepEqual(check('test=', 'full', 'full=', 'node', 'single', 'ant.logger.defaults'), [0, '']);
+	assert.deepEqual(check('test'), [64, 'antw: -Dtest needs a value: -Dtest=...\n']);
+	// folders that the build empties
+	for (const own of ['changed', 'module', 'bin', 'swc', 'dist', 'stamps', 'samples', 'generated']) assert.match(check(`${own}=`)[1], new RegExp(`^antw: there is no option -D${own}\\b`));
+	assert.doesNotMatch(check('modul=')[1], /-Dmodule/);
 	assert.deepEqual(check('--no-target', 'clienttest'), [64, 'antw: there is no target clienttest; there is client-test\n']);
 	// every option that a page names is one
-	const named = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).flatMap((file) => [...read(`docs/${file}`).matchAll(/[ `]-D([a-z]+)\b/g)].map(([, name]) => name));
+	const named = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).flatMap((file) => [...read(`docs/${file}`).matchAll(/[ `]-D([a-z]+)\b(?!\.)/g)].map(([, name]) => name));
 	assert.ok(named.length > 50);
-	assert.deepEqual(check(...new Set(named)), [0, '']);
+	assert.deepEqual(check(...new Set(named.map((name) => `${name}=`))), [0, '']);
 });

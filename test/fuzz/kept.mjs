@@ -1,4 +1,4 @@
-// Plays random games in which few agents change from frame to frame, with two Collisions: one goes on from the last frame"s pairs, the other
+// Plays random games in which few agents change from frame to frame, with two Collisions: one goes on from the last frame's pairs, the other
 // goes back to its own snapshot before each frame, so it searches among all agents. Both must make the same calls in the same order.
 import { engine } from "./tools.mjs";
 

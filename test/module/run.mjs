@@ -11,7 +11,7 @@
  * runs. The first line has those that run when TESTS is loaded.
  */
 import { spawnSync } from "node:child_process";
-import { appendFileSync, mkdirSync, writeFileSync } from "node:fs";
+import { appendFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
@@ -19,7 +19,7 @@ import { failuresIn, saidOf } from "../failures.mjs";
 import { countLines } from "./coverage.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
-import { watch } from "./watch.mjs";
+import { watch, writeSummary } from "./watch.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
@@ -39,7 +39,7 @@ if (options.coverage) writeFileSync(options.coverage, `${JSON.stringify({ test: 
 /** Seconds of a processor, for all that is run, after which none of --then begins any more. */
 const ENOUGH_S = 40;
 
-/** Seconds of a processor after which a test is taken for one that does not end. */
+/** Seconds of a processor after which a test is taken for one that does not end, if the variable NO_END_S gives no others. */
 const NO_END_S = 40;
 const NO_END_FULL_S = 900;
 
@@ -52,7 +52,7 @@ let skipped = 0;
 let leftOut = 0;
 const started = performance.now();
 const only = new Set(NOT_HERE.keys());
-const begins = watch(options.full ? NO_END_FULL_S : NO_END_S);
+const begins = watch(Number(process.env.NO_END_S ?? (options.full ? NO_END_FULL_S : NO_END_S)), options.summary);
 
 process.on("uncaughtException", (error) => {
 	failed++;
@@ -134,7 +134,7 @@ async function runClass({ name, type, metadata, isRun }, isNext) {
 			late++;
 			continue;
 		}
-		begins(`${simpleName({ name })}.${each.name}`);
+		begins(`${simpleName({ name })}.${each.name}`, passed, failed, skipped);
 		const start = performance.now();
 		const error = problem ?? await run(type, each, methods);
 		const ms = performance.now() - start;
@@ -183,8 +183,5 @@ if (passed + failed + skipped === 0 && farther.length === 0) {
 	console.log("FAILED: no test was run");
 }
 console.log(`on the ES module, in Node ${process.versions.node}: ${passed} passed, ${failed} failed, ${skipped} skipped, ${leftOut} not run here, in ${((performance.now() - started) / 1000).toFixed(1)} s`);
-if (options.summary) {
-	mkdirSync(path.dirname(options.summary), { recursive: true });
-	writeFileSync(options.summary, `${passed} passed, ${failed} failed, ${skipped} skipped\n`);
-}
+writeSummary(options.summary, passed, failed, skipped);
 process.exitCode = failed === 0 ? 0 : 1;

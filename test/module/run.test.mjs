@@ -1,7 +1,7 @@
 /** What test/module/run.mjs reports of tests, wherever the file of the tests was made. */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
@@ -25,9 +25,12 @@ class LaterTest {
 	throwsLater() {
 		setTimeout(() => { throw new Error("too late"); });
 	}
+	hasNoEnd() {
+		for (;;);
+	}
 }
 const test = (name) => ({ kind: "Test", name, args: {} });
-export const CLASSES = [{ name: "LaterTest", type: LaterTest, metadata: [test("waits"), test("isSkipped"), test("passes"), test("throwsLater")] }];
+export const CLASSES = [{ name: "LaterTest", type: LaterTest, metadata: [test("waits"), test("isSkipped"), test("passes"), test("throwsLater"), test("hasNoEnd")] }];
 export const Effort = {};
 export const Fixtures = { load: (files, done) => done() };
 export const setFetch = () => {};
@@ -50,6 +53,14 @@ test("an error outside of any test counts, even after the last one", () => {
 	const { stdout, status } = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.throwsLater"], { encoding: "utf8" });
 	assert.match(stdout, /FAILED, outside of any test: Error: too late[^]*: 1 passed, 1 failed,/);
 	assert.equal(status, 1);
+});
+
+test("a test that does not end is named, and the counts of those before it are kept", () => {
+	const summary = path.join(folder, "reports/summary.txt");
+	const { stdout, signal } = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.passes,LaterTest.isSkipped,LaterTest.hasNoEnd", `--summary=${summary}`], { encoding: "utf8", env: { ...process.env, NO_END_S: "1" } });
+	assert.match(stdout, /^FAILED LaterTest.hasNoEnd: it has not ended in 1 s of a processor\n$/);
+	assert.equal(signal, "SIGKILL");
+	assert.equal(readFileSync(summary, "utf8"), "1 passed, 1 failed, 1 skipped\n");
 });
 
 test("a failure names the sources that it is a test of, and files beside the classes run on the same module", () => {

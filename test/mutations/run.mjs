@@ -5,10 +5,10 @@
  *
  *   node test/mutations/run.mjs TESTS [COUNT [SEED [all [PACKAGES]]]]
  *
- * TESTS is what the build made of the engine and the tests together. PACKAGES are those to change, with commas: search,solid. The tests that the quick
- * command takes for the changed source run, and then the hash of all that the soak's game sees is compared. With "all" every test runs that runs the
- * changed line. The first time, all tests run once for that, and TESTS.coverage keeps which lines each of them runs. With "chosen" those run that ./antw
- * test -Dtest=SOURCE runs in Node, and those that it leaves to the player; PACKAGES are all then. Of *.test.mjs those run that check the source.
+ * TESTS is what the build made of the engine and the tests together. PACKAGES are those to change, with commas: search,solid. If none are named, all are
+ * changed. The tests that the quick command takes for the changed source run, and then the hash of all that the soak's game sees is compared. With "all"
+ * every test runs that runs the changed line. The first time, all tests run once for that, and TESTS.coverage keeps which lines each of them runs. With
+ * "chosen" those run that ./antw test -Dtest=SOURCE runs in Node, and those that it leaves to the player. Of *.test.mjs those run that check the source.
  *
  * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes are
  * visited in another order; boxes are wider, or what would spare work does not; the slower of two sorts runs; there is room for more than comes; a
@@ -27,8 +27,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { choose, fartherTests, readTests, testsBeside } from "../chosen.mjs";
 import { randomNumbers } from "../module/random.mjs";
-
-const PACKAGES = "collision,handlers,search,ground,terrain,hierarchy,solid,intersection,queries";
+import { placesIn } from "./places.mjs";
 
 /** Seconds of a processor that tests may take, so that a busy machine ends none of them; all of them take about 200, with their lines counted. And milliseconds for those that wait. */
 const PATIENCE_S = 600;
@@ -43,22 +42,6 @@ const SOAK = "SoakTest.whatAGameSeesIsTheSameEverywhere";
 /** Tests that take no longer run in the order of their classes. */
 const QUICK_MS = 60;
 
-/** What is written in place of what: the first that a place has. */
-const CHANGES = [
-	[/ <= /g, " < "], [/ >= /g, " > "], [/ < /g, " <= "], [/ > /g, " >= "], [/ \+ /g, " - "], [/ - /g, " + "], [/ \* /g, " / "],
-	[/ \+= /g, " -= "], [/ -= /g, " += "], [/ && /g, " || "], [/ \|\| /g, " && "], [/ === /g, " !== "], [/ !== /g, " === "], [/ == /g, " != "], [/ != /g, " == "],
-	[/\bif \((?=.*\)\s*\{?$)/g, "if (!1 && "], [/\bif \((?=.*\)\s*\{?$)/g, "if (!0 || "], [/\btrue\b/g, "false"], [/\bfalse\b/g, "true"],
-	[/\bMath\.max\b/g, "Math.min"], [/\bMath\.min\b/g, "Math.max"], [/(?<=[-+*(=,[] ?)\b0\b(?![.x])/g, "1"], [/(?<=[-+*(=,[] ?)\b1\b(?![.x]| \/ 0 \/\*)/g, "2"], [/\+\+(?=;)/g, "--"],
-	[/^\s+(this\.)?[#\w.]+(\([^()]*\)| = [^;{]*);$/g, ";"],
-	[/ [-+*] [\w.#$]+(?=[;,) ])/g, ""], [/ (&&|\|\|) !?[\w.#$]+(\([^()]*\))?( [<>=!]+ [\w.#$]+)?(?=[;,) ])/g, ""],
-];
-
-/** A field gets its first value: mostly another is written before it is read. */
-const FIRST_VALUE = /^\s+this\.[#$\w]+ = (-?[\d.]+|null|false|true|""|\(0 \/ 0.*|-?Infinity);$/;
-
-/** The module's own checks of arguments, which are no lines of a source: test/module/input.test.mjs has their tests. */
-const BORDER = /(?<![\w.])\$(?:an?[A-Z]|bytes|check|named|numbers|options|point|refuse|warn)\w*\(/;
-
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const [tests, count = "100", seed = "1", all = "", packages = ""] = process.argv.slice(2);
 
@@ -68,23 +51,8 @@ const classOf = (file) => path.basename(file, ".as");
 
 const lines = readFileSync(tests, "utf8").split("\n");
 
-/** Every place in a class, and what may be written there. */
-function placesOf(name) {
-	const first = lines.findIndex((line) => new RegExp(`^(const ${name} = .*)?(class|function) ${name}\\b`).test(line));
-	const places = [];
-	let isConstructor = false;
-	for (let i = first + 1; first >= 0 && !/^\}/.test(lines[i]); i++) {
-		const line = lines[i];
-		isConstructor = /^\tconstructor\(/.test(line) || (isConstructor && !/^\t\}/.test(line));
-		if (isConstructor && FIRST_VALUE.test(line)) continue;
-		if (/^\s*(\/\/|\*|\/\*)|throw new|static #?\w+ =|requireType/.test(line) || BORDER.test(line)) continue;
-		for (const [from, to] of CHANGES) for (const { index, 0: text } of line.matchAll(from)) places.push({ name, line: i, changed: line.slice(0, index) + to + line.slice(index + text.length) });
-	}
-	return places;
-}
-
 const everyPackage = () => readdirSync(path.join(root, "src/starlogo"), { withFileTypes: true }).filter((each) => each.isDirectory() && each.name !== "away3d").map((each) => each.name).join();
-const places = (packages || (all === "chosen" ? everyPackage() : PACKAGES)).split(",").flatMap((each) => filesBelow(path.join(root, "src/starlogo", each)).map(classOf)).flatMap(placesOf);
+const places = (packages || everyPackage()).split(",").flatMap((each) => filesBelow(path.join(root, "src/starlogo", each)).map(classOf)).flatMap((name) => placesIn(lines, name));
 const random = randomNumbers(Number(seed));
 for (let i = 0; i < 8; i++) random();
 

@@ -1,6 +1,6 @@
 /** Tests of the lists that docs/adding*.md gives to who adds something: what is there already stands everywhere in them. */
 import assert from 'node:assert/strict';
-import { existsSync } from 'node:fs';
+import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 import { codeOf, definitionIn, read, root, sourcesBelow } from './sources.mjs';
@@ -66,6 +66,11 @@ test('every format stands in the files of docs/adding.md, "A format"', () => {
 		return new RegExp(`\\b${reader.replace(/Reader$/, 'Model')}\\b`).test(read(file));
 	};
 	assert.deepEqual(missing(readers, filesOf('docs/adding.md', 'A format'), known).filter((each) => !isThere(each)), []);
+});
+
+test('every build file but those of the fetched libraries stands in the table of docs/adding.md', () => {
+	const files = readdirSync(path.join(root, 'build')).filter((file) => file.endsWith('.xml') && file !== 'ivy.xml').map((file) => `build/${file}`);
+	assert.deepEqual(filesOf('docs/adding.md', 'Which file of the build does what').sort(), ['build.xml', ...files].sort());
 });
 
 test('members of the namespace engine are @private in documented classes, as ./antw asdoc demands', () => {

@@ -27,14 +27,14 @@ const PICTURE = [240, 150];
 const FEW = 4;
 
 export async function createView(main, link) {
-	const words = loadMessages();
+	const messages = loadMessages();
 	const { models, greatLand } = await loadLand(SHAPES);
 	const view = new PlayView(main, models, new World(greatLand));
 	const opening = view.open(link);
-	await words;
+	await messages;
 	view.preview(await view.programs.first(link));
 	if (view.programs.isHome(link)) await view.programs.openHome();
-	const [{ Editor }] = await Promise.all([words.then(() => import("./editor.js")), view.own.takeKept()]);
+	const [{ Editor }] = await Promise.all([messages.then(() => import("./editor.js")), view.own.takeKept()]);
 	view.edit(Editor);
 	await opening;
 	return view;

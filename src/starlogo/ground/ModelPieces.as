@@ -102,13 +102,6 @@ package starlogo.ground
             _nodeCount = 1;
         }
 
-        /** Begins with the structure around the whole model as the only piece. */
-        public function beginWhole():void
-        {
-            begin();
-            _nodes[0] = WHOLE;
-        }
-
         /** Goes on to the next piece, or to the next node above the pieces. Returns false if there is none. */
         public function next():Boolean
         {

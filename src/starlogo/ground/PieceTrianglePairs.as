@@ -77,13 +77,6 @@ package starlogo.ground
             _search.maxDistance = maxDistance;
         }
 
-        /** Begins with the structure around the whole model as the only piece, which stands. */
-        public function beginWhole(maxDistance:Number):void
-        {
-            begin(RelativeMotion.NONE, maxDistance);
-            pieces.beginWhole();
-        }
-
         /** From now on only triangles count that are at most this far away. */
         public function leaveOutFarther(maxDistance:Number):void
         {

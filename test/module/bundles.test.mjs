@@ -84,7 +84,7 @@ test("a game loads the questions that it asks", () => {
 		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 33.4],
 		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 41.6],
 		[["Agent", "Collision", "BinCollider", "AgentQueries"], 74.1],
-		[[...level, "AgentRays"], 44.5],
+		[[...level, "AgentRays"], 44.6],
 		[[...level, "AgentWalks"], 76.9],
 		[[...level, "AgentRays", "AgentWalks"], 78.5],
 	];

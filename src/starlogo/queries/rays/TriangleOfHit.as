@@ -39,24 +39,19 @@ package starlogo.queries.rays
             _weights.setTo(0, 0, 0);
             if (hit.triangle >= 0)
             {
-                writeLabels(body, hit);
+                if (body.shape.model != null)
+                {
+                    var meshes:TriangleLabels = body.shape.model.data.meshes;
+                    var materials:TriangleLabels = body.shape.model.data.materials;
+                    hit.mesh = meshes.numberOf(hit.triangle);
+                    hit.meshName = meshes.nameOf(hit.mesh);
+                    hit.material = materials.numberOf(hit.triangle);
+                    hit.materialName = materials.nameOf(hit.material);
+                }
                 readCorners(body.shape.hierarchy.boxTree, 3 * hit.triangle, body.placement, hit.point);
                 weigh(_weights);
             }
             copyVector(_weights, hit.weights);
-        }
-
-        private static function writeLabels(body:Body, hit:CastHit):void
-        {
-            if (body.shape.model != null)
-            {
-                var meshes:TriangleLabels = body.shape.model.data.meshes;
-                var materials:TriangleLabels = body.shape.model.data.materials;
-                hit.mesh = meshes.numberOf(hit.triangle);
-                hit.meshName = meshes.nameOf(hit.mesh);
-                hit.material = materials.numberOf(hit.triangle);
-                hit.materialName = materials.nameOf(hit.material);
-            }
         }
 
         private function readCorners(tree:BoxTree, corner:int, placement:Placement, point:Vector3D):void

@@ -6,8 +6,8 @@ import { ROOT, SOURCES } from "./names.mjs";
 import { outlineOf } from "./outline.mjs";
 import { qnameOf } from "./signatures.mjs";
 
-/** What the compiler is called with, and what names the classes. */
-const SETTINGS = ["build/module.xml", "js/module/roots.mjs", "js/module/names.mjs", "js/module/sources.mjs", "js/module/outline.mjs"];
+/** What the compiler is called with, its version and that of the Flex SDK, and what names the classes. */
+const SETTINGS = ["build/module.xml", "build/ivy.xml", "js/module/ivy.xml", "package-lock.json", "js/module/roots.mjs", "js/module/names.mjs", "js/module/sources.mjs", "js/module/outline.mjs"];
 
 const hashOf = (text) => createHash("sha1").update(text).digest("hex");
 
@@ -32,7 +32,7 @@ export function readSources() {
 			files[qname] = { file: place, hash: hashOf(text), outline: hashOf(outlineOf(text) ?? text) };
 		}
 	}
-	return { settings: hashOf(SETTINGS.map((file) => readFileSync(join(ROOT, file), "utf8")).join()), files, included };
+	return { settings: hashOf(SETTINGS.map((file) => readFileSync(join(ROOT, file), "utf8")).join() + process.env.FLEX_HOME), files, included };
 }
 
 /** The classes whose sources are not there any more, or have other names. */

@@ -129,6 +129,8 @@ test('what is made is made again after any edit of its sources: in the same seco
 	const project = path.join(home, 'made.xml');
 	writeFileSync(project, `<project default="make" basedir="." xmlns:unless="ant:unless">
 		<property name="stamps" value="stamps"/>
+		<property name="flex.home" value="sdk"/>
+		<property name="target.player" value="11.1"/>
 		<import file="${path.join(root, 'build/made.xml')}"/>
 		<target name="check"><made property="done" file="out.txt"><fileset dir="." includes="in.txt,other.txt"/></made></target>
 		<target name="make" depends="check" unless="done"><fail if="broken"/><copy file="in.txt" tofile="out.txt" overwrite="true"/></target>
@@ -158,6 +160,21 @@ test('what is made is made again after any edit of its sources: in the same seco
 	rmSync(at('other.txt'));
 	assert.ok(isMade(), 'a source is gone');
 	assert.ok(!isMade(), 'nothing changed since');
+	for (const option of ['-Dflex.home=other', '-Dtarget.player=10.2']) {
+		assert.ok(isMade(option), option);
+		assert.ok(!isMade(option), `${option} again`);
+		assert.ok(isMade(), `no longer ${option}`);
+	}
+	mkdirSync(at('js/module'), { recursive: true });
+	writeFileSync(at('js/module/ivy.xml'), 'other versions of the compiler');
+	assert.ok(isMade(), 'another compiler');
+	assert.ok(!isMade(), 'nothing changed since that');
+});
+
+test('another version of a library takes the place of the one that was fetched', () => {
+	const fetches = files.flatMap((file) => read(file).match(/<ivy:resolve [^]*?<ivy:retrieve [^>]*>/g) ?? []);
+	assert.equal(fetches.length, 2);
+	for (const fetch of fetches) assert.match(fetch, /<delete\b[^]*<ivy:retrieve (?![^>]*sync=)/);
 });
 
 test('every part of the build asks that way', () => {

@@ -2,16 +2,17 @@
 /**
  * Runs the FlexUnit classes on the ES module's code, in Node.
  *
- *   node test/module/run.mjs TESTS [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--beside FILE,...] [--of SOURCE,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
+ *   node test/module/run.mjs TESTS [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--beside FILE,...] [--until FILE] [--of SOURCE,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
  *
  * TESTS is what the build made of the engine and the tests together. With --order these run alone, in that order; with --first it ends when one fails.
  * If none fails, those of --then run, until one fails or they have taken their time. Before these the files of --beside run, each as node --test with
- * TESTS as their engine. --of says of which sources all these are tests.
+ * TESTS as their engine. Once the file of --until is there, no more of both begin: the player writes it when a test fails there. --of says of which sources
+ * all these are tests.
  * With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines of TESTS that it
  * runs. The first line has those that run when TESTS is loaded.
  */
 import { spawnSync } from "node:child_process";
-import { appendFileSync, writeFileSync } from "node:fs";
+import { appendFileSync, existsSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
@@ -23,7 +24,7 @@ import { watch, writeSummary } from "./watch.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
-	options: { order: { type: "string", default: "" }, then: { type: "string", default: "" }, beside: { type: "string", default: "" }, of: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" }, coverage: { type: "string" } },
+	options: { order: { type: "string", default: "" }, then: { type: "string", default: "" }, beside: { type: "string", default: "" }, until: { type: "string", default: "" }, of: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" }, coverage: { type: "string" } },
 });
 
 const linesRun = options.coverage ? countLines(positionals[0]) : () => [];
@@ -79,8 +80,13 @@ function inOrder(names) {
 }
 
 for (const each of classes) await runClass(each, () => true);
-for (const file of beside) if (failed === 0) runBeside(file);
-if (failed === 0) await runFarther();
+for (const file of beside) if (!isOver()) runBeside(file);
+await runFarther();
+
+/** Whether a test has failed, here or in the player, so that what is farther off need not run. */
+function isOver() {
+	return failed > 0 || existsSync(options.until);
+}
 
 /** Runs a file of tests without a player on the module that is tested. */
 function runBeside(file) {
@@ -101,12 +107,12 @@ function ofSources() {
 /** Runs one class of tests farther off after another, until one fails or they have taken their time. Says how many tests have not been run. */
 async function runFarther() {
 	const seconds = () => (process.cpuUsage().user + process.cpuUsage().system) / 1e6;
-	const isNext = () => failed === 0 && seconds() < ENOUGH_S;
+	const isNext = () => !isOver() && seconds() < ENOUGH_S;
 	const before = passed + skipped;
 	let late = 0;
 	for (const each of farther) late += await runClass(each, isNext);
 	const done = passed + skipped + failed - before;
-	if (farther.length > 0) console.log(`of the tests farther off ${done} ran${late > 0 ? `, ${late} did not: ${failed > 0 ? "one failed" : `the time for all is ${ENOUGH_S} s`}` : ""}`);
+	if (farther.length > 0) console.log(`of the tests farther off ${done} ran${late > 0 ? `, ${late} did not: ${isOver() ? "one failed" : `the time for all is ${ENOUGH_S} s`}` : ""}`);
 }
 
 /** Runs the tests of a class while the next may begin, and returns how many have not been run. */
@@ -178,7 +184,7 @@ if (!isOrdered && only.size > 0) {
 	failed++;
 	console.log(`FAILED: no such test, though not-here.mjs lists it: ${[...only].join(", ")}`);
 }
-if (passed + failed + skipped === 0 && farther.length === 0) {
+if (passed + failed + skipped === 0 && farther.length === 0 && beside.length === 0) {
 	failed++;
 	console.log("FAILED: no test was run");
 }

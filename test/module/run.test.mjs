@@ -63,6 +63,18 @@ test("a test that does not end is named, and the counts of those before it are k
 	assert.equal(readFileSync(summary, "utf8"), "1 passed, 1 failed, 1 skipped\n");
 });
 
+test("what is farther off does not begin once a test has failed in the player", () => {
+	const until = path.join(folder, "failed.txt");
+	const beside = path.join(folder, "passes.test.mjs");
+	writeFileSync(beside, "import test from 'node:test';\ntest('passes', () => {});\n");
+	const run = () => spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.isSkipped", `--beside=${beside}`, "--then=LaterTest.passes", `--until=${until}`], { encoding: "utf8", env: { ...process.env, NODE_TEST_CONTEXT: undefined } });
+	assert.match(run().stdout, /^of the tests farther off 1 ran\n.*: 2 passed, 0 failed, 1 skipped,/);
+	writeFileSync(until, "ATest.is\n");
+	const { stdout, status } = run();
+	assert.match(stdout, /^of the tests farther off 0 ran, 1 did not: one failed\n.*: 0 passed, 0 failed, 1 skipped,/);
+	assert.equal(status, 0);
+});
+
 test("a failure names the sources that it is a test of, and files beside the classes run on the same module", () => {
 	const file = path.join(folder, "beside.test.mjs");
 	writeFileSync(file, "import assert from 'node:assert/strict';\nimport test from 'node:test';\ntest('engine', () => assert.equal(process.env.ENGINE, 'none'));\n");

@@ -10,7 +10,7 @@ package support
 
     /**
      * Prints each failed test with its message and stack, a line of progress every few seconds, the counts last, and
-     * hands the runner a JUnit report.
+     * hands the runner a JUnit report. At the first failure it writes the file failed.txt, which ends the tests farther off in Node.
      */
     public class TestReporter extends RunListener
     {
@@ -59,6 +59,10 @@ package support
             trace("  " + stackOf(failure).split("\n").join("\n  "));
             if (_failures[name] == null)
             {
+                if (_failed == 0)
+                {
+                    Host.writeFile("test-reports/failed.txt", readableName(failure.description) + "\n");
+                }
                 _failed++;
                 _failures[name] = failure;
             }

@@ -98,6 +98,22 @@ package starlogo.diagnostics
         }
 
         [Test]
+        public function aRecorderInsideAnotherRecordsTheSameFrames():void
+        {
+            var inner:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
+            var outer:CollisionRecorder = new CollisionRecorder(inner);
+            var collision:Collision = new Collision(outer);
+            collision.onCollision("cats", "dogs", ignore);
+            for (var frame:int = 1; frame <= 3; frame++)
+            {
+                collision.update(new <Agent>[new Agent("sphere", "cats"), new Agent("sphere", "dogs")]);
+                assertEquals(frame, inner.frameTimes.frames);
+                assertEquals(frame, inner.findTimes.frames);
+            }
+            assertEquals(outer.toText(), inner.toText());
+        }
+
+        [Test]
         public function theGroundAndTheEdgesAreBreedsToo():void
         {
             var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));

@@ -46,7 +46,8 @@ package starlogo.solid
             {
                 return false;
             }
-            if (motion.time < time)
+            var isEarlier:Boolean = motion.time < time;
+            if (isEarlier)
             {
                 // What is clearly later does not count any more.
                 _squareness = motion.time < time - Tolerances.SAME_TIME ? -Infinity : _squareness;
@@ -54,7 +55,8 @@ package starlogo.solid
                 latest = Math.min(latest, time > 0 ? time + Tolerances.SAME_TIME : 0);
             }
             var squareness:Number = squarenessOf(plane.normal, motion, -1) + (other == null ? 0 : squarenessOf(other.normal, motion, 1));
-            if (!(squareness > _squareness))
+            // Triangles of one plane are met equally squarely, up to rounding. The earliest of them counts.
+            if (!(squareness > _squareness * (isEarlier ? 1 - Tolerances.DIRECTION : 1 + Tolerances.DIRECTION)))
             {
                 return false;
             }

@@ -97,6 +97,7 @@ package starlogo.ground
                 _pairs.kernel.findTime(_sweep);
                 if (_touch.choose(_sweep, _pairs.kernel.plane) && out != null)
                 {
+                    _sweep.time = _touch.time;
                     _pairs.kernel.findContact(_sweep, out);
                 }
                 _sweep.latest = _touch.latest;

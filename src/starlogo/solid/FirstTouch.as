@@ -46,15 +46,25 @@ package starlogo.solid
             {
                 return false;
             }
+            // Triangles of one plane are met equally squarely, up to rounding. The earliest of them counts.
+            var needed:Number = 1 + Tolerances.DIRECTION;
             if (motion.time < time)
             {
-                // What is clearly later does not count any more.
-                _squareness = motion.time < time - Tolerances.SAME_TIME ? -Infinity : _squareness;
+                needed = 1 - Tolerances.DIRECTION;
+                if (motion.time < time - Tolerances.SAME_TIME)
+                {
+                    // the chosen one is clearly later, and does not count any more
+                    _squareness = -Infinity;
+                }
                 time = motion.time;
-                latest = Math.min(latest, time > 0 ? time + Tolerances.SAME_TIME : 0);
+                latest = time > 0 ? Math.min(latest, time + Tolerances.SAME_TIME) : 0;
             }
-            var squareness:Number = squarenessOf(plane.normal, motion, -1) + (other == null ? 0 : squarenessOf(other.normal, motion, 1));
-            if (!(squareness > _squareness))
+            var squareness:Number = squarenessOf(plane.normal, motion, -1);
+            if (other != null)
+            {
+                squareness += squarenessOf(other.normal, motion, 1);
+            }
+            if (!(squareness > needed * _squareness))
             {
                 return false;
             }

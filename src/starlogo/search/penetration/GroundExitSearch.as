@@ -12,7 +12,7 @@ package starlogo.search.penetration
      * <p>Otherwise the shortest of many ways counts. All places above a free one are free. So if a way out is shorter than another one, the
      * body is also free somewhere on the upper half of the sphere around it whose radius is the longer way. The search tries places that are spread
      * over this half, and more of them around the end of the shortest way. From a free one, a sweep down finds how high the body has to be there, and
-     * a push out of the ground that it meets there may be shorter. Then the radius is that of the shorter way. Pits that are hardly wider than the
+     * from there it slides back towards its own place. Then the radius is that of the shorter way. Pits that are hardly wider than the
      * body may have no such place, so places above pushes are tried too.</p>
      *
      * <p>The way is about the shortest, not always the shortest.</p>
@@ -34,6 +34,9 @@ package starlogo.search.penetration
         private static const TURN_X:Number = -0.7373688780783197;
         private static const TURN_Y:Number = 0.6754902942615238;
 
+        // The most planes that the body slides along.
+        private static const MOST_PLANES:int = 6;
+
         // No other way is tried if the least length of a way out is at least this fraction of the push. From 0.7 to 0.97 hardly a contact differs.
         private static const LEAST_SHARE_TAKEN:Number = 0.85;
 
@@ -41,9 +44,11 @@ package starlogo.search.penetration
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
 
-        // Pushes from the contact of the two, and pushes out of ground below a way.
         private var _pushOut:PushOut;
-        private var _shortcut:PushOut;
+
+        // The planes that the body slides along, and the place where it slides to.
+        private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
+        private var _target:ShortestExit = new ShortestExit();
 
         // The contact of the two, the shortest way out so far, and the displacement that is tried.
         private var _first:ContactPoint = new ContactPoint();
@@ -61,7 +66,6 @@ package starlogo.search.penetration
             _pair = new DisplacedPair(tests);
             _directions = new DirectionSearch(_pair);
             _pushOut = new PushOut(_pair, _directions);
-            _shortcut = new PushOut(_pair, _directions);
         }
 
         /**
@@ -168,11 +172,45 @@ package starlogo.search.penetration
             {
                 _shortest.setNormal(_tried.x, _tried.y, _tried.z);
                 _shortest.depth = length;
-                _below.depth = x * _below.normalX + y * _below.normalY + z * _below.normalZ;
-                if (_down.time <= 1 && _below.depth > 0)
+                slideBack(x, y, z);
+            }
+        }
+
+        // Slides the first body from a free place back towards its own. What it meets are planes that it slides along. Keeps the way to where it ends, if the
+        // body is free a little beyond.
+        private function slideBack(x:Number, y:Number, z:Number):void
+        {
+            _planes.begin();
+            _planes.solve(1, 0, _target);
+            for (var i:int = 0; i < MOST_PLANES && _target.length < _shortest.depth; i++)
+            {
+                _tried.setDirection(_target.displacement.x, _target.displacement.y, _target.displacement.z);
+                _tried.distance = 1;
+                _pair.displace(_tried);
+                _down.endAfter(_target.displacement.x - x, _target.displacement.y - y, _target.displacement.z - z);
+                _pair.findImpact(_down, _below);
+                var time:Number = Math.min(_down.time, 1);
+                x += time * _down.x;
+                y += time * _down.y;
+                z += time * _down.z;
+                if (_down.time > 1)
                 {
-                    _shortcut.find(_below, length, _shortest);
+                    break;
                 }
+                // a little off the plane, so that the slide along it does not meet it
+                x += 2 * _pair.tolerance * _below.normalX;
+                y += 2 * _pair.tolerance * _below.normalY;
+                z += 2 * _pair.tolerance * _below.normalZ;
+                _planes.add(_below.normalX, _below.normalY, _below.normalZ, x * _below.normalX + y * _below.normalY + z * _below.normalZ - _pair.tolerance);
+                _planes.solve(3, 0, _target);
+            }
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            _tried.setDirection(x / length, y / length, z / length);
+            _tried.distance = length + _pair.tolerance;
+            if (length > 0 && length < _shortest.depth && !_pair.testAt(_tried))
+            {
+                _shortest.setNormal(_tried.x, _tried.y, _tried.z);
+                _shortest.depth = length;
             }
         }
 

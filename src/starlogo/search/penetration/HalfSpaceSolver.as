@@ -19,6 +19,9 @@ package starlogo.search.penetration
         // How much less than required a displacement may go along a normal, as a fraction of its length, because of rounding.
         private static const RELATIVE_SLACK:Number = 1e-12;
 
+        // A half-space decides about a displacement if this goes at most so much farther than required along its normal, as a fraction of its length.
+        private static const DECIDING_SLACK:Number = 1e-9;
+
         /** The number of half-spaces. Read only. */
         public var count:int = 0;
 
@@ -47,6 +50,25 @@ package starlogo.search.penetration
             _zs[count] = z;
             _depths[count] = depth;
             count++;
+        }
+
+        /** Removes the half-spaces that a displacement leads out of farther than required: they did not decide about it. */
+        public function keepDeciding(displacement:Vector3D):void
+        {
+            var slack:Number = DECIDING_SLACK * displacement.length;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (displacement.x * _xs[i] + displacement.y * _ys[i] + displacement.z * _zs[i] <= _depths[i] + slack)
+                {
+                    _xs[kept] = _xs[i];
+                    _ys[kept] = _ys[i];
+                    _zs[kept] = _zs[i];
+                    _depths[kept] = _depths[i];
+                    kept++;
+                }
+            }
+            count = kept;
         }
 
         /**

@@ -5,8 +5,8 @@ package starlogo.search.penetration
     import starlogo.geometry.Tolerances;
 
     /**
-     * Pushes the first of two bodies out of the second. It tries the shortest push out of all contacts so far. A contact requires a push of at least its
-     * depth along its normal. If the two still touch after the push, their contact there is added. So a box in a corner of floor and wall goes out
+     * Pushes the first of two bodies out of the second. It tries the shortest push out of a contact. A contact requires a push of at least its
+     * depth along its normal. If the two still touch after the push, their contact there is added to those that decide about the push. So a box in a corner of floor and wall goes out
      * of both at once.
      *
      * <p><code>find()</code> is a whole search. Another search takes its steps itself: <code>begin()</code>, and then <code>tryNext()</code>.</p>
@@ -35,7 +35,9 @@ package starlogo.search.penetration
         // surfaces touch.
         private static const SLACK:Number = 0.001;
 
-        // The contacts, with depths from where the body was at the beginning; and the push out of them.
+        // The number of contacts so far; those that decide about the push and the one after it, with depths from where the body was at the beginning;
+        // and the push out of these.
+        private var _count:int = 0;
         private var _contacts:HalfSpaceSolver = new HalfSpaceSolver();
         private var _push:ShortestExit = new ShortestExit();
 
@@ -61,6 +63,7 @@ package starlogo.search.penetration
         /** Begins where the first body touches the second, with the push out of their contact there. */
         public function begin(first:ContactPoint):void
         {
+            _count = 0;
             _contacts.begin();
             _contacts.solve(1, 0, _push);
             _pair.putBack();
@@ -101,7 +104,7 @@ package starlogo.search.penetration
          */
         public function tryNext(most:Number, out:ContactPoint):int
         {
-            if (_push.length == Infinity || _push.length > most || _contacts.count > MOST_CONTACTS)
+            if (_push.length == Infinity || _push.length > most || _count > MOST_CONTACTS)
             {
                 return ENDED;
             }
@@ -118,8 +121,10 @@ package starlogo.search.penetration
         private function add(found:ContactPoint):void
         {
             var slack:Number = (SLACK * Tolerances.SEPARATION * _pair.extent + _pair.roundingGap) * (1 << _push.planeCount);
+            _contacts.keepDeciding(_push.displacement);
             _contacts.add(found.normalX, found.normalY, found.normalZ, found.depth + slack + found.along(_push.displacement));
             _contacts.solve(3, 0, _push);
+            _count++;
         }
 
         // Adds the contact of the first body, which is blocked on its way along the push.

@@ -39,12 +39,12 @@ package starlogo.queries
         // By the level of a question (SeenAgents.level): its body.
         private var _bodies:Vector.<MovingBody> = new Vector.<MovingBody>();
 
-        // A motion, how it starts among all rows near the way, how it ends at one of them, how a slide ends, and the place of an end.
+        // A motion, how it starts among all rows near the way, how it ends at one of them and at the first, and how a slide ends.
         private var _motion:Vector3D = new Vector3D();
         private var _common:MotionStart = new MotionStart();
         private var _touch:MotionResult = new MotionResult();
+        private var _first:MotionResult = new MotionResult();
         private var _slid:SlideResult = new SlideResult();
-        private var _end:Vector3D = new Vector3D();
 
         /** @param seen the agents that the questions are about */
         public function MoveQueries(seen:SeenAgents)
@@ -92,33 +92,31 @@ package starlogo.queries
             _seen.requireMovable(agent, "moveUntilTouch");
             var body:MovingBody = bodyOfLevel();
             body.readAgent(agent);
-            var isMet:Boolean = findStops(body, agent, dx, dy, dz, filter, 1, _motion, _common) > 0;
-            var fraction:Number = 1;
+            findStops(body, agent, dx, dy, dz, filter, 1, _motion, _common, _first);
+            var isMet:Boolean = _first.row >= 0;
             if (isMet)
             {
-                fraction = _hits.keyOf(0);
-                _touches.findEnd(body, _hits.rowOf(0), _motion, _common, _end);
+                _touches.goIntoTouch(body, _first);
             }
             else
             {
-                _touches.findFreeEnd(body, _motion, _common, _end);
+                _touches.findFreeEnd(body, _motion, _common, _first.place);
             }
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                _seen.moveAgent(agent, _end);
+                _seen.moveAgent(agent, _first.place);
             }
             if (contact != null)
             {
-                contact.time = fraction;
+                contact.time = _first.fraction;
                 if (isMet)
                 {
-                    var from:ContactPoint = _hits.contactOf(0);
-                    contact.read(from);
-                    contact.approachSpeed = Math.max(0, -from.along(_motion));
+                    contact.read(_first.contact);
+                    contact.approachSpeed = Math.max(0, -_first.contact.along(_motion));
                 }
             }
-            return fraction;
+            return _first.fraction;
         }
 
         /** See AgentWalks.slide. */
@@ -167,13 +165,13 @@ package starlogo.queries
 
         private function cast(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return findStops(body, asker, dx, dy, dz, filter, 1, _motion, _common) == 0 ? null : write(0, hit || new ShapeHit());
+            return findStops(body, asker, dx, dy, dz, filter, 1, _motion, _common, _first) == 0 ? null : write(0, hit || new ShapeHit());
         }
 
         private function castAll(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            _hits.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, _motion, _common));
+            _hits.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, _motion, _common, _first));
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);
@@ -181,10 +179,11 @@ package starlogo.queries
             return hits;
         }
 
-        // Finds the rows that stop the body on a straight way, each as if the others were not there. The asker is null if a structure is cast. The motion
-        // and how it starts are written once the filter has been asked, because its accepts may ask other questions. Returns how many hits the answer has.
+        // Finds the rows that stop the body on a straight way, each as if the others were not there. The asker is null if a structure is cast. The motion,
+        // how it starts and its end at the first row are written once the filter has been asked, because its accepts may ask other questions. Returns how
+        // many hits the answer has.
         private function findStops(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, wanted:int, motion:Vector3D,
-                common:MotionStart):int
+                common:MotionStart, first:MotionResult):int
         {
             requireMotion(dx, dy, dz, asker);
             body.findRowsAlong(dx, dy, dz, asker, filter);
@@ -192,14 +191,14 @@ package starlogo.queries
             common.place.copyFrom(body.from);
             common.lifted.count = 0;
             var found:Collector = _seen.ask(wanted, Infinity, null, null);
-            if (addHits(body, motion, common, found, _touch) && body.rows.count > 1)
+            if (addHits(body, motion, common, found, first) && body.rows.count > 1)
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
                 _touches.findCommonStart(body, motion, common);
                 if (!common.place.equals(body.from))
                 {
                     found = _seen.ask(wanted, Infinity, null, null);
-                    addHits(body, motion, common, found, _touch);
+                    addHits(body, motion, common, found, first);
                 }
             }
             return _hits.end(found);
@@ -207,10 +206,13 @@ package starlogo.queries
 
         // Finds the rows that stop the body if it starts where all rows together lift it. Returns whether a common lift could change the answer: whether a
         // row alone lifts the body, or stops it at once.
-        private function addHits(body:MovingBody, motion:Vector3D, common:MotionStart, found:Collector, touch:MotionResult):Boolean
+        private function addHits(body:MovingBody, motion:Vector3D, common:MotionStart, found:Collector, first:MotionResult):Boolean
         {
+            var touch:MotionResult = _touch;
             var mayLift:Boolean = false;
             _hits.begin();
+            first.row = -1;
+            first.fraction = 1;
             // what stops the body at once does not end the loop, because a row behind it may lift the body
             for (var i:int = 0; i < body.rows.count; i++)
             {
@@ -221,6 +223,10 @@ package starlogo.queries
                 {
                     found.add(row, touch.fraction);
                     _hits.add(row, touch.fraction).copyFrom(touch.contact);
+                    if (first.row < 0 || touch.fraction < first.fraction)
+                    {
+                        first.copyFrom(touch);
+                    }
                 }
             }
             return mayLift;

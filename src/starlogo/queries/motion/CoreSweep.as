@@ -22,9 +22,6 @@ package starlogo.queries.motion
      */
     public final class CoreSweep
     {
-        // A motion runs along a plane if the sine of the angle between them is at most this.
-        private static const PARALLEL_SINE:Number = SlideRest.PARALLEL_SINE;
-
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
         // How the core meets one row.
@@ -86,6 +83,7 @@ package starlogo.queries.motion
             {
                 out.contact.copyFrom(start.impact.contact);
                 out.fraction = findTouchTime(body, start.place, motion, start.impact);
+                setAlong(start.place, motion, start.impact.time, out.corePlace);
             }
         }
 
@@ -150,6 +148,12 @@ package starlogo.queries.motion
             return Math.abs(_relative.time - expected) <= expected - impact.time ? _relative.time : impact.time;
         }
 
+        // Sets the place at a time of a motion.
+        private static function setAlong(from:Vector3D, motion:Vector3D, time:Number, out:Vector3D):void
+        {
+            out.setTo(from.x + time * motion.x, from.y + time * motion.y, from.z + time * motion.z);
+        }
+
         private static function hasLength(motion:Vector3D):Boolean
         {
             return motion.lengthSquared > Tolerances.VANISHING;
@@ -182,7 +186,7 @@ package starlogo.queries.motion
         private static function findCrossed(planes:ContactList, motion:Vector3D, out:ContactPoint):int
         {
             var row:int = -1;
-            var least:Number = -PARALLEL_SINE * motion.length;
+            var least:Number = -SlideRest.PARALLEL_SINE * motion.length;
             for (var i:int = 0; i < planes.count; i++)
             {
                 var along:Number = planes.contacts[i].along(motion);
@@ -211,13 +215,13 @@ package starlogo.queries.motion
             }
             var length:Number = motion.length;
             var clearanceTime:Number = body.core.clearance / length;
-            var against:Number = -PARALLEL_SINE * length;
+            var against:Number = -SlideRest.PARALLEL_SINE * length;
             out.time = _relative.time;
             if (out.time > 0 && !(contact.along(motion) < against) && !body.core.isFlat)
             {
                 var beyond:Number = Math.min(1, out.time + clearanceTime);
                 var rest:Number = 1 - beyond;
-                _beyond.setTo(from.x + beyond * motion.x, from.y + beyond * motion.y, from.z + beyond * motion.z);
+                setAlong(from, motion, beyond, _beyond);
                 _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
                 if (!sweepCore(body, row, _beyond, end, false, _relative, contact))
                 {

@@ -39,7 +39,7 @@ package starlogo.queries.motion
          *
          * @param contact the contact with the row below the agent
          * @param place where the agent would stand
-         * @param out receives the normal of the surface that carries it
+         * @param out receives the normal of the surface, if it carries the agent
          */
         public function carries(walk:Walk, contact:ContactPoint, row:int, place:Vector3D, out:Vector3D):Boolean
         {

@@ -13,6 +13,9 @@ package starlogo.queries.motion
         /** The place of the body at the end. */
         public var place:Vector3D = new Vector3D();
 
+        /** The place of the body where its core touches what stops it. */
+        public var corePlace:Vector3D = new Vector3D();
+
         /** The free fraction of the motion, up to the touch, from 0 to 1. */
         public var fraction:Number = 1;
 
@@ -27,5 +30,17 @@ package starlogo.queries.motion
 
         /** Whether it started with a lift out of a row. */
         public var isLifted:Boolean = false;
+
+        /** Becomes a copy of another result. */
+        public function copyFrom(other:MotionResult):void
+        {
+            place.copyFrom(other.place);
+            corePlace.copyFrom(other.corePlace);
+            fraction = other.fraction;
+            row = other.row;
+            contact.copyFrom(other.contact);
+            isDeep = other.isDeep;
+            isLifted = other.isLifted;
+        }
     }
 }

@@ -249,34 +249,23 @@ package starlogo.queries.motion
         /**
          * Finds a contact of the whole body with a row that it touches when it stands at a place: the contact of two of their parts if that is shallow.
          * Otherwise the contact separates the two.
-         *
-         * @param out receives the contact
          */
         public function findContact(row:int, place:Vector3D, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            var whole:Body = wholeAt(place);
-            var pairTests:PairTests = pairTestsFor(whole, other);
-            pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
+            pairTestsFor(source, other).findContactOfParts(wholeAt(place), other, RelativeMotion.NONE, out);
             if (!isShallow(row, out))
             {
-                pairTests.separate(whole, other, RelativeMotion.NONE, out);
+                pairTestsFor(source, other).separate(_whole, other, RelativeMotion.NONE, out);
             }
         }
 
-        /**
-         * Finds the contact that separates the whole body from a row that it touches when it stands at a place. The ground can be floor and wall at once, and
-         * a contact with one does not lead away from the other.
-         *
-         * @param out receives the contact
-         */
+        /** Finds the contact that separates the two. The ground can be floor and wall at once, and a contact with one does not lead away from the other. */
         public function findSeparatingContact(row:int, place:Vector3D, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            var whole:Body = wholeAt(place);
-            var pairTests:PairTests = pairTestsFor(whole, other);
-            pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
-            pairTests.separate(whole, other, RelativeMotion.NONE, out);
+            pairTestsFor(source, other).findContactOfParts(wholeAt(place), other, RelativeMotion.NONE, out);
+            pairTestsFor(source, other).separate(_whole, other, RelativeMotion.NONE, out);
         }
 
         /** Whether a contact with a row is so shallow that rounding in the game can be the cause. */

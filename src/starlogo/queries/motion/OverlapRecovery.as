@@ -30,8 +30,6 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
-        private static const NO_MOTION:Vector3D = new Vector3D();
-
         // Where the pushes begin.
         private var _before:Vector3D = new Vector3D();
 
@@ -58,93 +56,72 @@ package starlogo.queries.motion
             if (body.core.isFlat && start.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                leaveTouches(body, start.obstacles, start.place);
+                restoreClearance(body, start.obstacles, start.place);
             }
         }
 
         /**
-         * Leads a body a clearance off the rows that it touches where its motions end, if there is room. A flat body is led also off those that it is
-         * close to. Rows that it overlaps deeply do not count, nor one-way rows that it passes.
+         * Leads a body a clearance of its last motion off the rows that it touches, if there is room. A flat body is led also off those that it is close
+         * to. Rows that it overlaps deeply do not count, nor one-way rows that it passes.
          *
          * @param place the place of the body, which changes
          */
         public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
         {
-            // the tolerances of a long motion before are wider
-            body.beginMotion(rows, place, NO_MOTION);
-            leaveTouches(body, rows, place);
-        }
-
-        // Pushes a body off one row after the other until it touches none.
-        private function leaveTouches(body:MovingBody, rows:IntList, place:Vector3D):void
-        {
+            var isFree:Boolean = false;
+            var canPush:Boolean = true;
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
-            for (var round:int = 0; round < ROUNDS; round++)
+            for (var round:int = 0; round < ROUNDS && canPush && !isFree; round++)
             {
-                var isFree:Boolean = true;
-                for (var i:int = 0; i < rows.count; i++)
+                isFree = true;
+                for (var i:int = 0; i < rows.count && canPush; i++)
                 {
-                    if (!findPushOff(body, rows.numbers[i], place, round, _last, _contact))
+                    if (findPushOff(body, rows.numbers[i], place, round, _last, _contact))
                     {
-                        continue;
+                        isFree = false;
+                        canPush = !areOpposite(_contact, _last);
+                        _contact.push(place, _contact.depth);
+                        _last.copyFrom(_contact);
                     }
-                    if (areOpposite(_contact, _last))
-                    {
-                        place.copyFrom(_before);
-                        return;
-                    }
-                    isFree = false;
-                    _contact.push(place, _contact.depth);
-                    _last.copyFrom(_contact);
-                }
-                if (isFree)
-                {
-                    return;
                 }
             }
-            place.copyFrom(_before);
+            if (!isFree)
+            {
+                place.copyFrom(_before);
+            }
         }
 
         // Lifts a body out of one obstacle after the other until its core overlaps none. Returns whether it gets free. If not, it is where it was.
         private function lift(body:MovingBody, start:MotionStart):Boolean
         {
+            var isFree:Boolean = false;
+            var canLift:Boolean = true;
             _before.copyFrom(start.place);
             _last.setNormal(0, 0, 0);
-            for (var round:int = 0; round < ROUNDS; round++)
+            for (var round:int = 0; round < ROUNDS && canLift && !isFree; round++)
             {
-                var isFree:Boolean = true;
-                for (var i:int = 0; i < start.obstacles.count; i++)
+                isFree = true;
+                for (var i:int = 0; i < start.obstacles.count && canLift; i++)
                 {
                     var row:int = start.obstacles.numbers[i];
-                    if (!body.coreTouches(row, start.place))
+                    if (body.coreTouches(row, start.place))
                     {
-                        continue;
+                        findContactInRound(body, row, start.place, round, _last, _contact);
+                        isFree = false;
+                        canLift = body.isShallow(row, _contact) && !areOpposite(_contact, _last);
+                        _contact.push(start.place, _contact.depth + body.core.clearance);
+                        _last.copyFrom(_contact);
+                        start.lifted.add(_contact, row);
                     }
-                    findContactInRound(body, row, start.place, round, _last, _contact);
-                    if (!body.isShallow(row, _contact) || areOpposite(_contact, _last))
-                    {
-                        undoLift(start, _before);
-                        return false;
-                    }
-                    isFree = false;
-                    _contact.push(start.place, _contact.depth + body.core.clearance);
-                    _last.copyFrom(_contact);
-                    start.lifted.add(_contact, row);
-                }
-                if (isFree)
-                {
-                    return true;
                 }
             }
-            undoLift(start, _before);
-            return false;
-        }
-
-        private static function undoLift(start:MotionStart, before:Vector3D):void
-        {
-            start.place.copyFrom(before);
-            start.lifted.count = 0;
+            if (!isFree)
+            {
+                start.place.copyFrom(_before);
+                start.lifted.count = 0;
+            }
+            return isFree;
         }
 
         // Lets planes stand for obstacles that the core overlaps: for those whose overlap is deep, or for all. One-way obstacles that the body passes leave
@@ -198,21 +175,25 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one.
+        // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
+        // row deeply, or passes it.
         private function findPushOff(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
         {
-            if (!findTouchingPlace(body, row, place, _touching) || body.passesAt(row, _touching))
+            // mostly it is known faster that the core touches the row than how deep the overlap is
+            if (!findTouchingPlace(body, row, place, _touching) || body.passesAt(row, _touching)
+                    || (!body.core.isFlat && body.coreTouches(row, place)))
             {
                 return false;
             }
             findContactInRound(body, row, _touching, round, last, out);
-            if (!body.isShallow(row, out))
+            var most:Number = SLOPS_OF_TOUCH * body.core.slop;
+            if (out.depth > most && !body.isShallow(row, out))
             {
                 return false;
             }
             _beside.copyFrom(place);
             _beside.decrementBy(_touching);
-            out.depth = Math.min(out.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - out.along(_beside);
+            out.depth = Math.min(out.depth, most) + body.core.clearance - out.along(_beside);
             return true;
         }
 

@@ -54,7 +54,6 @@ package starlogo.queries.motion
             motion.copyFrom(whole);
             gone = 0;
             shorten();
-            beginCorner();
         }
 
         /** Begins a corner: the present rest becomes the wanted motion. A fall begins each corner straight down again. */
@@ -130,7 +129,7 @@ package starlogo.queries.motion
             {
                 motion.scaleBy(Math.max(0, _maxHorizontal / wide));
             }
-            if (isTooLevel || motion.length <= STUCK * _wanted.length)
+            if (isTooLevel || motion.length < STUCK * _wanted.length)
             {
                 motion.setTo(0, 0, 0);
             }

@@ -49,6 +49,7 @@ package starlogo.queries.motion
             out.place.copyFrom(_start.place);
             if (!_start.isFree)
             {
+                _rest.beginCorner();
                 if (limits.staysLevel)
                 {
                     standUpPlanes(planes, _rest);

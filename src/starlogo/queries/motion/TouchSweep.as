@@ -27,13 +27,11 @@ package starlogo.queries.motion
 
         private var _sweep:CoreSweep = new CoreSweep();
 
-        // The row of a question as a list, how its motion starts, and how it ends in the touch.
+        // The row of a question as a list, and how its motion starts.
         private var _rows:IntList = new IntList();
         private var _start:MotionStart = new MotionStart();
-        private var _touch:MotionResult = new MotionResult();
 
-        // Where the core touches the row, and the way to there from the computed end of a motion.
-        private var _corePlace:Vector3D = new Vector3D();
+        // The way from the computed end of a motion to where the core touches.
         private var _toCore:Vector3D = new Vector3D();
 
         /**
@@ -51,7 +49,7 @@ package starlogo.queries.motion
          *
          * @param motion the whole motion
          * @param common how it starts among all rows
-         * @param out receives the answer, all but its place
+         * @param out receives the answer. Rounding may hide the touch at its place: see <code>goIntoTouch()</code>
          */
         public function findTouch(body:MovingBody, row:int, motion:Vector3D, common:MotionStart, out:MotionResult):void
         {
@@ -67,31 +65,60 @@ package starlogo.queries.motion
                 out.contact.depth = 0;
                 leaveOutLift(body, motion, _start, out);
             }
+            setEnd(body, motion, out.fraction, common.lifted, out.place);
+            pushBack(body, _start.lifted, out.place);
         }
 
-        /**
-         * Finds where a motion of a body from <code>body.from</code> ends in the touch of a row, on the side that the body comes from.
-         *
-         * @param row a row that stops the motion: see <code>findTouch()</code>
-         * @param common how it starts among all rows
-         * @param out receives the place
-         */
-        public function findEnd(body:MovingBody, row:int, motion:Vector3D, common:MotionStart, out:Vector3D):void
-        {
-            findTouch(body, row, motion, common, _touch);
-            setEnd(body, motion, _touch.fraction, common, out);
-            pushBack(body, _start.lifted, out);
-            if (_touch.fraction > 0)
-            {
-                goIntoTouch(body, motion, _start, _touch, out);
-            }
-        }
-
-        /** Finds where a motion of a body from <code>body.from</code> ends that no row stops. See <code>findEnd()</code>. */
+        /** Finds where a motion of a body from <code>body.from</code> ends that no row stops. @param common how it starts among all rows */
         public function findFreeEnd(body:MovingBody, motion:Vector3D, common:MotionStart, out:Vector3D):void
         {
             body.beginMotion(body.rows, body.from, motion);
-            setEnd(body, motion, 1, common, out);
+            setEnd(body, motion, 1, common.lifted, out);
+        }
+
+        /**
+         * Moves the end of a motion into the touch, on the side that the body comes from. Beyond a row without thickness the two would not touch, and
+         * the body could not come back. So it tries several places, the outermost first: half of the gap across which the two still touch before the
+         * contact. Rounding may hide the touch on a long way, and at an edge that the body meets at a flat angle. Then the touch is found between the
+         * computed end and where the core touches the row, which may be much farther on: at a flat angle along the side of a tile.
+         *
+         * @param touch an answer of <code>findTouch()</code> for this body, which a row stops. Its place changes
+         */
+        public function goIntoTouch(body:MovingBody, touch:MotionResult):void
+        {
+            if (touch.fraction == 0)
+            {
+                return;
+            }
+            var place:Vector3D = touch.place;
+            _toCore.copyFrom(touch.corePlace);
+            _toCore.decrementBy(place);
+            var step:Number = halfGapAt(place, body.extentWith(body.bodyOf(touch.row)));
+            touch.contact.push(place, step);
+            for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
+            {
+                if (body.touches(touch.row, place))
+                {
+                    return;
+                }
+                touch.contact.push(place, -step);
+            }
+            var free:Number = 0;
+            var touching:Number = 1;
+            for (i = 0; i < HALVINGS; i++)
+            {
+                var middle:Number = (free + touching) / 2;
+                setBefore(touch.corePlace, _toCore, 1 - middle, place);
+                if (body.touches(touch.row, place))
+                {
+                    touching = middle;
+                }
+                else
+                {
+                    free = middle;
+                }
+            }
+            setBefore(touch.corePlace, _toCore, 1 - touching, place);
         }
 
         // Takes the lift out of a time of touch: without it the body would have touched earlier.
@@ -109,12 +136,12 @@ package starlogo.queries.motion
             }
         }
 
-        // Sets where a fraction of the motion ends without lifts, but no deeper in what all rows together lift the body out of.
-        private static function setEnd(body:MovingBody, motion:Vector3D, fraction:Number, common:MotionStart, out:Vector3D):void
+        // Sets where a fraction of the motion ends without lifts, but no deeper in what the body was lifted out of.
+        private static function setEnd(body:MovingBody, motion:Vector3D, fraction:Number, lifted:ContactList, out:Vector3D):void
         {
             var from:Vector3D = body.from;
             out.setTo(from.x + fraction * motion.x, from.y + fraction * motion.y, from.z + fraction * motion.z);
-            pushBack(body, common.lifted, out);
+            pushBack(body, lifted, out);
         }
 
         // Pushes a place back where a body from <code>body.from</code> is deeper in what it was lifted out of. Without this, motions that are shorter than
@@ -131,44 +158,6 @@ package starlogo.queries.motion
                     contact.push(place, deeper);
                 }
             }
-        }
-
-        // Moves the end of a motion into the touch. Beyond a row without thickness the two would not touch, and the body could not come back. So it tries
-        // several places, the outermost first: half of the gap across which the two still touch before the contact. Rounding may hide the touch on a long
-        // way, and at an edge that the body meets at a flat angle. Then the touch is found between the computed end and where the core touches the row, which
-        // may be much farther on: at a flat angle along the side of a tile.
-        private function goIntoTouch(body:MovingBody, motion:Vector3D, start:MotionStart, touch:MotionResult, place:Vector3D):void
-        {
-            var coreTime:Number = start.impact.time;
-            _corePlace.setTo(start.place.x + coreTime * motion.x, start.place.y + coreTime * motion.y, start.place.z + coreTime * motion.z);
-            _toCore.copyFrom(_corePlace);
-            _toCore.decrementBy(place);
-            var step:Number = halfGapAt(place, body.extentWith(body.bodyOf(touch.row)));
-            touch.contact.push(place, step);
-            for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
-            {
-                if (body.touches(touch.row, place))
-                {
-                    return;
-                }
-                touch.contact.push(place, -step);
-            }
-            var free:Number = 0;
-            var touching:Number = 1;
-            for (i = 0; i < HALVINGS; i++)
-            {
-                var middle:Number = (free + touching) / 2;
-                setBefore(_corePlace, _toCore, 1 - middle, place);
-                if (body.touches(touch.row, place))
-                {
-                    touching = middle;
-                }
-                else
-                {
-                    free = middle;
-                }
-            }
-            setBefore(_corePlace, _toCore, 1 - touching, place);
         }
 
         // Sets a place that is a fraction of a way before its end.

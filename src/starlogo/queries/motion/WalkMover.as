@@ -39,23 +39,18 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
 
-        // How steps end: a slide, a slide that may be undone, a way up, and a way down.
+        // How steps end: a slide, a slide that may be undone, and a straight way.
         private var _slid:SlideResult = new SlideResult();
         private var _tried:SlideResult = new SlideResult();
-        private var _above:MotionResult = new MotionResult();
-        private var _below:MotionResult = new MotionResult();
+        private var _straight:MotionResult = new MotionResult();
 
-        // The rows without the platform, and the place to which the platform carries the agent.
+        // The rows without the platform, and where a platform carries the agent or a fall has come.
         private var _others:IntList = new IntList();
-        private var _carried:Vector3D = new Vector3D();
+        private var _come:Vector3D = new Vector3D();
 
         // The contact of an overlap, and of the deepest one.
         private var _overlap:ContactPoint = new ContactPoint();
         private var _deepest:ContactPoint = new ContactPoint();
-
-        // Where a fall has come, and the normal of a floor.
-        private var _fallen:Vector3D = new Vector3D();
-        private var _normal:Vector3D = new Vector3D();
 
         /** @param seen has the rows */
         public function WalkMover(seen:SeenAgents)
@@ -100,15 +95,15 @@ package starlogo.queries.motion
         private function carry(walk:Walk, platform:int):void
         {
             _others.copyFrom(walk.body.rows, platform);
-            _carried.copyFrom(walk.place);
-            _carried.incrementBy(walk.carry);
+            _come.copyFrom(walk.place);
+            _come.incrementBy(walk.carry);
             _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);
-            if (_slid.fraction < 1 && leadsInto(walk, platform, _carried, _slid.place))
+            if (_slid.fraction < 1 && leadsInto(walk, platform, _come, _slid.place))
             {
-                _slider.goStraight(walk.body, _others, walk.place, walk.carry, _above);
-                if (!leadsInto(walk, platform, _carried, _above.place))
+                _slider.goStraight(walk.body, _others, walk.place, walk.carry, _straight);
+                if (!leadsInto(walk, platform, _come, _straight.place))
                 {
-                    walk.place.copyFrom(_above.place);
+                    walk.place.copyFrom(_straight.place);
                     return;
                 }
             }
@@ -128,8 +123,8 @@ package starlogo.queries.motion
         {
             walk.start.copyFrom(walk.place);
             walk.pushed = 0;
-            var stands:Boolean = goDown(walk, walk.closeDepth, _below);
-            if (!_below.isDeep)
+            var stands:Boolean = goDown(walk, walk.closeDepth, _straight);
+            if (!_straight.isDeep)
             {
                 return stands;
             }
@@ -137,7 +132,7 @@ package starlogo.queries.motion
             pushOut(walk);
             walk.pushed = Vector3D.distance(walk.place, walk.start);
             walk.start.copyFrom(walk.place);
-            return goDown(walk, walk.closeDepth, _below);
+            return goDown(walk, walk.closeDepth, _straight);
         }
 
         // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else.
@@ -219,7 +214,7 @@ package starlogo.queries.motion
                 {
                     walk.start.copyFrom(walk.place);
                     // beyond a gap there may be ground again
-                    stands ||= beginsStanding && goDown(walk, walk.closeDepth, _below);
+                    stands ||= beginsStanding && goDown(walk, walk.closeDepth, _straight);
                 }
                 if (stands)
                 {
@@ -256,7 +251,7 @@ package starlogo.queries.motion
             walk.place.copyFrom(_slid.place);
             // the ground may have led up only for a part of the piece: on a ramp, and over the edge of a step
             var height:Number = Math.max(0, walk.place.z - walk.start.z);
-            return goDown(walk, height + walk.options.snap + walk.closeDepth, _below);
+            return goDown(walk, height + walk.options.snap + walk.closeDepth, _straight);
         }
 
         // How far a piece leads up or down if it runs along the ground below the agent.
@@ -268,16 +263,16 @@ package starlogo.queries.motion
         // Tries a piece again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
         private function stepUp(walk:Walk, plain:Vector3D):Boolean
         {
-            goUpright(walk, walk.start, walk.options.stepHeight, _above);
-            var height:Number = _above.place.z - walk.start.z;
+            goUpright(walk, walk.start, walk.options.stepHeight, _straight);
+            var height:Number = _straight.place.z - walk.start.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slideAlong(walk, _above.place, 0, walk.walkableZ, _tried);
+            slideAlong(walk, _straight.place, 0, walk.walkableZ, _tried);
             walk.place.copyFrom(_tried.place);
             var depth:Number = height + walk.options.snap + walk.closeDepth;
-            return isFarther(walk, plain) && (goDown(walk, depth, _below) || (slideOff(walk, depth, _below) && isFarther(walk, plain)));
+            return isFarther(walk, plain) && (goDown(walk, depth, _straight) || (slideOff(walk, depth, _straight) && isFarther(walk, plain)));
         }
 
         // Whether the agent is farther along the piece than another place.
@@ -300,7 +295,7 @@ package starlogo.queries.motion
             walk.place.copyFrom(_tried.place);
             var dx:Number = walk.place.x - walk.start.x;
             var dy:Number = walk.place.y - walk.start.y;
-            return dx * dx + dy * dy <= walk.pieceLength * walk.pieceLength && goDown(walk, walk.closeDepth, _below);
+            return dx * dx + dy * dy <= walk.pieceLength * walk.pieceLength && goDown(walk, walk.closeDepth, _straight);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
@@ -309,36 +304,37 @@ package starlogo.queries.motion
         {
             var left:Number = walk.options.fall;
             var isStopped:Boolean = false;
-            _fallen.copyFrom(walk.place);
+            _come.copyFrom(walk.place);
             for (var piece:Number = 1; left > 0 && !isStopped; piece *= 2)
             {
                 var depth:Number = Math.min(left, piece);
-                if (_fallen.z - depth < -Agent.LARGEST_COORDINATE)
+                if (_come.z - depth < -Agent.LARGEST_COORDINATE)
                 {
-                    return false;
+                    // the clearance of the fall would be wide
+                    return goDown(walk, walk.closeDepth, _straight);
                 }
-                goUpright(walk, _fallen, -depth, _below);
-                left -= _below.fraction * depth;
-                isStopped = _below.row >= 0;
-                _fallen.copyFrom(_below.place);
+                goUpright(walk, _come, -depth, _straight);
+                left -= _straight.fraction * depth;
+                isStopped = _straight.row >= 0;
+                _come.copyFrom(_straight.place);
             }
             if (!isStopped)
             {
                 // a fall can also end where the ground begins, without being stopped
-                walk.place.copyFrom(_fallen);
-                return goDown(walk, walk.closeDepth, _below);
+                walk.place.copyFrom(_come);
+                return goDown(walk, walk.closeDepth, _straight);
             }
-            if (standOn(walk, _below.contact, _below.row, _fallen))
+            if (standOn(walk, _straight.contact, _straight.row, _come))
             {
                 return true;
             }
             var longest:Number = Math.min(walk.options.fall, walk.body.source.placement.size);
-            slideDown(walk, _fallen, Math.min(left, longest), longest / 2, _slid);
+            slideDown(walk, _come, Math.min(left, longest), longest / 2, _slid);
             if (!(walk.place.z - _slid.place.z < REST * walk.body.extent))
             {
                 walk.place.copyFrom(_slid.place);
             }
-            return goDown(walk, walk.closeDepth, _below);
+            return goDown(walk, walk.closeDepth, _straight);
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. Otherwise the agent stays. The result says how the way down ends.
@@ -358,13 +354,12 @@ package starlogo.queries.motion
         // Lets the agent stand at a place, on a row that it touches there, if the row carries it.
         private function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
         {
-            if (!_foothold.carries(walk, contact, row, place, _normal))
+            if (!_foothold.carries(walk, contact, row, place, walk.floorNormal))
             {
                 return false;
             }
             walk.place.copyFrom(place);
             walk.floorRow = row;
-            walk.floorNormal.copyFrom(_normal);
             return true;
         }
 

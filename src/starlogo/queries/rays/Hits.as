@@ -125,8 +125,7 @@ package starlogo.queries.rays
             return _seen.table.bodyOf(rowOf(index));
         }
 
-        /** The row of a hit of the answer. */
-        public function rowOf(index:int):int
+        private function rowOf(index:int):int
         {
             return _hits.numbers[_answer.numbers[index]];
         }

@@ -149,8 +149,9 @@ package starlogo.queries.motion
             return isLeft;
         }
 
-        // Lets a plane stand for a row that the core overlaps, if the overlap is deep, or in any case. First the core becomes narrower, for the whole motion. If it
-        // is free of the row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether a plane stands.
+        // Lets a plane stand for a row that the core overlaps, if the overlap is deep, or in any case. First the core becomes narrower, for the whole motion.
+        // If it is free of the row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether a
+        // plane stands.
         private static function replace(body:MovingBody, row:int, start:MotionStart, inAnyCase:Boolean, contact:ContactPoint):Boolean
         {
             if (inAnyCase)

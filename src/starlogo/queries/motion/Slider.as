@@ -66,7 +66,8 @@ package starlogo.queries.motion
                     _rest.beginCorner();
                     corner = planes.count;
                 }
-                goToTouch(body, _rest, impact, out.place);
+                var touchTime:Number = _sweep.findTouchTime(body, out.place, _rest.motion, impact);
+                _rest.advance(out.place, Math.max(touchTime + body.core.clearance / impact.along, 0));
                 noteFloor(impact, out);
                 if (impact.contact.normalZ < limits.walkableZ)
                 {
@@ -121,13 +122,6 @@ package starlogo.queries.motion
             {
                 out.impact.row = -1;
             }
-        }
-
-        // Moves a place to the clearance before the touch of what the core has met there.
-        private function goToTouch(body:MovingBody, rest:SlideRest, impact:Impact, place:Vector3D):void
-        {
-            var touchTime:Number = _sweep.findTouchTime(body, place, rest.motion, impact);
-            rest.advance(place, Math.max(touchTime + body.core.clearance / impact.along, 0));
         }
 
         // Keeps the most level surface that a slide has met.

@@ -310,7 +310,7 @@ package starlogo.queries.motion
                 var depth:Number = Math.min(left, piece);
                 if (_come.z - depth < -Agent.LARGEST_COORDINATE)
                 {
-                    // the clearance of the fall would be wide
+                    // the way down is short, so the clearance is narrow again
                     return goDown(walk, walk.closeDepth, _straight);
                 }
                 goUpright(walk, _come, -depth, _straight);

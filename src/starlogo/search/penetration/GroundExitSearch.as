@@ -21,8 +21,7 @@ package starlogo.search.penetration
      */
     public final class GroundExitSearch
     {
-        // How many places around the body are tried, and around the end of the shortest way. Half of them take a fifth of the time less. Then twice as many
-        // contacts of random agents in jagged ground are over 1.2 times as long as the shortest way.
+        // How many places around the body are tried, and how many around the end of the shortest way.
         private static const PLACES:int = 128;
         private static const PLACES_NEARBY:int = 24;
 

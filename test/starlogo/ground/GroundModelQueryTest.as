@@ -123,7 +123,7 @@ package starlogo.ground
             _structure = structure;
             _placement.x = _placement.y = far;
             _placement.z = half + 0.99 * gap;
-            setTo(_query, 0, 0, 0);
+            setQuery();
             assertTrue(structure + " at " + far, _query.overlapsAt(RelativeMotion.NONE, 0));
         }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 /**
  * Checks the options (-Dname=value) of ./antw. Options are the names that the targets' descriptions have: the build's own properties, such as the folders
- * that it empties, are none. A name that is no option is refused, with the nearest option. An option that always has a value in the descriptions is
+ * that it empties, are none. A name that is no option is refused, with the nearest option. An option that has a value in some description is
  * refused without one. After --no-target the program says which target is nearest to one that Ant has not found.
  *
  *   node build/options.mjs NAME= | NAME ...
@@ -26,7 +26,12 @@ if (flag === '--no-target') {
 }
 for (const option of process.argv.slice(2).filter((each) => !each.includes('.'))) {
 	const [name, value] = option.split('=');
-	const fault = options.includes(name) ? withValues.has(name) && value === undefined && `-D${name} needs a value: -D${name}=...` : `there is no option -D${name}${thereIs(name, options, '-D')}`;
+	let fault = '';
+	if (!options.includes(name)) {
+		fault = `there is no option -D${name}${thereIs(name, options, '-D')}`;
+	} else if (withValues.has(name) && value === undefined) {
+		fault = `-D${name} needs a value: -D${name}=...`;
+	}
 	if (fault) {
 		console.error(`antw: ${fault}`);
 		process.exitCode = 64;

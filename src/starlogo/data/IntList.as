@@ -16,8 +16,9 @@ package starlogo.data
         /** Takes the numbers of another list, except for one; -1 takes all. */
         public function copyFrom(other:IntList, except:int = -1):void
         {
+            var end:int = other.count;
             count = 0;
-            for (var i:int = 0; i < other.count; i++)
+            for (var i:int = 0; i < end; i++)
             {
                 if (other.numbers[i] != except)
                 {
@@ -36,15 +37,7 @@ package starlogo.data
         /** Removes a number wherever it is in the list. The others keep their order. */
         public function remove(number:int):void
         {
-            var end:int = count;
-            count = 0;
-            for (var i:int = 0; i < end; i++)
-            {
-                if (numbers[i] != number)
-                {
-                    add(numbers[i]);
-                }
-            }
+            copyFrom(this, number);
         }
     }
 }

@@ -12,10 +12,11 @@ package starlogo.fitting
 
     /**
      * The brute-force search of thesis §3.4.2: rotates a hull by every rotation of a discrete set, and keeps the rotation whose
-     * axis-aligned box is the smallest. The rotations are about x first, then y, then z, each from 0 to below 90 degrees. If several boxes
-     * have the same volume, the first one that is tried counts. Sides shorter than a rounding error count as that long. So of the boxes around
-     * a flat hull, which have no volume, the one with the smallest area is the smallest. The very first box is the axis-aligned one. A step tries all rotations about z
-     * that follow one rotation about x and y. Every second step tries them from the largest angle to the smallest.
+     * axis-aligned box is the smallest. The rotations are about x first, then y, then z, each from 0 to below 90 degrees. The very first box is
+     * the axis-aligned one. If several boxes have the same volume, the first one that is tried counts. A side shorter than the rounding error
+     * counts as long as the rounding error. So around a flat hull, whose boxes have no volume, the box with the smallest area is the smallest.
+     * A step tries all rotations about z that follow one rotation about x and y. Every second step tries them from the largest angle to the
+     * smallest.
      *
      * <p>Three methods make the search faster. None changes the result, but for the rounding of the hull. First, the whole hull is rotated about x
      * and y once. The rotations about z that follow do not change the extent along z. The extents along x and y are found in the plane of x and y.
@@ -88,7 +89,7 @@ package starlogo.fitting
         {
             _hull = hull;
             _rotated = new Vector.<Number>(hull.points.length);
-            _shortest = Tolerances.HULL_FLAT * hull.extent;
+            _shortest = Tolerances.HULL_FLAT * hull.extent + Tolerances.HULL_ROUNDING * hull.largest;
             var count:int = Math.ceil(90 / _stepZ);
             for (var i:int = 0; i < count; i++)
             {

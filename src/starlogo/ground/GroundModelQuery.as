@@ -25,7 +25,7 @@ package starlogo.ground
     {
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
 
-        /** Finds how deep the model is in the ground, and ways out. */
+        /** Finds how deep the model is in the ground, and how far up it has to be lifted. */
         public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
 
         // The motion of the search for the first touch, and what chooses it. It begins where the model is, because the model is moved to the beginning.

@@ -6,7 +6,7 @@ package starlogo.ground
     import starlogo.geometry.Touching;
 
     /**
-     * Finds how deep a standing model is in the ground, and ways out of it. GroundModelQuery sets the model.
+     * Finds how deep a standing model is in the ground, and how far up it has to be lifted. GroundModelQuery sets the model.
      *
      * <p>What is behind the plane of a triangle may be outside of the ground, because the plane goes on where the ground is lower. So the depth behind a
      * triangle counts if bounds of the heights around prove that no way out is much shorter. If no depth is proven, the triangle counts that a piece
@@ -22,7 +22,7 @@ package starlogo.ground
         // A depth behind a triangle's plane is off by at most this many margins of the triangle, because of rounding.
         private static const MARGINS_OF_ROUNDING:Number = 10;
 
-        // Less than each depth: there is no contact.
+        // No contact yet. A depth that counts is at least 0.
         private static const NONE:Number = -1;
 
         private var _pairs:PieceTrianglePairs;
@@ -142,18 +142,7 @@ package starlogo.ground
                 {
                     var depth:Number = _tried.depth;
                     _pairs.kernel.leadOutside(RelativeMotion.NONE, _tried);
-                    var needed:Number = deepest;
-                    if (_tried.depth < out.depth - rounding)
-                    {
-                        // with a clearly shorter way out it may be as deep up to rounding
-                        needed -= rounding;
-                    }
-                    else if (_tried.depth > out.depth + rounding)
-                    {
-                        // with a clearly longer one it has to be clearly deeper
-                        needed += rounding;
-                    }
-                    if (deepest == NONE || depth > needed)
+                    if (deepest == NONE || depth > deepest + roundingFor(_tried.depth - out.depth, rounding))
                     {
                         deepest = Math.max(depth, deepest);
                         out.copyFrom(_tried);
@@ -161,6 +150,17 @@ package starlogo.ground
                 }
             }
             return deepest != NONE;
+        }
+
+        // How much deeper an overlap has to be than another one. With a clearly shorter way out it may be as deep up to rounding. With a clearly longer one
+        // it has to be clearly deeper.
+        private static function roundingFor(longer:Number, rounding:Number):Number
+        {
+            if (longer > rounding)
+            {
+                return rounding;
+            }
+            return longer < -rounding ? -rounding : 0;
         }
 
         // How much a depth behind the current triangle may be off by rounding.

@@ -86,9 +86,14 @@ package starlogo.libraries
             }
             catch (error:Error)
             {
-                if (error is ArgumentError || error is RangeError)
+                // the error may be the fitter's own, so it is not changed
+                if (error is ArgumentError)
                 {
-                    error.message = ModelTable.problemOf(_name, error.message);
+                    throw ModelTable.errorOf(_name, error.message);
+                }
+                if (error is RangeError)
+                {
+                    throw new RangeError(ModelTable.problemOf(_name, error.message));
                 }
                 throw error;
             }

@@ -6,7 +6,7 @@ package starlogo.models
     use namespace engine;
 
     /**
-     * Throws a ModelError if what should be an up axis, and is no ModelTransform, is no axis.
+     * Throws a ModelError if an up axis is not "x", "y" or "z". The caller checks for a ModelTransform before.
      *
      * @param name the model's name
      * @param upAxis what was given

@@ -191,9 +191,9 @@ package starlogo.queries
             body.findRowsAlong(dx, dy, dz, asker, filter);
             motion.setTo(dx, dy, dz);
             common.place.copyFrom(body.from);
-            common.lifted.count = 0;
+            common.lifted.clear();
             var found:Collector = _seen.ask(wanted, Infinity, null, null);
-            if (addHits(body, motion, common, found, first) && body.rows.count > 1)
+            if (addHits(body, motion, common, found, first))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
                 _touches.findCommonStart(body, motion, common);

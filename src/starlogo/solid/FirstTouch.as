@@ -7,10 +7,11 @@ package starlogo.solid
 
     /**
      * Chooses the triangle, or the pair of triangles, whose contact is that of a first touch. It is the one that is touched first. Of those that
-     * are touched at the same time (Tolerances.SAME_TIME), it is the one whose plane the motion meets most squarely. So a shape that stands flush
-     * with an obstacle touches the side that stops it, and not a side that it only grazes.
+     * are touched at the same time (Tolerances.SAME_TIME), it is the one whose plane the motion meets most squarely. So a shape that moves along a
+     * side, flush with it, and then meets another side, touches the one that stops it.
      *
-     * <p>What touches at time 0 ends the search, because nothing is earlier. The way out of an overlap is another search.</p>
+     * <p>What touches at time 0 ends the search: the first one found makes the contact, because nothing is earlier. The way out of an overlap is
+     * another search.</p>
      *
      * @private
      */
@@ -22,13 +23,14 @@ package starlogo.solid
         /** Touches up to this time count. Read only. */
         public var latest:Number = 0;
 
-        // How squarely the chosen one is met.
+        // When the chosen one is touched, and how squarely it is met.
+        private var _chosenTime:Number = RelativeMotion.NEVER;
         private var _squareness:Number = 0;
 
         /** Begins. Touches up to a time count. */
         public function begin(latest:Number):void
         {
-            time = RelativeMotion.NEVER;
+            time = _chosenTime = RelativeMotion.NEVER;
             this.latest = latest;
         }
 
@@ -51,7 +53,7 @@ package starlogo.solid
             if (motion.time < time)
             {
                 needed = 1 - Tolerances.DIRECTION;
-                if (motion.time < time - Tolerances.SAME_TIME)
+                if (motion.time < _chosenTime - Tolerances.SAME_TIME)
                 {
                     // the chosen one is clearly later, and does not count any more
                     _squareness = -Infinity;
@@ -68,6 +70,7 @@ package starlogo.solid
             {
                 return false;
             }
+            _chosenTime = motion.time;
             _squareness = squareness;
             return true;
         }

@@ -17,7 +17,7 @@ package starlogo.steps
      * cut().</p>
      *
      * <p>Nothing is called before the first step. A part is released when it is done. If a part is added when no step was left, there are
-     * steps again. A step that throws is not done: the next call does it again.</p>
+     * steps again. If a step throws, its part is not over.</p>
      *
      * <p>Use it in every class of the engine that works in phases. An internal class extends this one and adds its parts in the
      * constructor. A class that clients name keeps a sequence in a field, and its <code>step()</code> calls the sequence's. To do the work

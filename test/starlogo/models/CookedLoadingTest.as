@@ -11,6 +11,7 @@ package starlogo.models
     import org.flexunit.async.Async;
     import starlogo.GreatLand;
     import starlogo.models.loading.CookedManifest;
+    import starlogo.models.loading.ModelLoad;
     import support.CountingFitter;
     import support.LibraryContents;
     import support.OfferingURLLoader;
@@ -148,26 +149,23 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="150000")]
+        [Test]
         public function aCookedFileThatIsRefusedLeavesTheProgress():void
         {
-            var cooked:ByteArray = newGame().cook(new ObjModel("bear", OBJ));
-            var offering:ModelLoader = watched(new OfferingLoader(_greatLand, 0.001, {"m.json": encoded(MANIFEST), "bear.obj.cooked": cooked, "bear.obj": encoded(OBJ)}));
-            offering.manifest = "m.json";
-            var progress:Array = [];
-            offering.addEventListener(ProgressEvent.PROGRESS, function(event:ProgressEvent):void
+            var files:Object = {"m.json": encoded(MANIFEST), "bear.obj.cooked": newGame().cook(new ObjModel("bear", OBJ)), "bear.obj": encoded(OBJ)};
+            var load:ModelLoad = new ModelLoad("y", "y", Model.FOOTPRINT, _greatLand, function():URLLoader
                 {
-                    progress.push(event.bytesLoaded);
+                    return new OfferingURLLoader(files);
                 });
-            offering.load("y", "bear.obj", "y");
-            whenComplete(offering, function():void
-                {
-                    assertTrue("" + progress, progress.length > 4);
-                    for (var i:int = 1; i < progress.length; i++)
-                    {
-                        assertTrue("" + progress, progress[i] >= progress[i - 1]);
-                    }
-                });
+            load.fetch("bear.obj", false, new CookedManifest("m.json"));
+            var progress:Array = [0];
+            do
+            {
+                progress.push(load.progress);
+                assertTrue(progress.join(), progress[progress.length - 1] >= progress[progress.length - 2]);
+            }
+            while (load.isReady && load.step());
+            assertTrue(progress.join(), progress.indexOf(0.2) > 0 && progress[progress.length - 1] == 0.5);
         }
 
         [Test(async, timeout="150000")]

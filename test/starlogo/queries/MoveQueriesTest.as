@@ -5,6 +5,7 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
     import starlogo.collision.Contact;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
@@ -65,6 +66,28 @@ package starlogo.queries
                 }
             }
             assertTrue(ends + " ended in a touch", ends > 100);
+        }
+
+        [Test]
+        public function noNumberOfSmallMotionsLeadsDeeper():void
+        {
+            for each (var start:Number in [5e-10, 5e-9])
+            {
+                for (var others:int = 1; others <= 2; others++)
+                {
+                    var agents:Vector.<Agent> = new <Agent>[new Agent("sphere"), new Agent("sphere"), new Agent("sphere")];
+                    agents[0].moveTo(0, 0, 1 - start);
+                    agents[2].moveTo(0.9, 0, 0.4);
+                    agents.length = 1 + others;
+                    var queries:AgentQueries = new AgentQueries(new BinCollider());
+                    queries.update(agents);
+                    for (var i:int = 0; i < 2000; i++)
+                    {
+                        queries.moveUntilTouch(agents[0], 0, 0, -5e-11);
+                    }
+                    assertTrue(others + ", " + start + ": " + (1 - agents[0].z), 1 - agents[0].z < start + 1e-9);
+                }
+            }
         }
 
         [Test]

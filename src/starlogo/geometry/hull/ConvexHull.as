@@ -100,6 +100,12 @@ package starlogo.geometry.hull
             return _simplex.bounds.extent;
         }
 
+        /** The largest absolute coordinate of the vertices. */
+        public function get largest():Number
+        {
+            return _simplex.bounds.largest;
+        }
+
         /**
          * Three perpendicular unit vectors, nine numbers. The first goes from one extreme vertex towards the vertex farthest from it. The
          * second is towards the vertex farthest from the line through both. For vertices in a plane, the third is the plane's normal.

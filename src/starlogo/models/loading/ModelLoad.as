@@ -28,7 +28,7 @@ package starlogo.models.loading
      */
     public final class ModelLoad extends StepSequence
     {
-        // the progress of a model when it is read, and the share of this that fetching its file is
+        // A model that is read has the progress READ. Fetching its file is the share FETCHING of that.
         private static const READ:Number = 0.5;
         private static const FETCHING:Number = 0.4;
 

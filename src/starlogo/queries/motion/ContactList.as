@@ -12,14 +12,20 @@ package starlogo.queries.motion
         // Two normals are the same if the cosine of the angle between them is greater than this.
         private static const SAME:Number = 1 - 1e-14;
 
-        /** The number of contacts. */
+        /** The number of contacts. Read only. */
         public var count:int = 0;
 
-        /** The contacts. */
+        /** The contacts. Read only. */
         public var contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
-        /** By contact: the row that it belongs to. */
+        /** By contact: the row that it belongs to. Read only. */
         public var rows:Vector.<int> = new Vector.<int>();
+
+        /** Removes all contacts. */
+        public function clear():void
+        {
+            count = 0;
+        }
 
         /**
          * Adds a copy of a contact. It takes the place of a contact with the same normal.

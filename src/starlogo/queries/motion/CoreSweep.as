@@ -14,7 +14,8 @@ package starlogo.queries.motion
 
     /**
      * Finds how a motion starts, what stops a body on a straight motion, and when. It sweeps the body's core, which does not meet what the body only
-     * touches, leaves or runs along. All motions start with <code>findStart()</code>.
+     * touches, leaves or runs along. Casts, slides and straight motions start with
+     * <code>findStart()</code>.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
@@ -43,7 +44,8 @@ package starlogo.queries.motion
         public function findStart(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionStart):void
         {
             out.place.copyFrom(from);
-            out.lifted.count = out.planes.count = 0;
+            out.lifted.clear();
+            out.planes.clear();
             out.obstacles.copyFrom(rows);
             out.impact.row = -1;
             body.beginMotion(rows, from, motion);

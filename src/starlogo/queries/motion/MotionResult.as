@@ -4,7 +4,8 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a straight motion of a body ends, as a record. CoreSweep.findStop() writes it, except for the place, which depends on the question.
+     * How a straight motion of a body ends, as a record. CoreSweep.findStop() writes it, except for the place, which depends on the question. It writes
+     * the contact only if something stops the body, and the core's place only if the core meets a row.
      *
      * @private
      */

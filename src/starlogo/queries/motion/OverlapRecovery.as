@@ -49,9 +49,9 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(body:MovingBody, start:MotionStart):void
         {
-            if (replaceDeep(body, start, false) && !lift(body, start))
+            if (replaceObstacles(body, start, false) && !lift(body, start))
             {
-                replaceDeep(body, start, true);
+                replaceObstacles(body, start, true);
             }
             if (body.core.isFlat && start.planes.count == 0)
             {
@@ -119,14 +119,14 @@ package starlogo.queries.motion
             if (!isFree)
             {
                 start.place.copyFrom(_before);
-                start.lifted.count = 0;
+                start.lifted.clear();
             }
             return isFree;
         }
 
-        // Lets planes stand for obstacles that the core overlaps: for those whose overlap is deep, or for all. One-way obstacles that the body passes leave
+        // Lets planes stand for obstacles that the core overlaps: only if the overlap is deep, or in any case. One-way obstacles that the body passes leave
         // too. Returns whether obstacles are left that the core overlapped.
-        private function replaceDeep(body:MovingBody, start:MotionStart, isOfAll:Boolean):Boolean
+        private function replaceObstacles(body:MovingBody, start:MotionStart, inAnyCase:Boolean):Boolean
         {
             var obstacles:IntList = start.obstacles;
             var isLeft:Boolean = false;
@@ -136,7 +136,7 @@ package starlogo.queries.motion
                 var row:int = obstacles.numbers[i];
                 if (body.coreTouches(row, start.place))
                 {
-                    if (body.passesAt(row, start.place) || replace(body, row, start, isOfAll, _contact))
+                    if (body.passesAt(row, start.place) || replaceObstacle(body, row, start, inAnyCase, _contact))
                     {
                         continue;
                     }
@@ -152,7 +152,7 @@ package starlogo.queries.motion
         // Lets a plane stand for a row that the core overlaps, if the overlap is deep, or in any case. First the core becomes narrower, for the whole motion.
         // If it is free of the row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether a
         // plane stands.
-        private static function replace(body:MovingBody, row:int, start:MotionStart, inAnyCase:Boolean, contact:ContactPoint):Boolean
+        private static function replaceObstacle(body:MovingBody, row:int, start:MotionStart, inAnyCase:Boolean, contact:ContactPoint):Boolean
         {
             if (inAnyCase)
             {

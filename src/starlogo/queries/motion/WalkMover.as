@@ -44,9 +44,12 @@ package starlogo.queries.motion
         private var _tried:SlideResult = new SlideResult();
         private var _straight:MotionResult = new MotionResult();
 
-        // The rows without the platform, and where a platform carries the agent or a fall has come.
+        // The rows without the platform, and where the platform carries the agent.
         private var _others:IntList = new IntList();
-        private var _come:Vector3D = new Vector3D();
+        private var _carried:Vector3D = new Vector3D();
+
+        // Where a fall has come.
+        private var _fallen:Vector3D = new Vector3D();
 
         // The contact of an overlap, and of the deepest one.
         private var _overlap:ContactPoint = new ContactPoint();
@@ -95,13 +98,13 @@ package starlogo.queries.motion
         private function carry(walk:Walk, platform:int):void
         {
             _others.copyFrom(walk.body.rows, platform);
-            _come.copyFrom(walk.place);
-            _come.incrementBy(walk.carry);
+            _carried.copyFrom(walk.place);
+            _carried.incrementBy(walk.carry);
             _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);
-            if (_slid.fraction < 1 && leadsInto(walk, platform, _come, _slid.place))
+            if (_slid.fraction < 1 && leadsInto(walk, platform, _carried, _slid.place))
             {
                 _slider.goStraight(walk.body, _others, walk.place, walk.carry, _straight);
-                if (!leadsInto(walk, platform, _come, _straight.place))
+                if (!leadsInto(walk, platform, _carried, _straight.place))
                 {
                     walk.place.copyFrom(_straight.place);
                     return;
@@ -304,32 +307,32 @@ package starlogo.queries.motion
         {
             var left:Number = walk.options.fall;
             var isStopped:Boolean = false;
-            _come.copyFrom(walk.place);
+            _fallen.copyFrom(walk.place);
             for (var piece:Number = 1; left > 0 && !isStopped; piece *= 2)
             {
                 var depth:Number = Math.min(left, piece);
-                if (_come.z - depth < -Agent.LARGEST_COORDINATE)
+                if (_fallen.z - depth < -Agent.LARGEST_COORDINATE)
                 {
-                    // the way down is short, so the clearance is narrow again
+                    // A short way down from where the fall began is the last motion. Its tolerances are those of restoreClearance().
                     return goDown(walk, walk.closeDepth, _straight);
                 }
-                goUpright(walk, _come, -depth, _straight);
+                goUpright(walk, _fallen, -depth, _straight);
                 left -= _straight.fraction * depth;
                 isStopped = _straight.row >= 0;
-                _come.copyFrom(_straight.place);
+                _fallen.copyFrom(_straight.place);
             }
             if (!isStopped)
             {
                 // a fall can also end where the ground begins, without being stopped
-                walk.place.copyFrom(_come);
+                walk.place.copyFrom(_fallen);
                 return goDown(walk, walk.closeDepth, _straight);
             }
-            if (standOn(walk, _straight.contact, _straight.row, _come))
+            if (standOn(walk, _straight.contact, _straight.row, _fallen))
             {
                 return true;
             }
             var longest:Number = Math.min(walk.options.fall, walk.body.source.placement.size);
-            slideDown(walk, _come, Math.min(left, longest), longest / 2, _slid);
+            slideDown(walk, _fallen, Math.min(left, longest), longest / 2, _slid);
             if (!(walk.place.z - _slid.place.z < REST * walk.body.extent))
             {
                 walk.place.copyFrom(_slid.place);

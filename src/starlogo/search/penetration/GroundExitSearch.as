@@ -54,9 +54,9 @@ package starlogo.search.penetration
         private var _shortest:ContactPoint = new ContactPoint();
         private var _tried:Displacement = new Displacement();
 
-        // The sweep down, and the contact at its end.
-        private var _down:RelativeMotion = new RelativeMotion();
-        private var _below:ContactPoint = new ContactPoint();
+        // A sweep, and the contact at its end.
+        private var _sweep:RelativeMotion = new RelativeMotion();
+        private var _met:ContactPoint = new ContactPoint();
 
         /** @param tests the tests of a body and the ground */
         public function GroundExitSearch(tests:GroundPairTests)
@@ -94,39 +94,41 @@ package starlogo.search.penetration
             _pair.putBack();
             _tests.findLift(_pair.first, _pair.second, _shortest);
             _shortest.depth += _pair.tolerance;
+            slideBack(0, 0, _shortest.depth);
             tryAbove(0, 0);
             followPushes();
-            tryAround(0, 0, _shortest.depth, PLACES);
+            tryAround(0, 0, 1, PLACES);
             tryNearby(NEARBY);
             tryNearby(NEARER);
             _directions.findAlong(_shortest, out);
         }
 
-        // Tries pushes out of one contact after the other, and the places above them.
+        // Tries the places above pushes, and pushes out of one contact after the other.
         private function followPushes():void
         {
             _pushOut.begin(_first);
-            while (_pushOut.tryNext(_shortest.depth, _shortest) == PushOut.BLOCKED)
+            do
             {
                 tryAbove(_pushOut.push.x, _pushOut.push.y);
             }
+            while (_pushOut.tryNext(_shortest.depth, _shortest) == PushOut.BLOCKED);
         }
 
         // Tries places around the end of the shortest way.
         private function tryNearby(share:Number):void
         {
-            var length:Number = _shortest.depth;
-            tryAround(length * _shortest.normalX, length * _shortest.normalY, share * length, PLACES_NEARBY);
+            tryAround(_shortest.depth * _shortest.normalX, _shortest.depth * _shortest.normalY, share, PLACES_NEARBY);
         }
 
-        // Tries places that are spread over a circle, from its middle to its border.
-        private function tryAround(middleX:Number, middleY:Number, radius:Number, count:int):void
+        // Tries places that are spread over a circle, from its middle to its border. Its radius is a share of the shortest way so far, which becomes shorter
+        // meanwhile.
+        private function tryAround(middleX:Number, middleY:Number, share:Number, count:int):void
         {
             var x:Number = 1;
             var y:Number = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var along:Number = radius * Math.sqrt((i + 0.5) / count);
+                var along:Number = share * _shortest.depth * Math.sqrt((i + 0.5) / count);
                 tryAbove(middleX + along * x, middleY + along * y);
                 var before:Number = x;
                 x = TURN_X * x - TURN_Y * y;
@@ -153,30 +155,35 @@ package starlogo.search.penetration
             {
                 // halfway between the place and the one farther; and a little higher, because a way along the ground leads away from it slowly
                 var share:Number = (1 + fartherFactor) / (2 * fartherFactor);
-                keep(fartherX * share, fartherY * share, high * (1 - Math.min(_down.time, 1)) + _pair.tolerance);
+                var lowest:Number = high * (1 - Math.min(_sweep.time, 1)) + _pair.tolerance;
+                if (takeIfFree(fartherX * share, fartherY * share, lowest, _pair.tolerance))
+                {
+                    slideBack(fartherX * share, fartherY * share, lowest);
+                }
             }
         }
 
-        // Keeps a way if the body is free a little beyond its end, or a shorter one out of the ground that it met below.
-        private function keep(x:Number, y:Number, z:Number):void
+        // Takes the way to a place if it is shorter than the others and the first body is free a distance beyond it. Returns whether it is taken.
+        private function takeIfFree(x:Number, y:Number, z:Number, beyond:Number):Boolean
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
-            if (length == 0)
+            if (!(length > 0 && length < _shortest.depth))
             {
-                return;
+                return false;
             }
             _tried.setDirection(x / length, y / length, z / length);
-            _tried.distance = length + _pair.tolerance;
-            if (!_pair.testAt(_tried))
+            _tried.distance = length + beyond;
+            if (_pair.testAt(_tried))
             {
-                _shortest.setNormal(_tried.x, _tried.y, _tried.z);
-                _shortest.depth = length;
-                slideBack(x, y, z);
+                return false;
             }
+            _shortest.setNormal(_tried.x, _tried.y, _tried.z);
+            _shortest.depth = length;
+            return true;
         }
 
-        // Slides the first body from a free place back towards its own. What it meets are planes that it slides along. Keeps the way to where it ends, if the
-        // body is free a little beyond.
+        // Slides the first body from a free place back towards its own. What it meets are planes that it slides along. Takes the way to where it ends, if
+        // the body is free as far beyond as after a push, because it may have slid into a gap.
         private function slideBack(x:Number, y:Number, z:Number):void
         {
             _planes.begin();
@@ -186,31 +193,24 @@ package starlogo.search.penetration
                 _tried.setDirection(_target.displacement.x, _target.displacement.y, _target.displacement.z);
                 _tried.distance = 1;
                 _pair.displace(_tried);
-                _down.endAfter(_target.displacement.x - x, _target.displacement.y - y, _target.displacement.z - z);
-                _pair.findImpact(_down, _below);
-                var time:Number = Math.min(_down.time, 1);
-                x += time * _down.x;
-                y += time * _down.y;
-                z += time * _down.z;
-                if (_down.time > 1)
+                _sweep.endAfter(_target.displacement.x - x, _target.displacement.y - y, _target.displacement.z - z);
+                _pair.findImpact(_sweep, _met);
+                var time:Number = Math.min(_sweep.time, 1);
+                x += time * _sweep.x;
+                y += time * _sweep.y;
+                z += time * _sweep.z;
+                if (_sweep.time > 1)
                 {
                     break;
                 }
                 // a little off the plane, so that the slide along it does not meet it
-                x += 2 * _pair.tolerance * _below.normalX;
-                y += 2 * _pair.tolerance * _below.normalY;
-                z += 2 * _pair.tolerance * _below.normalZ;
-                _planes.add(_below.normalX, _below.normalY, _below.normalZ, x * _below.normalX + y * _below.normalY + z * _below.normalZ - _pair.tolerance);
+                x += 2 * _pair.tolerance * _met.normalX;
+                y += 2 * _pair.tolerance * _met.normalY;
+                z += 2 * _pair.tolerance * _met.normalZ;
+                _planes.add(_met.normalX, _met.normalY, _met.normalZ, x * _met.normalX + y * _met.normalY + z * _met.normalZ - _pair.tolerance);
                 _planes.solve(3, 0, _target);
             }
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
-            _tried.setDirection(x / length, y / length, z / length);
-            _tried.distance = length + _pair.tolerance;
-            if (length > 0 && length < _shortest.depth && !_pair.testAt(_tried))
-            {
-                _shortest.setNormal(_tried.x, _tried.y, _tried.z);
-                _shortest.depth = length;
-            }
+            takeIfFree(x, y, z, PushOut.ROOM * _pair.extent);
         }
 
         // Sweeps the first body down from a height, at a place moved by x and y from its own. Returns whether it is free at that height. If it is,
@@ -225,8 +225,8 @@ package starlogo.search.penetration
             }
             _tried.z = 0;
             _pair.displace(_tried);
-            _down.endAfter(0, 0, -high);
-            _pair.findImpact(_down, _below);
+            _sweep.endAfter(0, 0, -high);
+            _pair.findImpact(_sweep, _met);
             return true;
         }
     }

@@ -6,8 +6,8 @@ package starlogo.search.penetration
 
     /**
      * Pushes the first of two bodies out of the second. It tries the shortest push out of a contact. A contact requires a push of at least its
-     * depth along its normal. If the two still touch after the push, their contact there is added to those that decide about the push. So a box in a corner of floor and wall goes out
-     * of both at once.
+     * depth along its normal. If the two still touch after the push, their contact there is added to those that decide about the push. So a
+     * box in a corner of floor and wall goes out of both at once.
      *
      * <p><code>find()</code> is a whole search. Another search takes its steps itself: <code>begin()</code>, and then <code>tryNext()</code>.</p>
      */
@@ -89,7 +89,7 @@ package starlogo.search.penetration
             return result == FREE;
         }
 
-        /** The push that was tried last, or that <code>tryNext()</code> tries next if it was not blocked. Do not change it. */
+        /** The push that <code>tryNext()</code> tries next. After FREE, the one that freed the body. Do not change it. */
         public function get push():Vector3D
         {
             return _push.displacement;
@@ -117,7 +117,7 @@ package starlogo.search.penetration
             return BLOCKED;
         }
 
-        // Adds a contact that was found after the push: the next push leads out of it too. Each goes a little farther than the one before.
+        // Adds a contact: the next push leads out of it too. The more planes the last push ended on, the farther the next one leads out of the new contact.
         private function add(found:ContactPoint):void
         {
             var slack:Number = (SLACK * Tolerances.SEPARATION * _pair.extent + _pair.roundingGap) * (1 << _push.planeCount);

@@ -310,8 +310,8 @@ package starlogo.broadphase
                 var nextLineEnd:int = starts[below + 3];
                 for (; slot < end; slot++)
                 {
-                    var found:int = collectRun(slot, slot + 1, runEnd, level.slack, 0);
-                    found = collectRun(slot, nextLine, nextLineEnd, level.slack, found);
+                    var found:int = collectRun(slot, slot + 1, runEnd, level, 0);
+                    found = collectRun(slot, nextLine, nextLineEnd, level, found);
                     if (found > 0)
                     {
                         sink.onCandidates(rows[slot], _candidates, found, level);
@@ -337,7 +337,7 @@ package starlogo.broadphase
                 for (var line:int = coarser.cellIndexAt(ys[slot] - distance); line <= lastLine; line++)
                 {
                     var bucket:int = coarser.bucketOf(column, line);
-                    found = collectRun(slot, starts[bucket], starts[bucket + columns], coarser.slack, found);
+                    found = collectRun(slot, starts[bucket], starts[bucket + columns], coarser, found);
                 }
                 if (found > 0)
                 {
@@ -346,9 +346,9 @@ package starlogo.broadphase
             }
         }
 
-        // Adds the members in a run of slots whose circles overlap a member's circle to its candidates. Returns how many candidates there are. This
-        // is the inner loop of every frame, so all that it reads is in locals.
-        private function collectRun(slot:int, from:int, end:int, slack:Number, found:int):int
+        // Adds the members in a run of slots whose circles overlap a member's circle, but for the slack of a level, to its candidates. Returns how many
+        // candidates there are. This is the inner loop of every frame, so all that it reads is in locals.
+        private function collectRun(slot:int, from:int, end:int, level:BinLevel, found:int):int
         {
             var rows:Vector.<int> = _rows;
             var xs:Vector.<Number> = _xs;
@@ -357,7 +357,7 @@ package starlogo.broadphase
             var candidates:Vector.<int> = _candidates;
             var x:Number = xs[slot];
             var y:Number = ys[slot];
-            var radius:Number = radii[slot] + slack;
+            var radius:Number = radii[slot] + level.slack;
             for (var other:int = from; other < end; other++)
             {
                 var distanceX:Number = xs[other] - x;

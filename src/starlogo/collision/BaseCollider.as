@@ -130,7 +130,8 @@ package starlogo.collision
          * @param foreign reads the pairs of a system that is not the engine's. Each Collision has its own, because Collisions may share such a system
          * @param counts takes the counts and the time
          * @return the pairs, until the next call
-         * @throws ArgumentError if an agent of the list is null or listed twice, or if the system finds an agent that is not in the list
+         * @throws ArgumentError if an agent of the list is null or listed twice, or if the system finds an agent that is not in the list, an agent with
+         * itself, or a pair twice
          * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
         engine function findPairs(input:FrameInput, foreign:ForeignPairs, counts:CollisionStatistics):FoundPairs

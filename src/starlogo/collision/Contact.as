@@ -17,10 +17,10 @@ package starlogo.collision
      * 1e-9.</p>
      *
      * <p>For spheres, capsules, boxes and hulls the normal is the shortest way out. For hierarchies and triangles it is a short way. If they
-     * overlap by less than 1/256 of the larger extent, it is the normal of the first two nodes or triangles that touch. Of triangles that touch at the
-     * same time, it is that of those that the motion meets most squarely. Otherwise the engine improves this
-     * normal: it also tries the shortest way out of the structures around both, and the surfaces at the ends of these ways. The way ends at the
-     * first free place, which may be a hollow. This takes the time of 30 to 135 tests of whether the two touch.</p>
+     * overlap by less than 1/256 of the larger extent, it is the normal of the first two nodes or triangles that touch. If several triangles
+     * touch at the same time, it is the normal of the one that the motion meets most squarely. Otherwise the engine improves this normal: it
+     * also tries the shortest way out of the structures around both, and the surfaces at the ends of these ways. The way ends at the first
+     * free place, which may be a hollow. This takes the time of 30 to 135 tests of whether the two touch.</p>
      *
      * <p>Two hierarchies may have several ways out that are about as short. Which one is found depends on which of the two is first in the list of
      * the last search, because that one is tested against the other. Agents that are not in the list come after it, the older ones first. It does not

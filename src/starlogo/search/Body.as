@@ -339,7 +339,8 @@ package starlogo.search
 
         private function place():void
         {
-            var widening:Number = margin;
+            // the margin as a formula, because V8 makes an object for the Number of a getter
+            var widening:Number = Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
             if (form == BoundingStructure.SPHERE)
             {
                 // the test of two placed spheres has no tolerance of its own, so the sphere is widened by it. Tests of a sphere and another

@@ -151,7 +151,7 @@ package starlogo.search
             return _changedRows.memberCount;
         }
 
-        // No entry of the list is null.
+        // Whether an agent of the list sweeps. No entry is null.
         private static function isAnySweeping(agents:Vector.<Agent>):Boolean
         {
             var i:int = agents.length - 1;

@@ -54,12 +54,12 @@ package starlogo.search
                 var b:int = rowAt(i + 1, pairs);
                 if (a == b)
                 {
-                    throw new ArgumentError("the collision system has found " + pairs[i] + " with itself: agents[" + i + "] and agents[" + (i + 1) + "]");
+                    throw new ArgumentError("the collision system has found " + pairs[i] + " with itself: it is at " + i + " and " + (i + 1) + " of what it has found");
                 }
                 if (_known.set (Math.min(a, b), Math.max(a, b), i) >= 0)
                 {
-                    throw new ArgumentError("the collision system has found " + pairs[i] + " and " + pairs[i + 1] + " twice: the second time at agents["
-                            + i + "]");
+                    throw new ArgumentError("the collision system has found " + pairs[i] + " and " + pairs[i + 1] + " twice: the second time at " + i +
+                            " of what it has found");
                 }
                 _pairs.add(a, b);
             }
@@ -71,7 +71,7 @@ package starlogo.search
             var agent:Agent = pairs[index];
             if (agent == null)
             {
-                throw new ArgumentError("the collision system has found no agent: agents[" + index + "] is null");
+                throw new ArgumentError("the collision system has found no agent: " + index + " of what it has found is null");
             }
             var row:int = _list.rowOf(agent);
             if (row < 0)

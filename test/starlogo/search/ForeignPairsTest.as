@@ -29,13 +29,13 @@ package starlogo.search
         {
             var list:Array = [_a, _b, _c];
             assertThrows(ArgumentError, /has found pairs of 3 agents/, read, list, [_a, _b, _c]);
-            assertThrows(ArgumentError, /has found no agent: agents\[2\] is null/, read, list, [_a, _b, null, _c]);
+            assertThrows(ArgumentError, /has found no agent: 2 of what it has found is null/, read, list, [_a, _b, null, _c]);
             assertThrows(ArgumentError, /which is not in the list/, read, [_a, _b], [_a, _b, _a, _c]);
             assertThrows(ArgumentError, /is null/, read, [_a, null], []);
             assertThrows(ArgumentError, /is listed twice/, read, [_a, _a], []);
-            assertThrows(ArgumentError, /has found .*with itself: agents\[2\] and agents\[3\]/, read, list, [_a, _b, _c, _c]);
-            assertThrows(ArgumentError, /has found .* twice: the second time at agents\[4\]/, read, list, [_a, _b, _a, _c, _b, _a]);
-            assertThrows(ArgumentError, /has found .* twice: the second time at agents\[2\]/, read, list, [_a, _b, _a, _b]);
+            assertThrows(ArgumentError, /has found .*with itself: it is at 2 and 3 of what/, read, list, [_a, _b, _c, _c]);
+            assertThrows(ArgumentError, /has found .* twice: the second time at 4 of/, read, list, [_a, _b, _a, _c, _b, _a]);
+            assertThrows(ArgumentError, /has found .* twice: the second time at 2 of/, read, list, [_a, _b, _a, _b]);
             read(list, [_a, _c]);
             assertPairs([_a, _c]);
         }

@@ -178,7 +178,7 @@ package starlogo.collision
             _collision.onCollision("bears", "balls", note("hit"));
             var good:CollisionSystem = _collision.collisionSystem;
             assertSystemRefused(/^what the collision system has found must not be null$/, null);
-            assertSystemRefused(/^the collision system has found no agent: agents\[1\] is null$/, new <Agent>[_agents[0], null]);
+            assertSystemRefused(/^the collision system has found no agent: 1 of what it has found is null$/, new <Agent>[_agents[0], null]);
             assertSystemRefused(/^the collision system has found agent \d+ .*, which is not in the list/, new <Agent>[_agents[0], new Agent("sphere", "balls")]);
             assertSystemRefused(/^the collision system has found pairs of 3 agents/, new <Agent>[_agents[0], _agents[1], _agents[0]]);
             _collision.collisionSystem = good;

@@ -51,9 +51,10 @@ let passed = 0;
 let failed = 0;
 let skipped = 0;
 let leftOut = 0;
+let isFarther = false;
 const started = performance.now();
 const only = new Set(NOT_HERE.keys());
-const begins = watch(Number(process.env.NO_END_S ?? (options.full ? NO_END_FULL_S : NO_END_S)), options.summary);
+const begins = watch(Number(process.env.NO_END_S ?? (options.full ? NO_END_FULL_S : NO_END_S)), options.summary, options.until);
 
 process.on("uncaughtException", (error) => {
 	failed++;
@@ -110,6 +111,7 @@ async function runFarther() {
 	const isNext = () => !isOver() && seconds() < ENOUGH_S;
 	const before = passed + skipped;
 	let late = 0;
+	isFarther = true;
 	for (const each of farther) late += await runClass(each, isNext);
 	const done = passed + skipped + failed - before;
 	if (farther.length > 0) console.log(`of the tests farther off ${done} ran${late > 0 ? `, ${late} did not: ${isOver() ? "one failed" : `the time for all is ${ENOUGH_S} s`}` : ""}`);
@@ -140,7 +142,7 @@ async function runClass({ name, type, metadata, isRun }, isNext) {
 			late++;
 			continue;
 		}
-		begins(`${simpleName({ name })}.${each.name}`, passed, failed, skipped);
+		begins(`${simpleName({ name })}.${each.name}`, passed, failed, skipped, Number(isFarther));
 		const start = performance.now();
 		const error = problem ?? await run(type, each, methods);
 		const ms = performance.now() - start;

@@ -75,6 +75,18 @@ test("what is farther off does not begin once a test has failed in the player", 
 	assert.equal(status, 0);
 });
 
+test("what is farther off and has begun is ended once a test has failed in the player", () => {
+	const until = path.join(folder, "failed.txt");
+	writeFileSync(until, "ATest.is\n");
+	const counts = path.join(folder, "counts.txt");
+	const program = path.join(folder, "watched.mjs");
+	writeFileSync(program, `import { watch } from ${JSON.stringify(path.join(here, "watch.mjs"))}; watch(60, ${JSON.stringify(counts)}, ${JSON.stringify(until)})("ATest.hasNoEnd", 5, 0, 2, 1); for (;;);`);
+	const { stdout, signal } = spawnSync(process.execPath, [program], { timeout: 60000, encoding: "utf8" });
+	assert.equal(stdout, "ATest.hasNoEnd and the tests after it did not run: one failed\n");
+	assert.equal(signal, "SIGKILL");
+	assert.equal(readFileSync(counts, "utf8"), "5 passed, 0 failed, 2 skipped\n");
+});
+
 test("a failure names the sources that it is a test of, and files beside the classes run on the same module", () => {
 	const file = path.join(folder, "beside.test.mjs");
 	writeFileSync(file, "import assert from 'node:assert/strict';\nimport test from 'node:test';\ntest('engine', () => assert.equal(process.env.ENGINE, 'none'));\n");

@@ -133,7 +133,7 @@ package starlogo.solid
                 var r:Number = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
                 var low:Number = axes[int(i + 3)];
                 var high:Number = axes[int(i + 4)] + latest * axes[int(i + 5)];
-                if ((int(p < low) & int(q < low) & int(r < low) | int(p > high) & int(q > high) & int(r > high)) != 0)
+                if (p < low && q < low && r < low || p > high && q > high && r > high)
                 {
                     return true;
                 }

@@ -35,10 +35,10 @@ package starlogo.solid
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _kernel:TriangleKernel = new TriangleKernel();
 
-        // The extents of the structure where it is at time 0, with the tolerance and a margin for rounding: minX, maxX, minY, ...
-        private var _extentsAtStart:Vector.<Number> = new Vector.<Number>(6, true);
+        // The extents of the structure's core, where it is at time 0: minX, maxX, minY, ... The core of a round structure is a point or a segment.
+        private var _coreExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The same for the structure and its motion until the limit.
+        // The extents of the core and of its motion until the limit.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // The radius around the structure's core, with the tolerance and a margin for rounding.
@@ -83,7 +83,7 @@ package starlogo.solid
 
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            var extents:Vector.<Number> = _extentsAtStart;
+            var extents:Vector.<Number> = _coreExtents;
             var shape:ConvexShape = _kernel.shape;
             _mesh = model.mesh;
             _motion = motion;
@@ -95,21 +95,20 @@ package starlogo.solid
                 size += Math.max(Math.abs(extents[i]), Math.abs(extents[int(i + 1)]));
             }
             var rounding:Number = Tolerances.EXTENTS * size;
-            var wider:Number = shape.margin + rounding;
-            _radius = shape.radius + wider;
-            _search.setExtents(extents, wider);
+            _radius = shape.radius + shape.margin + rounding;
+            _search.setExtents(extents, shape.margin + rounding);
             _search.setMotion(motion);
             _separatingAxes.setTo(shape, _radius, motion);
             _sweep.copyVector(motion);
             for (i = 0; i < 6; i += 2)
             {
-                extents[i] -= wider;
-                extents[int(i + 1)] += wider;
+                extents[i] += shape.radius;
+                extents[int(i + 1)] -= shape.radius;
             }
             sweepExtents();
         }
 
-        // Sets the extents to those of the structure while it moves, until the limit.
+        // Sets the extents to those of the structure's core while it moves, until the limit.
         private function sweepExtents():void
         {
             sweepAlong(0, limit * _motion.x);
@@ -120,8 +119,8 @@ package starlogo.solid
         // Does it along an axis, whose extents begin at an index.
         private function sweepAlong(at:int, travel:Number):void
         {
-            var low:Number = _extentsAtStart[at];
-            var high:Number = _extentsAtStart[int(at + 1)];
+            var low:Number = _coreExtents[at];
+            var high:Number = _coreExtents[int(at + 1)];
             if (travel < 0)
             {
                 low += travel;
@@ -141,7 +140,7 @@ package starlogo.solid
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
             {
-                if (isBesideExtents(_extents, _mesh.corners, 9 * i))
+                if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) > _radius * _radius)
                 {
                     continue;
                 }

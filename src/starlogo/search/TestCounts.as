@@ -13,7 +13,7 @@ package starlogo.search
      */
     public final class TestCounts
     {
-        /** Tests of two structures, by the kinds of the first and of the second: the index is <code>KIND_COUNT * first + second</code>. */
+        /** Tests of two structures, by the kinds of the first and of the second: the index is that of the first times KIND_COUNT, plus that of the second. */
         public var structures:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
 
         /** Tests of which at least one body is a tree. */

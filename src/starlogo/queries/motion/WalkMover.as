@@ -133,20 +133,23 @@ package starlogo.queries.motion
             }
             walk.place.copyFrom(walk.start);
             pushOut(walk);
-            walk.pushed = Vector3D.distance(walk.place, walk.start);
+            _motion.copyFrom(walk.place);
+            _motion.decrementBy(walk.start);
+            walk.pushed = _motion.length;
             walk.start.copyFrom(walk.place);
             return goDown(walk, walk.closeDepth, _straight);
         }
 
-        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else.
+        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. All pushes together are as
+        // long as the depths of all overlaps at the beginning.
         private function pushOut(walk:Walk):void
         {
-            var left:Number = sumOfDepths(walk);
+            var left:Number = findDeepest(walk, _deepest);
             if (left > 0)
             {
                 findNear(walk, left);
             }
-            for (var i:int = 0; i < MOST_PUSHES && left > 0 && findDeepest(walk, _deepest); i++)
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _deepest.depth > 0; i++)
             {
                 var length:Number = Math.min(left, _deepest.depth);
                 left -= length;
@@ -154,35 +157,27 @@ package starlogo.queries.motion
                 _deepest.push(_motion, length);
                 _slider.slide(walk.body, walk.body.rows, walk.place, _motion, SlideLimits.NONE, _slid);
                 walk.place.copyFrom(_slid.place);
+                findDeepest(walk, _deepest);
             }
         }
 
-        // The sum of the depths of all overlaps of the agent where it is.
-        private function sumOfDepths(walk:Walk):Number
+        // Finds the deepest overlap of the agent where it is; its depth is 0 if there is none. Returns the sum of the depths of all.
+        private function findDeepest(walk:Walk, out:ContactPoint):Number
         {
             var sum:Number = 0;
+            out.depth = 0;
             for (var i:int = 0; i < walk.body.rows.count; i++)
             {
                 if (findOverlap(walk, walk.body.rows.numbers[i], _overlap))
                 {
                     sum += _overlap.depth;
+                    if (_overlap.depth > out.depth)
+                    {
+                        out.copyFrom(_overlap);
+                    }
                 }
             }
             return sum;
-        }
-
-        // Finds the deepest overlap of the agent where it is. Returns whether there is one.
-        private function findDeepest(walk:Walk, out:ContactPoint):Boolean
-        {
-            out.depth = 0;
-            for (var i:int = 0; i < walk.body.rows.count; i++)
-            {
-                if (findOverlap(walk, walk.body.rows.numbers[i], _overlap) && _overlap.depth > out.depth)
-                {
-                    out.copyFrom(_overlap);
-                }
-            }
-            return out.depth > 0;
         }
 
         // Finds how the agent overlaps a row where it is. A push along the contact's normal by its depth leads a clearance out of the row. Returns whether the

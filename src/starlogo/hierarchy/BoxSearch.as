@@ -121,7 +121,7 @@ package starlogo.hierarchy
          *
          * @param tree the tree
          * @param depth how many of its levels are visited
-         * @param visitor its limit must be set, to 0 if the box stands
+         * @param visitor its limit must be set: the latest time that counts
          */
         public function find(tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {

@@ -1,10 +1,10 @@
 /** The page of calls: what it says that a frame passes is what runs, as V8 counts it. Checks starlogo.collision. */
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
-import { Session } from "node:inspector";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { Agent, BuiltInModel, Collision, GreatLand, TightestFitCollider } from "../../bin/module/starlogo-collision.js";
+import { beginCoverage } from "./coverage.mjs";
 
 const at = (file) => fileURLToPath(new URL(`../../${file}`, import.meta.url));
 const code = readFileSync(at("bin/module/starlogo-collision.js"), "utf8");
@@ -18,22 +18,10 @@ const classes = [...code.matchAll(/^(?:const \w+ = .*)?class (\w+)/gm)].map(({ 1
 
 /** The classes of the rooms of which something runs in a call. */
 function classesThatRun(call) {
-	const session = new Session();
-	const ask = (method, parameters) => {
-		let answer;
-		session.post(method, parameters, (error, result) => {
-			if (error) throw error;
-			answer = result;
-		});
-		return answer;
-	};
-	session.connect();
-	ask("Profiler.enable");
-	ask("Profiler.startPreciseCoverage", { callCount: true, detailed: false });
-	ask("Profiler.takePreciseCoverage");
+	const take = beginCoverage(false);
+	take();
 	call();
-	const { functions } = ask("Profiler.takePreciseCoverage").result.find(({ url }) => url.endsWith("starlogo-collision.js"));
-	session.disconnect();
+	const { functions } = take().find(({ url }) => url.endsWith("starlogo-collision.js"));
 	const starts = functions.map(({ ranges }) => ranges[0]).filter(({ count }) => count > 0).map(({ startOffset }) => startOffset);
 	return classes.filter(({ name, start, end }) => inRooms.has(name) && starts.some((each) => each > start && each < end)).map(({ name }) => name);
 }

@@ -8,14 +8,12 @@ import { pathToFileURL } from "node:url";
 const BRANCH = /\b(?:if|for|while|do|switch|try)\b|\?|&&|\|\||=>/;
 
 /**
- * Begins to count the runs of a script's functions, blocks and conditions.
+ * Begins to count what the scripts of this process run.
  *
- * @param {string} file the script
- * @returns {() => number[][]} lists the lines that have run, or may have, at least in part since it was called last: the first and the last of each row of lines, from 0 on
+ * @param {boolean} detailed whether blocks and conditions count too, or functions alone
+ * @returns {() => object[]} lists the scripts with what their functions have run since it was called last, as V8 tells it
  */
-export function countLines(file) {
-	const text = readFileSync(file, "utf8");
-	const url = pathToFileURL(path.resolve(file)).href;
+export function beginCoverage(detailed) {
 	const session = new Session();
 	const ask = (method, parameters) => {
 		let answer;
@@ -27,12 +25,25 @@ export function countLines(file) {
 	};
 	session.connect();
 	ask("Profiler.enable");
-	ask("Profiler.startPreciseCoverage", { callCount: true, detailed: true });
+	ask("Profiler.startPreciseCoverage", { callCount: true, detailed });
+	return () => ask("Profiler.takePreciseCoverage").result;
+}
+
+/**
+ * Begins to count the runs of a script's functions, blocks and conditions.
+ *
+ * @param {string} file the script
+ * @returns {() => number[][]} lists the lines that have run, or may have, at least in part since it was called last: the first and the last of each row of lines, from 0 on
+ */
+export function countLines(file) {
+	const text = readFileSync(file, "utf8");
+	const url = pathToFileURL(path.resolve(file)).href;
+	const take = beginCoverage(true);
 	const hasRun = new Uint8Array(text.length);
 	const starts = [...text.matchAll(/^(?:const \w+ = .*)?class \w+/gm), { index: text.length }].map(({ index }) => index);
 	let straight = null;
 	return () => {
-		const functions = ask("Profiler.takePreciseCoverage").result.find((each) => each.url === url)?.functions ?? [];
+		const functions = take().find((each) => each.url === url)?.functions ?? [];
 		hasRun.fill(0);
 		// what is inside of another comes after it
 		for (const { ranges } of functions) for (const { startOffset, endOffset, count } of ranges) hasRun.fill(Number(count > 0), startOffset, endOffset);

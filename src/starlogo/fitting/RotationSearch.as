@@ -89,7 +89,7 @@ package starlogo.fitting
         {
             _hull = hull;
             _rotated = new Vector.<Number>(hull.points.length);
-            _shortest = Tolerances.HULL_FLAT * hull.extent + Tolerances.HULL_ROUNDING * hull.largest;
+            _shortest = hull.flatness;
             var count:int = Math.ceil(90 / _stepZ);
             for (var i:int = 0; i < count; i++)
             {

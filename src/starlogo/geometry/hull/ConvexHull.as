@@ -100,10 +100,10 @@ package starlogo.geometry.hull
             return _simplex.bounds.extent;
         }
 
-        /** The largest absolute coordinate of the vertices. */
-        public function get largest():Number
+        /** The distance up to which a vertex counts as in a plane, a line or a place. */
+        public function get flatness():Number
         {
-            return _simplex.bounds.largest;
+            return _simplex.flatness;
         }
 
         /**

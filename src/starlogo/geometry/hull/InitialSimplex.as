@@ -44,6 +44,12 @@ package starlogo.geometry.hull
             call(measure);
         }
 
+        /** The distance up to which a vertex counts as in a plane, a line or a place. */
+        public function get flatness():Number
+        {
+            return Tolerances.HULL_FLAT * bounds.extent + Tolerances.HULL_ROUNDING * bounds.largest;
+        }
+
         /**
          * Whether vertices of three dimensions are thin in a direction between the coordinate axes. A grid along the coordinate axes would
          * lose precision then.
@@ -163,8 +169,7 @@ package starlogo.geometry.hull
                 y -= t * axes[axis + 1];
                 z -= t * axes[axis + 2];
             }
-            var flat:Number = Tolerances.HULL_FLAT * bounds.extent + Tolerances.HULL_ROUNDING * bounds.largest;
-            if (!(Math.sqrt(x * x + y * y + z * z) > flat))
+            if (!(Math.sqrt(x * x + y * y + z * z) > flatness))
             {
                 return false;
             }

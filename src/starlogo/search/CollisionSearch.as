@@ -127,8 +127,13 @@ package starlogo.search
             }
             begin(input, _pairs);
             _bins.findPairs(extents, members, this);
-            findPairsOfWorldAgent(ListedAgents.GROUND_ROW, members);
-            findPairsOfWorldAgent(ListedAgents.EDGES_ROW, members);
+            for (var worldRow:int = ListedAgents.GROUND_ROW; worldRow <= ListedAgents.EDGES_ROW; worldRow++)
+            {
+                if (isOfInterest(worldRow))
+                {
+                    findPairsOfWorldAgent(worldRow, members);
+                }
+            }
             _pairs.putInOrder(_motions != null);
             _mayBeKept = mayKeep && _changedRows.noteSearch(members, input, _motions);
             return members.count;
@@ -141,10 +146,14 @@ package starlogo.search
         {
             begin(input, _pairsOfChanged);
             _changedRows.findPairs(this);
-            listMembers(_changedRows.rowsToTestWith(ListedAgents.GROUND_ROW), input);
-            findPairsOfWorldAgent(ListedAgents.GROUND_ROW, _members);
-            listMembers(_changedRows.rowsToTestWith(ListedAgents.EDGES_ROW), input);
-            findPairsOfWorldAgent(ListedAgents.EDGES_ROW, _members);
+            for (var worldRow:int = ListedAgents.GROUND_ROW; worldRow <= ListedAgents.EDGES_ROW; worldRow++)
+            {
+                if (isOfInterest(worldRow))
+                {
+                    listMembers(_changedRows.rowsToTestWith(worldRow), input);
+                    findPairsOfWorldAgent(worldRow, _members);
+                }
+            }
             _pairsOfChanged.putInOrder(_motions != null);
             _changedRows.updatePairs(_pairs, _pairsOfChanged);
             _mayBeKept = true;
@@ -212,14 +221,16 @@ package starlogo.search
             _out.addPairs(row, others, keepTouching(row, others, count, level), null);
         }
 
-        // Finds the pairs of members with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
+        // Whether there is ground, or there are edges of the world, and handlers for them.
+        private function isOfInterest(worldRow:int):Boolean
+        {
+            return table.list.agents[worldRow] != null && _input.interests.isNamed(table.breeds[worldRow]);
+        }
+
+        // Finds the pairs of members with the ground, or with the edges of the world. It tests only members whose breeds are of
         // interest together with the breed of the ground or of the edges.
         private function findPairsOfWorldAgent(worldRow:int, members:IntList):void
         {
-            if (table.list.agents[worldRow] == null || !_input.interests.isNamed(table.breeds[worldRow]))
-            {
-                return;
-            }
             _membersForWorld.copyFrom(members);
             var others:Vector.<int> = _membersForWorld.numbers;
             var count:int = _input.interests.keepOfInterest(table.breeds, worldRow, others, _membersForWorld.count);

@@ -60,7 +60,7 @@ package starlogo.queries
         private var _made:Body = new Body();
 
         // By nesting: what collects the rows of a question.
-        private var _collectors:Vector.<Collector> = new <Collector>[new Collector()];
+        private var _collectors:Vector.<Collector> = new Vector.<Collector>();
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -150,7 +150,12 @@ package starlogo.queries
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
         engine function ask(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            var collector:Collector = _collectors[nesting];
+            var at:int = nesting;
+            if (at == _collectors.length)
+            {
+                _collectors.push(new Collector());
+            }
+            var collector:Collector = _collectors[at];
             collector.begin(table, wanted, limit, asker, filter);
             return collector;
         }
@@ -162,13 +167,9 @@ package starlogo.queries
         engine function get nesting():int
         {
             var depth:int = 0;
-            while (_collectors[depth].isAsking)
+            while (depth < _collectors.length && _collectors[depth].isAsking)
             {
                 depth++;
-                if (depth == _collectors.length)
-                {
-                    _collectors.push(new Collector());
-                }
             }
             return depth;
         }

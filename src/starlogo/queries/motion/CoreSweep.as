@@ -14,8 +14,7 @@ package starlogo.queries.motion
 
     /**
      * Finds how a motion starts, what stops a body on a straight motion, and when. It sweeps the body's core, which does not meet what the body only
-     * touches, leaves or runs along. Casts, slides and straight motions start with
-     * <code>findStart()</code>.
+     * touches, leaves or runs along. Casts, slides and straight motions start with <code>findStart()</code>.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *

@@ -14,6 +14,9 @@ package starlogo.convex
      */
     public final class TrianglePlane
     {
+        // Points of a core are equally deep if their depths differ by less than this fraction of its extent along the normal.
+        private static const SAME_DEPTH:Number = 1e-12;
+
         /** The unit normal. It points to the side from which the corners are counter-clockwise. 0 if the triangle is flat. */
         public var normal:Vector3D = new Vector3D();
 
@@ -136,6 +139,69 @@ package starlogo.convex
             var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
                 + motion.time * speed + _ofShape.least - shape.radius;
             return offset - front <= contact.depth + shape.margin;
+        }
+
+        /**
+         * Finds the contact that leads a shape out in front of the plane. A shape behind the plane need not touch the triangle.
+         *
+         * @param motion of the shape; the shape is where it is at the motion's time
+         * @param out receives the depth behind the plane, the plane's normal, and the middle of the way from the shape's deepest point to the plane.
+         *     The depth is negative if the shape is in front of the plane. If the triangle is flat, the normal is 0, and all else is NaN
+         */
+        public function findBehind(shape:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
+        {
+            out.setNormal(normal.x, normal.y, normal.z);
+            moveToDeepest(shape, out);
+            out.x += motion.startX + motion.time * motion.x;
+            out.y += motion.startY + motion.time * motion.y;
+            out.z += motion.startZ + motion.time * motion.z;
+            out.depth = offset - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
+            out.x += out.depth / 2 * out.normalX;
+            out.y += out.depth / 2 * out.normalY;
+            out.z += out.depth / 2 * out.normalZ;
+        }
+
+        /**
+         * Replaces a contact that leads behind the plane of a solid's surface, into the solid. The new contact leads out in front of the plane.
+         *
+         * @param motion of the shape; the shape is where it is at the motion's time
+         * @param contact the shortest way away from the triangle then
+         */
+        public function leadOutside(shape:ConvexShape, motion:RelativeMotion, contact:ContactPoint):void
+        {
+            // Where a moving shape first touches a sharp edge, the normal may point behind one of the edge's faces.
+            var isFirstTouch:Boolean = motion.time > 0
+                && contact.normalX * motion.x + contact.normalY * motion.y + contact.normalZ * motion.z < 0;
+            if (!isFirstTouch && contact.along(normal) < -Tolerances.DIRECTION)
+            {
+                findBehind(shape, motion, contact);
+            }
+        }
+
+        // Moves a contact to the point of the shape that is farthest against the normal. If there are several, it is their middle.
+        private function moveToDeepest(shape:ConvexShape, out:ContactPoint):void
+        {
+            var p:Vector.<Number> = shape.points;
+            var end:int = shape.end;
+            shape.project(normal, _ofShape);
+            var most:Number = _ofShape.least + SAME_DEPTH * (_ofShape.greatest - _ofShape.least);
+            var count:int = 0;
+            var x:Number = 0;
+            var y:Number = 0;
+            var z:Number = 0;
+            for (var i:int = 0; i < end; i += 3)
+            {
+                if (normal.x * p[i] + normal.y * p[int(i + 1)] + normal.z * p[int(i + 2)] <= most)
+                {
+                    x += p[i];
+                    y += p[int(i + 1)];
+                    z += p[int(i + 2)];
+                    count++;
+                }
+            }
+            out.x = shape.x + x / count - shape.radius * normal.x;
+            out.y = shape.y + y / count - shape.radius * normal.y;
+            out.z = shape.z + z / count - shape.radius * normal.z;
         }
     }
 }

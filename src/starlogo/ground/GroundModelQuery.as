@@ -6,6 +6,7 @@ package starlogo.ground
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.TriangleKernel;
     import starlogo.solid.FirstTouch;
     import starlogo.solid.ImpactQuery;
     import starlogo.solid.ModelTree;
@@ -61,6 +62,7 @@ package starlogo.ground
         // Whether the two overlap where the model is. overlapsAt() is short so that V8 inlines it and allocates no object for the time.
         private function overlaps():Boolean
         {
+            var kernel:TriangleKernel = _pairs.kernel;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
@@ -70,7 +72,7 @@ package starlogo.ground
                 }
                 while (_pairs.nextTriangle())
                 {
-                    if (!_pairs.kernel.stayApart(RelativeMotion.NONE) && _pairs.kernel.areTouching())
+                    if (!kernel.stayApart(RelativeMotion.NONE) && kernel.areTouching())
                     {
                         return true;
                     }
@@ -82,6 +84,7 @@ package starlogo.ground
         /** @inheritDoc */
         override public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
+            var kernel:TriangleKernel = _pairs.kernel;
             _touch.begin(motion.latest);
             _sweep.copyVector(motion);
             _sweep.earliest = motion.earliest;
@@ -90,15 +93,17 @@ package starlogo.ground
             _pairs.begin(_sweep, 0);
             while (_touch.time > 0 && _pairs.next())
             {
-                if (_pairs.kernel.stayApart(_sweep))
+                if (kernel.stayApart(_sweep))
                 {
                     continue;
                 }
-                _pairs.kernel.findTime(_sweep);
-                if (_touch.choose(_sweep, _pairs.kernel.plane) && out != null)
+                kernel.findTime(_sweep);
+                if (_touch.choose(_sweep, kernel.plane) && out != null)
                 {
                     _sweep.time = _touch.time;
-                    _pairs.kernel.findContact(_sweep, out);
+                    kernel.findContact(_sweep, out);
+                    kernel.plane.leadOutside(kernel.shape, _sweep, out);
+                    kernel.plane.turnContact(kernel.shape, _sweep, out);
                 }
                 _sweep.latest = _touch.latest;
             }
@@ -184,7 +189,7 @@ package starlogo.ground
             {
                 _pairs.pieces.begin();
                 _pairs.pieces.next();
-                _pairs.kernel.setTriangle(pointAsTriangle(x, y, z));
+                _pairs.kernel.setTriangle(pointAsTriangle(x, y, z), 0);
                 _pairs.kernel.findCloser(out);
             }
             out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.grid.cellWidth;

@@ -4,6 +4,7 @@ package starlogo.ground
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
+    import starlogo.intersection.TriangleKernel;
 
     /**
      * Finds how deep a standing model is in the ground, and how far up it has to be lifted. GroundModelQuery sets the model.
@@ -26,6 +27,7 @@ package starlogo.ground
         private static const NONE:Number = -1;
 
         private var _pairs:PieceTrianglePairs;
+        private var _kernel:TriangleKernel;
 
         // A contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
@@ -37,6 +39,7 @@ package starlogo.ground
         public function GroundPenetrationQuery(pairs:PieceTrianglePairs)
         {
             _pairs = pairs;
+            _kernel = pairs.kernel;
         }
 
         /**
@@ -89,7 +92,7 @@ package starlogo.ground
                 var isApart:Boolean = true;
                 while (_pairs.nextTriangle())
                 {
-                    if (_pairs.kernel.findOverlap(_tried))
+                    if (findOverlap())
                     {
                         if (_tried.depth > depth)
                         {
@@ -115,8 +118,8 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
-                if (_pairs.kernel.isThroughTriangle(_tried) && isClearlyDeeper(_tried, deepest) && isDepthProven(_tried))
+                _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
+                if (isThrough(_pairs.triangle.corners, _tried) && isClearlyDeeper(_tried, deepest) && isDepthProven(_tried))
                 {
                     deepest = _tried.depth;
                     out.copyFrom(_tried);
@@ -136,12 +139,12 @@ package starlogo.ground
             {
                 var rounding:Number = roundingHere();
                 // no overlap is deeper than the piece is behind the plane
-                _pairs.kernel.findBehind(RelativeMotion.NONE, _tried);
+                _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
                 var isLess:Boolean = deepest > 0 && _tried.depth < deepest - rounding;
-                if (!isLess && _pairs.kernel.findOverlap(_tried))
+                if (!isLess && findOverlap())
                 {
                     var depth:Number = _tried.depth;
-                    _pairs.kernel.leadOutside(RelativeMotion.NONE, _tried);
+                    _kernel.plane.leadOutside(_kernel.shape, RelativeMotion.NONE, _tried);
                     if (deepest == NONE || depth > deepest + roundingFor(_tried.depth - out.depth, rounding))
                     {
                         deepest = Math.max(depth, deepest);
@@ -150,6 +153,38 @@ package starlogo.ground
                 }
             }
             return deepest != NONE;
+        }
+
+        // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
+        private function findOverlap():Boolean
+        {
+            if (!_kernel.areTouching())
+            {
+                return false;
+            }
+            _kernel.findContact(RelativeMotion.NONE, _tried);
+            return true;
+        }
+
+        // Whether the way out of a contact behind a triangle's plane passes through the triangle, seen along its normal. False if the triangle is flat.
+        private static function isThrough(corners:Vector.<Number>, contact:ContactPoint):Boolean
+        {
+            var from:int = 6;
+            for (var to:int = 0; to < 9; to += 3)
+            {
+                var ux:Number = corners[to] - corners[from];
+                var uy:Number = corners[int(to + 1)] - corners[int(from + 1)];
+                var uz:Number = corners[int(to + 2)] - corners[int(from + 2)];
+                var vx:Number = contact.x - corners[from];
+                var vy:Number = contact.y - corners[int(from + 1)];
+                var vz:Number = contact.z - corners[int(from + 2)];
+                if (!(contact.normalX * (uy * vz - uz * vy) + contact.normalY * (uz * vx - ux * vz) + contact.normalZ * (ux * vy - uy * vx) >= 0))
+                {
+                    return false;
+                }
+                from = to;
+            }
+            return true;
         }
 
         // How much deeper an overlap has to be than another one. With a clearly shorter way out it may be as deep up to rounding. With a clearly longer one

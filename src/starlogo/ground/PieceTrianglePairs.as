@@ -4,6 +4,7 @@ package starlogo.ground
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
+    import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
 
     /**
@@ -15,9 +16,6 @@ package starlogo.ground
      */
     internal final class PieceTrianglePairs
     {
-        /** Decides about the current piece and the current triangle. Both are relative to the origin. */
-        public var kernel:SurfaceKernel;
-
         /** The pieces. A query may move the model before it begins. */
         public var pieces:ModelPieces = new ModelPieces();
 
@@ -31,7 +29,6 @@ package starlogo.ground
 
         public function PieceTrianglePairs()
         {
-            kernel = new SurfaceKernel(pieces.kernel);
             _search.box = pieces.box;
         }
 
@@ -43,6 +40,12 @@ package starlogo.ground
             origin.y = placement.y;
             origin.z = placement.z;
             pieces.setTo(tree, structure, placement, depth, exact);
+        }
+
+        /** Decides about the current piece and the current triangle. Both are relative to the origin. Read only. */
+        public function get kernel():TriangleKernel
+        {
+            return pieces.kernel;
         }
 
         /** The ground. */
@@ -119,8 +122,8 @@ package starlogo.ground
             {
                 return false;
             }
-            pieces.kernel.shape.margin = pieces.margin + triangle.margin;
-            kernel.setTriangle(triangle.corners);
+            kernel.shape.margin = pieces.margin + triangle.margin;
+            kernel.setTriangle(triangle.corners, 0);
             return true;
         }
 

@@ -6,14 +6,17 @@ package starlogo.intersection
     import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
     /**
      * The kernel of a convex shape and triangles: whether the shape touches a triangle, when and how it first does, and how far the two are apart. The
-     * shape is set once. A question takes the triangle: nine numbers of a list, from an index on. ConvexKernel decides.
+     * shape is set once for many triangles, the triangle for some questions. ConvexKernel decides. The triangle's plane rules out most triangles
+     * before.
      *
      * @private
      */
@@ -21,6 +24,13 @@ package starlogo.intersection
     {
         /** The shape, in the triangles' space. Only its margin may be changed. */
         public var shape:ConvexShape = new ConvexShape();
+
+        /** The plane of the triangle. Read only. */
+        public var plane:TrianglePlane = new TrianglePlane();
+
+        // The list that has the triangle, and the index of the first of its nine numbers.
+        private var _corners:Vector.<Number> = null;
+        private var _at:int = 0;
 
         private var _kernel:ConvexKernel = new ConvexKernel();
         private var _triangle:ConvexShape = new ConvexShape();
@@ -50,45 +60,66 @@ package starlogo.intersection
             shape.setTriangle(_placed, 0);
         }
 
-        /** Whether the shape touches a triangle. */
-        public function areTouching(corners:Vector.<Number>, at:int):Boolean
+        /** Sets the triangle: nine numbers of a list, from an index on. The list is kept. */
+        public function setTriangle(corners:Vector.<Number>, at:int):void
         {
-            _triangle.setTriangle(corners, at);
+            _corners = corners;
+            _at = at;
+            plane.setTriangle(corners, at);
+        }
+
+        /**
+         * Whether the plane shows that the shape stays apart from the triangle until the motion's latest time. Ask this first: it is quick.
+         *
+         * @param motion of the shape; its start must be 0
+         */
+        public function stayApart(motion:RelativeMotion):Boolean
+        {
+            var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(plane.offset)
+                + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
+            var margin:Number = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
+            return plane.findEntry(shape, margin, motion) > motion.latest;
+        }
+
+        /** Whether the shape touches the triangle. */
+        public function areTouching():Boolean
+        {
+            _triangle.setTriangle(_corners, _at);
             return _kernel.areTouching(shape, _triangle);
         }
 
         /**
-         * Finds when the shape first touches a triangle while it moves.
+         * Finds when the shape first touches the triangle while it moves.
          *
          * @param motion of the shape; receives the time, or RelativeMotion.NEVER
          */
-        public function findTime(corners:Vector.<Number>, at:int, motion:RelativeMotion):void
+        public function findTime(motion:RelativeMotion):void
         {
-            _triangle.setTriangle(corners, at);
+            _triangle.setTriangle(_corners, _at);
             _kernel.findTime(shape, _triangle, motion);
         }
 
         /**
-         * Finds how the shape and a triangle touch or overlap.
+         * Finds how the shape and the triangle touch or overlap.
          *
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param out receives the contact, with a normal that points from the triangle to the shape
          */
-        public function findContact(corners:Vector.<Number>, at:int, motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            _triangle.setTriangle(corners, at);
+            _triangle.setTriangle(_corners, _at);
             _kernel.findContact(shape, _triangle, motion, out);
         }
 
         /**
-         * Finds the closest points of a triangle and the shape, if they are closer than those of a triangle before.
+         * Finds the closest points of the triangle and the shape, if they are closer than those of a triangle before.
          *
          * @param out the distance and the points of the triangle before; overwritten if this one is closer
          * @return whether it is closer
          */
-        public function findCloser(corners:Vector.<Number>, at:int, out:ClosestPoints):Boolean
+        public function findCloser(out:ClosestPoints):Boolean
         {
-            _triangle.setTriangle(corners, at);
+            _triangle.setTriangle(_corners, _at);
             return _kernel.findCloser(_triangle, shape, out);
         }
     }

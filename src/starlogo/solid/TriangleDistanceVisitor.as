@@ -67,7 +67,8 @@ package starlogo.solid
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < limit * limit)
                 {
                     _counts.triangleTests++;
-                    if (_kernel.findCloser(_mesh.corners, 9 * i, _nearest))
+                    _kernel.setTriangle(_mesh.corners, 9 * i);
+                    if (_kernel.findCloser(_nearest))
                     {
                         limit = _nearest.distance;
                         _slot = i;

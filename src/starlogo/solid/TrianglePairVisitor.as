@@ -63,8 +63,7 @@ package starlogo.solid
         // tolerance is more than those CORES, because it has SURFACES of the radii.
         private var _outerTolerance:Number = 0;
 
-        // The planes of a triangle of the first model, and of one of the second.
-        private var _plane:TrianglePlane = new TrianglePlane();
+        // The plane of the current triangle of the second node.
         private var _planeOfSecond:TrianglePlane = new TrianglePlane();
 
         // Chooses the triangles that touch first.
@@ -144,7 +143,7 @@ package starlogo.solid
                 {
                     if (findTime(slot))
                     {
-                        if (_touch.choose(motion, _plane, _planeOfSecond))
+                        if (_touch.choose(motion, _kernel.plane, _planeOfSecond))
                         {
                             best.a = slot;
                             best.b = _movedFrom + i;
@@ -185,24 +184,25 @@ package starlogo.solid
         public function findContact(pair:TwoTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
             _kernel.setShapeToTriangle(_secondMesh.corners, 9 * best.b, _placement);
-            _kernel.findContact(_firstMesh.corners, 9 * best.a, motion, out);
+            _kernel.setTriangle(_firstMesh.corners, 9 * best.a);
+            _kernel.findContact(motion, out);
             _kernel.shape.margin = _outerTolerance;
-            _plane.setTriangle(_firstMesh.corners, 9 * best.a);
             Placement.invert(_placement, _toSecond.placement);
-            if (_plane.isMetBy(_kernel.shape, motion, out) && !hasTriangleBehind(pair.b, _toSecond, motion, out))
+            var plane:TrianglePlane = _kernel.plane;
+            if (plane.isMetBy(_kernel.shape, motion, out) && !hasTriangleBehind(pair.b, _toSecond, motion, out))
             {
-                out.setNormal(_plane.normal.x, _plane.normal.y, _plane.normal.z);
+                out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
             }
             _movedFrom = -1;
             Placement.placePoints(_placement, _secondMesh.corners, 9 * best.b, 9 * best.b + 9, _moved);
-            _plane.setTriangle(_moved, 0);
+            _kernel.setTriangle(_moved, 0);
             _kernel.shape.setTriangle(_firstMesh.corners, 9 * best.a);
             _kernel.shape.margin = _outerTolerance;
             _reversed.setReversed(motion);
-            if (_plane.isMetBy(_kernel.shape, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, RelativeMotion.NONE, out))
+            if (plane.isMetBy(_kernel.shape, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, RelativeMotion.NONE, out))
             {
-                out.setNormal(-_plane.normal.x, -_plane.normal.y, -_plane.normal.z);
+                out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }
         }
 
@@ -211,10 +211,11 @@ package starlogo.solid
         {
             var radius:Number = PROBE * _kernel.shape.extent;
             var back:Number = (1 + PROBE_GAP) * radius + 2 * _tolerance;
+            var normal:Vector3D = _kernel.plane.normal;
             _probe.radius = radius;
-            _probe.center.x = contact.x - motion.time * motion.x - back * _plane.normal.x;
-            _probe.center.y = contact.y - motion.time * motion.y - back * _plane.normal.y;
-            _probe.center.z = contact.z - motion.time * motion.z - back * _plane.normal.z;
+            _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
+            _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
+            _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
             return _touches.findTouch(model, _probe, pose, _still) >= 0;
         }
 
@@ -271,7 +272,7 @@ package starlogo.solid
             {
                 return false;
             }
-            return _kernel.areTouching(_firstMesh.corners, 9 * slot);
+            return _kernel.areTouching();
         }
 
         // Finds when the current triangle first touches a triangle of the first model. Sets the motion's time if that is no later than its latest time,
@@ -287,7 +288,7 @@ package starlogo.solid
             {
                 return false;
             }
-            _kernel.findTime(_firstMesh.corners, 9 * slot, _motion);
+            _kernel.findTime(_motion);
             return _motion.time <= _motion.latest;
         }
 
@@ -298,7 +299,8 @@ package starlogo.solid
             if (squaredDistanceOfExtents(slot) < points.distance * points.distance && !isBeyond(slot, second, points))
             {
                 _counts.triangleTests++;
-                _kernel.findCloser(_firstMesh.corners, 9 * slot, points);
+                _kernel.setTriangle(_firstMesh.corners, 9 * slot);
+                _kernel.findCloser(points);
             }
         }
 
@@ -312,11 +314,11 @@ package starlogo.solid
                     || ofFirst[int(at + 4)] > ofSecond[5] || ofFirst[int(at + 5)] < ofSecond[4]);
         }
 
-        // Whether the second model's triangle stays on one side of the plane of a triangle of the first model.
+        // Goes on to a triangle of the first model. Whether the second model's triangle stays on one side of its plane.
         private function stayApart(slot:int):Boolean
         {
-            _plane.setTriangle(_firstMesh.corners, 9 * slot);
-            return _plane.findEntry(_kernel.shape, _outerTolerance, _motion) > _motion.latest;
+            _kernel.setTriangle(_firstMesh.corners, 9 * slot);
+            return _kernel.plane.findEntry(_kernel.shape, _outerTolerance, _motion) > _motion.latest;
         }
 
         // The squared distance of the extents of a triangle of the first model from those of the current triangle. Both are prepared, because each

@@ -4,7 +4,6 @@ package starlogo.solid
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
-    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
@@ -46,9 +45,6 @@ package starlogo.solid
 
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
-
-        // The plane of a triangle.
-        private var _plane:TrianglePlane = new TrianglePlane();
 
         // The slot of the triangle that is touched first, and what chooses it.
         private var _found:int = -1;
@@ -149,8 +145,8 @@ package starlogo.solid
                 {
                     continue;
                 }
-                _plane.setTriangle(_mesh.corners, 9 * i);
-                _sweep.earliest = _plane.findEntry(_kernel.shape, _radius, _motion);
+                _kernel.setTriangle(_mesh.corners, 9 * i);
+                _sweep.earliest = _kernel.plane.findEntry(_kernel.shape, _radius, _motion);
                 if (_sweep.earliest > limit)
                 {
                     continue;
@@ -158,13 +154,13 @@ package starlogo.solid
                 _counts.triangleTests++;
                 if (isStill)
                 {
-                    _sweep.time = _kernel.areTouching(_mesh.corners, 9 * i) ? 0 : RelativeMotion.NEVER;
+                    _sweep.time = _kernel.areTouching() ? 0 : RelativeMotion.NEVER;
                 }
                 else
                 {
-                    _kernel.findTime(_mesh.corners, 9 * i, _sweep);
+                    _kernel.findTime(_sweep);
                 }
-                if (_touch.choose(_sweep, _plane))
+                if (_touch.choose(_sweep, _kernel.plane))
                 {
                     _found = i;
                 }
@@ -189,9 +185,9 @@ package starlogo.solid
          */
         public function findContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _kernel.findContact(_mesh.corners, 9 * slot, motion, out);
-            _plane.setTriangle(_mesh.corners, 9 * slot);
-            _plane.turnContact(_kernel.shape, motion, out);
+            _kernel.setTriangle(_mesh.corners, 9 * slot);
+            _kernel.findContact(motion, out);
+            _kernel.plane.turnContact(_kernel.shape, motion, out);
         }
     }
 }

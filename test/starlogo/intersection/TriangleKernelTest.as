@@ -3,6 +3,7 @@ package starlogo.intersection
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -13,7 +14,6 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.ground.SurfaceKernel;
     import support.Complaints;
     import support.Effort;
     import support.PlainDistance;
@@ -80,7 +80,8 @@ package starlogo.intersection
                 var sweep:TriangleKernel = new TriangleKernel();
                 closest.distance = Infinity;
                 sweep.setStructure(structure, new Placement());
-                sweep.findCloser(corners, 0, closest);
+                sweep.setTriangle(corners, 0);
+                sweep.findCloser(closest);
                 if (!(closest.distance > 1e-3) || areTouching(structure, corners, 0))
                 {
                     continue;
@@ -134,7 +135,7 @@ package starlogo.intersection
                 for (var k:int = -4; k <= 4 && first > 0 && first < 1; k++)
                 {
                     var time:Number = timeOf(sweep, moved(structure, motion, first - k * _random.logBetween(1e-16, 1e-12)), corners, motion);
-                    apart += sweep.areTouching(corners, 0) ? 0 : 1;
+                    apart += sweep.areTouching() ? 0 : 1;
                     _wrong.addIf(!(time < 1e-9), "not met", structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z]
                             + ", from " + first + ", step " + k + ": " + time);
                 }
@@ -143,15 +144,57 @@ package starlogo.intersection
             assertTrue(apart + " apart", apart > 100);
         }
 
+        [Test]
+        public function nothingIsBehindATriangleWithoutArea():void
+        {
+            var kernel:TriangleKernel = new TriangleKernel();
+            var out:ContactPoint = new ContactPoint();
+            for (var i:int = 0; i < 300; i++)
+            {
+                kernel.setStructure(_structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2), new Placement());
+                var corners:Vector.<Number> = new Vector.<Number>(9, true);
+                var share:Number = i % 5 / 4;
+                for (var k:int = 0; k < 3; k++)
+                {
+                    corners[k] = _random.between(-5, 5);
+                    corners[3 + k] = _random.between(-5, 5);
+                    corners[6 + k] = corners[k] + share * (corners[3 + k] - corners[k]);
+                }
+                kernel.setTriangle(corners, 0);
+                kernel.plane.findBehind(kernel.shape, new RelativeMotion(0), out);
+                _wrong.addIf(out.depth >= 0, "behind", "triangle " + corners);
+            }
+            _wrong.assertNone();
+        }
+
+        /** Only what touches first on its motion may have a normal that points behind the triangle. */
+        [Test]
+        public function whatIsInTheSolidAtFirstIsLedOutside():void
+        {
+            var kernel:TriangleKernel = new TriangleKernel();
+            var corners:Vector.<Number> = new <Number>[-10, -10, 0, 10, -10, 0, 0, 10, 0];
+            kernel.setStructure(new Sphere(new Vector3D(0, 0, -0.5), 1), new Placement());
+            kernel.setTriangle(corners, 0);
+            for (var up:int = -1; up <= 1; up++)
+            {
+                var motion:RelativeMotion = new RelativeMotion(0);
+                motion.z = up;
+                var out:ContactPoint = new ContactPoint();
+                kernel.findContact(motion, out);
+                assertEquals(-1, out.normalZ);
+                kernel.plane.leadOutside(kernel.shape, motion, out);
+                assertEquals("moves by " + up, "1,1.5", [out.normalZ, out.depth].join());
+            }
+        }
+
         private static function timeOf(sweep:TriangleKernel, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
         {
             sweep.setStructure(structure, new Placement());
-            var surface:SurfaceKernel = new SurfaceKernel(sweep);
-            surface.setTriangle(corners);
+            sweep.setTriangle(corners, 0);
             motion.time = RelativeMotion.NEVER;
-            if (!surface.stayApart(motion))
+            if (!sweep.stayApart(motion))
             {
-                surface.findTime(motion);
+                sweep.findTime(motion);
             }
             return motion.time;
         }
@@ -161,7 +204,7 @@ package starlogo.intersection
             var there:BoundingStructure = moved(structure, motion, motion.time);
             _wrong.addIf(!areTouching(there, corners, NEAR), "no touch", message);
             var out:ContactPoint = new ContactPoint();
-            sweep.findContact(corners, 0, motion, out);
+            sweep.findContact(motion, out);
             var point:Vector3D = new Vector3D(out.x, out.y, out.z);
             var normal:Vector3D = new Vector3D(out.normalX, out.normalY, out.normalZ);
             var onStructure:Number = SurfaceDistance.of(there, point);

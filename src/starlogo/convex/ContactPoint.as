@@ -28,11 +28,6 @@ package starlogo.convex
          */
         public var triangle:int = -1;
 
-        /**
-         * The shortest exit is at least about as long as this: it may be a fifth shorter. 0 if nothing is known. Only tests of the ground write it.
-         */
-        public var provenDepth:Number = 0;
-
         /** Becomes the same as another contact. */
         public function copyFrom(other:ContactPoint):void
         {
@@ -44,7 +39,6 @@ package starlogo.convex
             normalZ = other.normalZ;
             depth = other.depth;
             triangle = other.triangle;
-            provenDepth = other.provenDepth;
         }
 
         /**

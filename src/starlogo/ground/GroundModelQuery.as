@@ -110,7 +110,6 @@ package starlogo.ground
             motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                out.provenDepth = 0;
                 _pairs.moveToWorld(out);
             }
         }

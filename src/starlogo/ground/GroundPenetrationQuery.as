@@ -32,7 +32,7 @@ package starlogo.ground
         // A contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
 
-        // Bounds of the heights around a place.
+        // Bounds of the heights around the model.
         private var _around:HeightRange = new HeightRange();
 
         /** @param pairs of the model, where it stands */
@@ -46,25 +46,18 @@ package starlogo.ground
          * Finds the contact with the triangle that the model is deepest in. If the model meets none, it is wholly under the ground, and the contact
          * lifts it up.
          *
-         * @param out receives the contact, in the world, and what is known of its depth
+         * @param out receives the contact, in the world
          */
         public function findContact(out:ContactPoint):void
         {
-            if (findDeepestBehind(out))
+            if (findDeepestBehind(out) || findDeepestOverlap(out))
             {
-                // a point of the model is that deep behind a triangle
-                out.provenDepth = out.depth;
-            }
-            else if (findDeepestOverlap(out))
-            {
-                out.provenDepth = isDepthProven(out) ? out.depth : 0;
+                _pairs.moveToWorld(out);
             }
             else
             {
                 findLift(out);
-                return;
             }
-            _pairs.moveToWorld(out);
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
@@ -79,7 +72,6 @@ package starlogo.ground
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
-            out.provenDepth = 0;
             _pairs.moveToWorld(out);
         }
 
@@ -223,7 +215,7 @@ package starlogo.ground
             var x:Number = origin.x + contact.x - depth / 2 * contact.normalX;
             var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || _pairs.grid.leastExit(x, y, z, depth, _around) >= LEAST_SHARE_PROVEN * depth;
+            return depth == 0 || _pairs.grid.leastExit(x, y, z, depth) >= LEAST_SHARE_PROVEN * depth;
         }
     }
 }

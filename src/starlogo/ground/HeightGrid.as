@@ -47,6 +47,7 @@ package starlogo.ground
         private var _holders:int = 0;
 
         private var _point:GroundPoint = new GroundPoint();
+        private var _around:HeightRange = new HeightRange();
 
         // A grid that has been a copy of this one, or of which this one is a copy; or null.
         private var _spare:HeightGrid = null;
@@ -319,28 +320,26 @@ package starlogo.ground
         /**
          * A lower bound for the lengths of the exits from the ground at a place; 0 if none is known. Exits that are longer than
          * <code>maxLength</code> do not count.
-         *
-         * @param around receives bounds of the heights near the place
          */
-        public function leastExit(atX:Number, atY:Number, atZ:Number, maxLength:Number, around:HeightRange):Number
+        public function leastExit(atX:Number, atY:Number, atZ:Number, maxLength:Number):Number
         {
             var high:Number = heightAt(atX, atY);
             if (!(high > atZ && distanceToEnd(atX, atY) >= maxLength))
             {
                 return 0;
             }
-            pyramid.findAround(atX, atY, maxLength, maxLength, around);
-            if (around.hasHole)
+            pyramid.findAround(atX, atY, maxLength, maxLength, _around);
+            if (_around.hasHole)
             {
                 return 0;
             }
-            var least:Number = Math.max(0, around.least - atZ);
+            var least:Number = Math.max(0, _around.least - atZ);
             if (isBlocky)
             {
                 return least;
             }
-            var slopeX:Number = around.stepX / cellWidth;
-            var slopeY:Number = around.stepY / cellWidth;
+            var slopeX:Number = _around.stepX / cellWidth;
+            var slopeY:Number = _around.stepY / cellWidth;
             return Math.max(least, (high - atZ) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
         }
 

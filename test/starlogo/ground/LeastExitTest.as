@@ -13,7 +13,6 @@ package starlogo.ground
 
         private var _random:SeededRandom = new SeededRandom(703);
         private var _wrong:Complaints = new Complaints();
-        private var _around:HeightRange = new HeightRange();
 
         [Test]
         public function noWayOutIsShorterThanTheLeast():void
@@ -27,7 +26,7 @@ package starlogo.ground
                 var y:Number = _random.between(-2, 2);
                 var z:Number = grid.heightAt(x, y) - _random.logBetween(0.001, 2);
                 var reach:Number = _random.logBetween(0.01, 3);
-                var least:Number = grid.leastExit(x, y, z, reach, _around);
+                var least:Number = grid.leastExit(x, y, z, reach);
                 _wrong.addIf(!(least >= 0), "negative", i + ": " + least);
                 known += least > 0 ? 1 : 0;
                 for (var k:int = 0; k < 20 && least > 0; k++)
@@ -59,9 +58,9 @@ package starlogo.ground
             var border:Number = -2 + 1.5 * WIDTH;
             for each (var reach:Number in [1e-20, 1e-9, 0.01, 1])
             {
-                assertEquals("between columns, " + reach, 0, grid.leastExit(border, 0, 0.5, reach, _around));
-                assertEquals("at the end, " + reach, 0, grid.leastExit(-2 - WIDTH / 2, 0, 0.5, reach, _around));
-                assertEquals("inside, " + reach, reach < 0.1 ? 0.5 : 0, grid.leastExit(border - WIDTH / 3, 0, 0.5, reach, _around));
+                assertEquals("between columns, " + reach, 0, grid.leastExit(border, 0, 0.5, reach));
+                assertEquals("at the end, " + reach, 0, grid.leastExit(-2 - WIDTH / 2, 0, 0.5, reach));
+                assertEquals("inside, " + reach, reach < 0.1 ? 0.5 : 0, grid.leastExit(border - WIDTH / 3, 0, 0.5, reach));
             }
         }
 

@@ -15,7 +15,8 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.penetration.GroundExitSearch;
+    import starlogo.search.penetration.DisplacedPair;
+    import starlogo.search.penetration.ExitSearch;
     import starlogo.search.TreeLimits;
 
     use namespace engine;
@@ -31,7 +32,7 @@ package starlogo.search.pairs
         private static const CELL_SHARE:Number = 1e-4;
 
         private var _limits:TreeLimits;
-        private var _separation:GroundExitSearch;
+        private var _separation:ExitSearch;
         private var _apart:ApartContact = new ApartContact();
 
         // Decides quickly about bodies that are clearly above or in the ground, by their extents; and about the others.
@@ -44,7 +45,7 @@ package starlogo.search.pairs
         public function GroundPairTests(limits:TreeLimits)
         {
             _limits = limits;
-            _separation = new GroundExitSearch(this);
+            _separation = new ExitSearch(new DisplacedPair(this), true);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -108,10 +109,17 @@ package starlogo.search.pairs
             _separation.find(a, b, motion, out);
         }
 
-        /** Finds the contact that lifts a body above all ground under it. */
-        public function findLift(a:Body, b:Body, out:ContactPoint):void
+        /** The way out leads straight up, above all ground under the body. @inheritDoc */
+        override public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
             queryOf(a, b).penetration.findLift(out);
+        }
+
+        /** @inheritDoc */
+        override public function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number
+        {
+            var back:Number = contact.depth / 2;
+            return gridOf(b).leastExit(contact.x - back * contact.normalX, contact.y - back * contact.normalY, contact.z - back * contact.normalZ, maxLength);
         }
 
         /** @inheritDoc */

@@ -13,7 +13,8 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.penetration.TreeExitSearch;
+    import starlogo.search.penetration.DisplacedPair;
+    import starlogo.search.penetration.ExitSearch;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
     import starlogo.solid.TreeAndStructure;
@@ -24,8 +25,7 @@ package starlogo.search.pairs
     use namespace engine;
 
     /**
-     * Tests two bodies of which at least one is a tree: whether they touch, when they touch, and how (thesis §4.6). A second object, whose answers
-     * are those of leaves even if there are triangles, helps to find ways out.
+     * Tests two bodies of which at least one is a tree: whether they touch, when they touch, and how (thesis §4.6).
      *
      * @private
      */
@@ -42,8 +42,7 @@ package starlogo.search.pairs
         private var _reversed:RelativeMotion = new RelativeMotion();
         private var _apart:ApartContact = new ApartContact();
 
-        // Finds ways out; null if these are the tests by leaves.
-        private var _separation:TreeExitSearch = null;
+        private var _separation:ExitSearch;
 
         // The second body in the first one's space, for the contact of the structures around them.
         private var _pose:RelativePose = new RelativePose();
@@ -54,26 +53,20 @@ package starlogo.search.pairs
         /**
          * @param limits how far trees are tested
          * @param counts counts the tests
-         * @param leaves the same tests by the leaves of trees, with the same limits and counts; null if these are the tests by leaves
          */
-        public function TreePairTests(limits:TreeLimits, counts:TreeCounts, leaves:TreePairTests)
+        public function TreePairTests(limits:TreeLimits, counts:TreeCounts)
         {
             _limits = limits;
             _counts = counts;
             _trees = new TwoTrees(counts);
             _treeAndStructure = new TreeAndStructure(counts);
-            if (leaves != null)
-            {
-                _separation = new TreeExitSearch(this, leaves, limits);
-            }
+            _separation = new ExitSearch(new DisplacedPair(this), false);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
         public static function addTo(narrowPhase:NarrowPhase):void
         {
-            var limits:TreeLimits = narrowPhase.treeLimits;
-            var counts:TreeCounts = narrowPhase.counts.trees;
-            narrowPhase.treeTests ||= new TreePairTests(limits, counts, new TreePairTests(limits, counts, null));
+            narrowPhase.treeTests ||= new TreePairTests(narrowPhase.treeLimits, narrowPhase.counts.trees);
         }
 
         /** @inheritDoc */
@@ -130,8 +123,8 @@ package starlogo.search.pairs
             _separation.find(a, b, motion, out);
         }
 
-        /** Finds the contact of the structures around two bodies, where they are. Its normal points from b to a. */
-        public function findContactOfStructures(a:Body, b:Body, out:ContactPoint):void
+        /** The covers are the structures around the trees. @inheritDoc */
+        override public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
             _pose.relate(a.placement, b.placement);
             PairTable.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
@@ -161,14 +154,8 @@ package starlogo.search.pairs
             _at.x = point.x;
             _at.y = point.y;
             _at.z = point.z;
-            _treeAndStructure.setTo(body.shape.hierarchy, body.placement, _limits.depthOf(body), POINT, _at, isExact);
+            _treeAndStructure.setTo(body.shape.hierarchy, body.placement, _limits.depthOf(body), POINT, _at, _limits.exact);
             return _treeAndStructure.nearestTriangle();
-        }
-
-        // Whether triangles decide: if there are triangles, the collider is exact, and these are not the tests by leaves.
-        private function get isExact():Boolean
-        {
-            return _separation != null && _limits.exact;
         }
 
         // Sets the query of impacts to the two bodies in this order or the opposite order. Returns the motion of the body that is then first: the given
@@ -205,9 +192,9 @@ package starlogo.search.pairs
             var tree:ModelTree = a.shape.hierarchy;
             if (b.shape.hierarchy != null)
             {
-                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.hierarchy, b.placement, _limits.depthOf(b), isExact);
+                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.hierarchy, b.placement, _limits.depthOf(b), _limits.exact);
             }
-            return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, isExact);
+            return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, _limits.exact);
         }
     }
 }

@@ -1,6 +1,6 @@
 // This folder finds short ways out of overlaps, for contacts that separate two bodies. A DisplacedPair puts the first body to places that are tried.
-// TreeExitSearch and GroundExitSearch try pushes out of all contacts so far (PushOut, with HalfSpaceSolver), and look for the end of
-// a way along one direction (DirectionSearch). Read this file first, then PushOut, then TreeExitSearch.
+// An ExitSearch tries pushes out of all contacts so far (PushOut, with HalfSpaceSolver), looks for the end of a way along one direction
+// (DirectionSearch), and tries places above the ground (PlacesAbove). Read this file first, then ExitSearch, then PushOut.
 package starlogo.search.penetration
 {
     import flash.geom.Vector3D;
@@ -21,6 +21,9 @@ package starlogo.search.penetration
      */
     public final class DisplacedPair
     {
+        // The room of a way out, as a fraction of the extent.
+        private static const ROOM:Number = 100 * Tolerances.SEPARATION;
+
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
         private static const LEAST_EXTENT:Number = 1e-100;
 
@@ -40,12 +43,6 @@ package starlogo.search.penetration
          * that gap: no way out would ever seem free to a search that goes less far.
          */
         public var tolerance:Number = 0;
-
-        /**
-         * How far before and behind a depth the first body is tried: a quarter of the tolerance, and at least the gap of rounding. The rest of the
-         * tolerance is for rounding.
-         */
-        public var probeDistance:Number = 0;
 
         /** The gap across which the two touch because places are rounded. */
         public var roundingGap:Number = 0;
@@ -74,7 +71,24 @@ package starlogo.search.penetration
             roundingGap = _tests.roundingGapOf(a, b);
             extent = Math.max(_tests.extentOf(a, b), Math.max(roundingGap, LEAST_EXTENT));
             tolerance = Math.max(_tests.depthToleranceOf(a, b), Tolerances.SEPARATION * LEAST_EXTENT);
-            probeDistance = tolerance / 4;
+        }
+
+        /**
+         * How far before and behind a depth the first body is tried: a quarter of the tolerance, and at least the gap of rounding. The rest of the
+         * tolerance is for rounding.
+         */
+        public function get probeDistance():Number
+        {
+            return tolerance / 4;
+        }
+
+        /**
+         * A way out past several sides counts only if the first body is free this much farther along it too. Otherwise it ends in a gap between parts
+         * of the second body. A way out that is not longer is short enough.
+         */
+        public function get room():Number
+        {
+            return ROOM * extent;
         }
 
         /**
@@ -147,6 +161,19 @@ package starlogo.search.penetration
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
             _tests.findImpact(first, second, motion, out);
+        }
+
+        /** Finds the contact of covers of the two at the touch. See PairTests.findContactOfCovers. */
+        public function findContactOfCovers(out:ContactPoint):void
+        {
+            putBack();
+            _tests.findContactOfCovers(first, second, out);
+        }
+
+        /** A lower bound for the lengths of the exits. See PairTests.leastExit. */
+        public function leastExit(contact:ContactPoint, maxLength:Number):Number
+        {
+            return _tests.leastExit(second, contact, maxLength);
         }
 
         /** Finds the contact of two parts where the first body is. See PairTests.findContactOfParts. */

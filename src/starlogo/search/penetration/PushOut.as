@@ -8,32 +8,18 @@ package starlogo.search.penetration
      * Pushes the first of two bodies out of the second. It tries the shortest push out of a contact. A contact requires a push of at least its
      * depth along its normal. If the two still touch after the push, their contact there is added to those that decide about the push. So a
      * box in a corner of floor and wall goes out of both at once.
-     *
-     * <p><code>find()</code> is a whole search. Another search takes its steps itself: <code>begin()</code>, and then <code>tryNext()</code>.</p>
      */
     internal final class PushOut
     {
-        /**
-         * A push out of several contacts counts only if the body is free this much farther along it too, as a fraction of the larger extent.
-         * Otherwise it ends in a gap between parts of the second body.
-         */
-        public static const ROOM:Number = 100 * Tolerances.SEPARATION;
-
-        /** A result of <code>tryNext()</code>: the push frees the body. */
-        public static const FREE:int = 0;
-
-        /** A result of <code>tryNext()</code>: the push does not free the body. The next one also leads out of the contact there. */
-        public static const BLOCKED:int = 1;
-
-        /** A result of <code>tryNext()</code>: the next push is too long, or no push leads out of all contacts, or they are too many. */
-        public static const ENDED:int = 2;
-
         // The most contacts that a push leads out of. Three are the sides of a corner; others were met before them.
         private static const MOST_CONTACTS:int = 6;
 
         // How much farther than its depth a push leads out of each contact, as a fraction of SEPARATION. This is more than the gap across which
         // surfaces touch.
         private static const SLACK:Number = 0.001;
+
+        /** Where the pushes of the last search end that do not free the body: x and y of each. Read only. */
+        public var blocked:Vector.<Number> = new Vector.<Number>(2 * MOST_CONTACTS, true);
 
         // The number of contacts so far; those that decide about the push and the one after it, with depths from where the body was at the beginning;
         // and the push out of these.
@@ -60,61 +46,35 @@ package starlogo.search.penetration
             _directions = directions;
         }
 
-        /** Begins where the first body touches the second, with the push out of their contact there. */
-        public function begin(first:ContactPoint):void
+        /**
+         * Looks for the shortest push that leads out of all contacts.
+         *
+         * @param first the contact of the two at the touch
+         * @param most the length of the longest push that counts
+         * @param out receives the normal and the depth if there is such a push
+         */
+        public function find(first:ContactPoint, most:Number, out:ContactPoint):void
         {
             _count = 0;
             _contacts.begin();
             _contacts.solve(1, 0, _push);
             _pair.putBack();
             add(first);
+            while (_push.length <= most && _push.length < Infinity && _count <= MOST_CONTACTS)
+            {
+                if (!goToBlocked())
+                {
+                    takePush(out);
+                    return;
+                }
+                addBlock();
+            }
         }
 
-        /**
-         * Looks for the shortest push that leads out of all contacts.
-         *
-         * @param first the contact of the two
-         * @param most the length of the longest push that counts
-         * @param out receives the normal and the depth if there is such a push
-         * @return whether there is one
-         */
-        public function find(first:ContactPoint, most:Number, out:ContactPoint):Boolean
+        /** The end of the numbers of <code>blocked</code>. */
+        public function get blockedEnd():int
         {
-            begin(first);
-            var result:int = BLOCKED;
-            while (result == BLOCKED)
-            {
-                result = tryNext(most, out);
-            }
-            return result == FREE;
-        }
-
-        /** The push that <code>tryNext()</code> tries next. After FREE, the one that freed the body. Do not change it. */
-        public function get push():Vector3D
-        {
-            return _push.displacement;
-        }
-
-        /**
-         * Tries the shortest push out of all contacts so far.
-         *
-         * @param most the length of the longest push that counts
-         * @param out receives its normal and its depth if the first body is free after it
-         * @return FREE, BLOCKED or ENDED
-         */
-        public function tryNext(most:Number, out:ContactPoint):int
-        {
-            if (_push.length == Infinity || _push.length > most || _count > MOST_CONTACTS)
-            {
-                return ENDED;
-            }
-            if (!goToBlocked())
-            {
-                takePush(out);
-                return FREE;
-            }
-            addBlock();
-            return BLOCKED;
+            return 2 * (_count - 1);
         }
 
         // Adds a contact: the next push leads out of it too. The more planes the last push ended on, the farther the next one leads out of the new contact.
@@ -130,6 +90,9 @@ package starlogo.search.penetration
         // Adds the contact of the first body, which is blocked on its way along the push.
         private function addBlock():void
         {
+            var at:int = blockedEnd;
+            blocked[at] = _push.displacement.x;
+            blocked[int(at + 1)] = _push.displacement.y;
             _pair.findContactOfParts(_next);
             // the body is a little farther than the push
             _next.depth += (_tried.distance - _push.length) * (_next.normalX * _tried.x + _next.normalY * _tried.y + _next.normalZ * _tried.z);
@@ -153,7 +116,7 @@ package starlogo.search.penetration
             {
                 return true;
             }
-            _tried.distance = _push.length + ROOM * _pair.extent;
+            _tried.distance = _push.length + _pair.room;
             return isOfSeveral && _pair.testAt(_tried);
         }
 

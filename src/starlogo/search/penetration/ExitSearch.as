@@ -1,0 +1,106 @@
+package starlogo.search.penetration
+{
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.search.Body;
+
+    /**
+     * Finds a short way out of an overlap. It pushes the first body out along the normals that it meets (PushOut). If an exit may be much shorter than
+     * this push, it also tries the direction that leads out of convex covers of the two (DirectionSearch). If the second body is the ground, it tries
+     * many places above the ground after that (PlacesAbove).
+     *
+     * <p>The way is about the shortest, not always the shortest.</p>
+     *
+     * @private
+     */
+    public final class ExitSearch
+    {
+        // No other way is tried if each exit is at least this fraction of the push. Smaller: contacts are longer. Larger: most searches in smooth ground
+        // try all places.
+        private static const LEAST_SHARE:Number = 0.68;
+
+        private var _pair:DisplacedPair;
+        private var _directions:DirectionSearch;
+        private var _pushOut:PushOut;
+
+        // Null if the second body is not the ground.
+        private var _placesAbove:PlacesAbove = null;
+
+        // The contact of the two, another contact to begin with, and the displacement that is tried.
+        private var _first:ContactPoint = new ContactPoint();
+        private var _other:ContactPoint = new ContactPoint();
+        private var _tried:Displacement = new Displacement();
+
+        /**
+         * @param pair the two bodies are those of its last beginning
+         * @param isGround whether the second body is the ground
+         */
+        public function ExitSearch(pair:DisplacedPair, isGround:Boolean)
+        {
+            _pair = pair;
+            _directions = new DirectionSearch(pair);
+            _pushOut = new PushOut(pair, _directions);
+            if (isGround)
+            {
+                _placesAbove = new PlacesAbove(pair, _pushOut, _directions);
+            }
+        }
+
+        /**
+         * Changes a contact's normal and depth so that they separate two bodies: if the first one moves along the normal by the depth, the two just
+         * touch, and a little farther they do not.
+         *
+         * @param motion the motion of the first body relative to the second, with the time at which they touch. It ends where the first body is
+         * @param out the contact of two parts that touch at that time
+         */
+        public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _pair.begin(a, b, motion);
+            if (!_pair.findGrazing(motion, out))
+            {
+                findExit(motion, out);
+            }
+            _pair.finish(out);
+        }
+
+        // Finds a way out for two bodies that touch.
+        private function findExit(motion:RelativeMotion, out:ContactPoint):void
+        {
+            _first.copyFrom(out);
+            out.depth = Infinity;
+            _pushOut.find(_first, Infinity, out);
+            if (DisplacedPair.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
+            {
+                _other.copyFrom(_first);
+                _other.pointAgainst(motion);
+                _other.depth = 0;
+                _pushOut.find(_other, DirectionSearch.GAIN * out.depth, out);
+            }
+            if (out.depth > _pair.room && !(_pair.leastExit(_first, out.depth) >= LEAST_SHARE * out.depth))
+            {
+                tryOutOfCovers(out);
+                if (_placesAbove != null)
+                {
+                    _placesAbove.shorten(out);
+                }
+            }
+        }
+
+        // Tries the shortest way out of covers of the two. It is taken if there is no push.
+        private function tryOutOfCovers(out:ContactPoint):void
+        {
+            _pair.findContactOfCovers(_other);
+            if (out.depth == Infinity)
+            {
+                _directions.findAlong(_other, out);
+                return;
+            }
+            _tried.setDirection(_other.normalX, _other.normalY, _other.normalZ);
+            _tried.distance = out.depth - _pair.tolerance;
+            if (_tried.distance > 0 && !_pair.testAt(_tried))
+            {
+                _directions.shorten(_tried, out);
+            }
+        }
+    }
+}

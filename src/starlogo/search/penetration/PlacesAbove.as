@@ -1,0 +1,131 @@
+package starlogo.search.penetration
+{
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+
+    /**
+     * Shortens a way out of the ground. All places above a free one are free. So if a way out is shorter than another one, the body is also free
+     * somewhere on the upper half of the sphere around it whose radius is the longer way. The search tries places that are spread over this half. From a
+     * free one, a sweep down finds how high the body has to be there. Then the radius is that of the shorter way. Pits that are hardly wider than the
+     * body may have no such place, so places above pushes are tried too.
+     */
+    internal final class PlacesAbove
+    {
+        // How many places are tried.
+        private static const PLACES:int = 176;
+
+        // The cosine and the sine of the golden angle, the angle between two places after each other.
+        private static const TURN_X:Number = -0.7373688780783197;
+        private static const TURN_Y:Number = 0.6754902942615238;
+
+        private var _pair:DisplacedPair;
+        private var _pushOut:PushOut;
+        private var _directions:DirectionSearch;
+
+        // The shortest way out so far, and the displacement that is tried.
+        private var _shortest:ContactPoint = new ContactPoint();
+        private var _tried:Displacement = new Displacement();
+
+        // A sweep, and the contact at its end.
+        private var _sweep:RelativeMotion = new RelativeMotion();
+        private var _met:ContactPoint = new ContactPoint();
+
+        /**
+         * @param pair has begun when a method is called. Its second body is the ground
+         * @param pushOut has tried pushes of the two
+         * @param directions finds the end of the shortest way
+         */
+        public function PlacesAbove(pair:DisplacedPair, pushOut:PushOut, directions:DirectionSearch)
+        {
+            _pair = pair;
+            _pushOut = pushOut;
+            _directions = directions;
+        }
+
+        /**
+         * Shortens a way out.
+         *
+         * @param out the normal and the depth lead the first body out; receives those of a shorter way if one is found
+         */
+        public function shorten(out:ContactPoint):void
+        {
+            var x:Number = 1;
+            var y:Number = 0;
+            _shortest.copyFrom(out);
+            for (var push:int = 0; push < _pushOut.blockedEnd; push += 2)
+            {
+                tryAbove(_pushOut.blocked[push], _pushOut.blocked[int(push + 1)]);
+            }
+            for (var i:int = 0; i < PLACES; i++)
+            {
+                var along:Number = _shortest.depth * Math.sqrt((i + 0.5) / PLACES);
+                tryAbove(along * x, along * y);
+                var before:Number = x;
+                x = TURN_X * x - TURN_Y * y;
+                y = TURN_Y * before + TURN_X * y;
+            }
+            if (_shortest.depth < out.depth)
+            {
+                _directions.findAlong(_shortest, out);
+            }
+        }
+
+        // Tries a place that is so high above another one that it is as far as the shortest way. If the body is free there, finds a shorter way. The
+        // place is the pair's room farther, and the way ends before it. So the body is free a little farther along the way too, even between walls that
+        // are as far apart as it is wide.
+        private function tryAbove(x:Number, y:Number):void
+        {
+            var along:Number = Math.sqrt(x * x + y * y);
+            var fartherFactor:Number = along > 0 ? 1 + _pair.room / along : 1;
+            var fartherX:Number = x * fartherFactor;
+            var fartherY:Number = y * fartherFactor;
+            var highSquared:Number = _shortest.depth * _shortest.depth - (fartherX * fartherX + fartherY * fartherY);
+            if (!(highSquared > 0))
+            {
+                return;
+            }
+            var high:Number = Math.sqrt(highSquared);
+            if (sweepDown(fartherX, fartherY, high))
+            {
+                // halfway between the place and the one farther; and a little higher, because a way along the ground leads away from it slowly
+                var share:Number = (1 + fartherFactor) / (2 * fartherFactor);
+                var lowest:Number = high * (1 - Math.min(_sweep.time, 1)) + _pair.tolerance;
+                takeIfFree(fartherX * share, fartherY * share, lowest);
+            }
+        }
+
+        // Takes the way to a place if it is shorter than the others and the first body is free a little beyond it.
+        private function takeIfFree(x:Number, y:Number, z:Number):void
+        {
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            if (!(length > 0 && length < _shortest.depth))
+            {
+                return;
+            }
+            _tried.setDirection(x / length, y / length, z / length);
+            _tried.distance = length + _pair.tolerance;
+            if (!_pair.testAt(_tried))
+            {
+                _shortest.setNormal(_tried.x, _tried.y, _tried.z);
+                _shortest.depth = length;
+            }
+        }
+
+        // Sweeps the first body down from a height, at a place moved by x and y from its own. Returns whether it is free at that height. If it is,
+        // finds when it meets the ground.
+        private function sweepDown(x:Number, y:Number, high:Number):Boolean
+        {
+            _tried.setDirection(x, y, high);
+            _tried.distance = 1;
+            if (_pair.testAt(_tried))
+            {
+                return false;
+            }
+            _tried.z = 0;
+            _pair.displace(_tried);
+            _sweep.endAfter(0, 0, -high);
+            _pair.findImpact(_sweep, _met);
+            return true;
+        }
+    }
+}

@@ -1,7 +1,5 @@
 package starlogo.ground
 {
-    import starlogo.geometry.Touching;
-
     /**
      * The triangles of a cell of the ground: two on top, and two on each side where a wall stands. A wall stands where a column is higher than its
      * neighbour, at the terrain's borders and around holes. A hole has no triangles.
@@ -121,7 +119,6 @@ package starlogo.ground
             var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
             var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
             out.size = _path.search.grid.cellWidth + high - low;
-            out.margin = Touching.marginOfSurface(out.size);
             return _passage.low <= high && _passage.high >= low;
         }
 

@@ -1,5 +1,7 @@
 package starlogo.ground
 {
+    import starlogo.geometry.Touching;
+
     /**
      * A triangle of the ground's surface, as a record.
      *
@@ -13,7 +15,10 @@ package starlogo.ground
         /** A ball with this radius around the triangle's middle contains it. */
         public var size:Number = 0;
 
-        /** The margin that the triangle has because of its size (see Touching). */
-        public var margin:Number = 0;
+        /** The margin that the triangle has because of its size. */
+        public function get margin():Number
+        {
+            return Touching.marginOfSurface(size);
+        }
     }
 }

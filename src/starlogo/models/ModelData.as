@@ -1,9 +1,12 @@
 package starlogo.models
 {
+    import starlogo.engine;
     import starlogo.models.cooked.CookedFile;
 
+    use namespace engine;
+
     /**
-     * What a model is made of. The reader of a format fills it with what the file says, a ModelReader brings that to the model's place and
+     * What a model is made of. The reader of a format fills it with what the file says, a ModelBuilder brings that to the model's place and
      * scale, and the Model keeps it.
      *
      * @private
@@ -16,7 +19,7 @@ package starlogo.models
         /** x, y, z of each vertex. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
-        /** Three vertex indices for each triangle. The ModelReader replaces an empty list by null. */
+        /** Three vertex indices for each triangle. The ModelBuilder replaces an empty list by null. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
         /** The material of each triangle. */
@@ -28,17 +31,14 @@ package starlogo.models
         /** The scaling: Model.FOOTPRINT, VOLUME or AS_GIVEN. */
         public var scaling:String = null;
 
-        /** Turns, scales and moves the model; null for none. */
-        public var transform:ModelTransform = null;
+        /** Turns, scales and moves the model. */
+        public var transform:ModelTransform = ModelTransform.IDENTITY;
 
         /** The axis that points up in the vertices, before they are turned to z up: "x", "y" or "z". With a transform it is "z". */
         public var upAxis:String = "z";
 
-        /** The length of the file's unit in patches, for Model.AS_GIVEN without a transform. */
-        public var unit:Number = 1;
-
         /**
-         * The model's place and scale in its source. The ModelReader sets it. If a cooked file has set it before, the vertices are in
+         * The model's place and scale in its source. The ModelBuilder sets it. If a cooked file has set it before, the vertices are in
          * their places already.
          */
         public var frame:SourceFrame = null;
@@ -62,7 +62,7 @@ package starlogo.models
          * @param vertices x, y, z of each; copied
          * @param triangles three vertex indices each; copied; null for none
          * @param scaling as for Model's constructor
-         * @param transform null for none
+         * @param transform turns, scales and moves the model; null for none
          * @throws ModelError as Model's constructor
          */
         public static function of(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>, scaling:String, transform:ModelTransform = null):ModelData
@@ -71,8 +71,8 @@ package starlogo.models
             data.vertices = vertices == null ? data.vertices : vertices.slice();
             data.triangles = triangles == null ? data.triangles : triangles.slice();
             data.scaling = scaling;
-            data.transform = transform;
-            return new ModelReader(data).readAll();
+            data.transform = transform || data.transform;
+            return new ModelBuilder(data).build();
         }
 
         /**
@@ -85,12 +85,15 @@ package starlogo.models
          */
         public static function forFile(name:String, upAxis:Object, scaling:String):ModelData
         {
+            requireUpAxis(name, upAxis);
             var data:ModelData = new ModelData(name);
             data.scaling = scaling;
-            data.transform = upAxis as ModelTransform;
-            if (data.transform == null)
+            if (upAxis is ModelTransform)
             {
-                requireUpAxis(name, upAxis);
+                data.transform = ModelTransform(upAxis);
+            }
+            else
+            {
                 data.upAxis = String(upAxis);
             }
             return data;

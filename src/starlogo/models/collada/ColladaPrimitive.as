@@ -16,7 +16,6 @@ package starlogo.models.collada
 
         private var _element:ColladaElement;
         private var _positions:ColladaSource;
-        private var _isUsed:Vector.<uint>;
         private var _triangulator:Triangulator;
 
         // A corner takes _stride indices. The one at _offset is its position's.
@@ -26,14 +25,12 @@ package starlogo.models.collada
         /**
          * @param element the primitive's element
          * @param positions its points; their steps come before this one's
-         * @param isUsed a number for each point of the mesh; set to 1 for points that have a corner
          * @param triangulator takes the triangles, and cuts polygons
          */
-        public function ColladaPrimitive(element:ColladaElement, positions:ColladaSource, isUsed:Vector.<uint>, triangulator:Triangulator)
+        public function ColladaPrimitive(element:ColladaElement, positions:ColladaSource, triangulator:Triangulator)
         {
             _element = element;
             _positions = positions;
-            _isUsed = isUsed;
             _triangulator = triangulator;
             readInputs();
             var lists:Vector.<ColladaElement> = element.childrenNamed("p");
@@ -225,7 +222,7 @@ package starlogo.models.collada
             return indices.length / _stride;
         }
 
-        // Reads a corner, whose indices begin at the given one. Returns its point, and marks it as used.
+        // Reads a corner, whose indices begin at the given one. Returns its point.
         private function readCorner(indices:Array, at:int):uint
         {
             var word:String = indices[int(at + _offset)];
@@ -235,9 +232,7 @@ package starlogo.models.collada
             {
                 throw _element.error("expected a position's index, 0 to " + (_positions.count - 1) + ", but found \"" + TextWords.shorten(word) + "\"");
             }
-            index += _positions.first;
-            _isUsed[index] = 1;
-            return index;
+            return _positions.first + index;
         }
     }
 }

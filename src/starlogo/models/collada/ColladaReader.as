@@ -1,19 +1,25 @@
 package starlogo.models.collada
 {
+    import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.models.FileLimits;
+    import starlogo.models.Model;
     import starlogo.models.ModelData;
-    import starlogo.models.ModelReader;
+    import starlogo.models.ModelBuilder;
+    import starlogo.models.ModelTransform;
     import starlogo.models.refuseIf;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
+    use namespace engine;
+
     /**
      * Reads a COLLADA document. ColladaModel says which parts.
      *
      * <p>An XmlReader makes ColladaElements of the text. A ColladaScene finds the geometries and where nodes place them. Each geometry is
-     * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place is a ColladaPlace, whose
+     * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place is a ColladaInstance, whose
      * mesh is added to the model.</p>
      *
      * @private
@@ -49,10 +55,10 @@ package starlogo.models.collada
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the document as it is; null for the axis that the document names
          * @param scaling as for Model's constructor
          */
-        public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelReader
+        public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelBuilder
         {
             var data:ModelData = ModelData.forFile(name, upAxis == null ? "z" : upAxis, scaling);
-            return new ModelReader(data, new ColladaReader(data, text, upAxis != null));
+            return new ModelBuilder(data, new ColladaReader(data, text, upAxis != null));
         }
 
         private function readingDocument(root:ColladaElement, isAxisNamed:Boolean):Steps
@@ -60,8 +66,11 @@ package starlogo.models.collada
             refuseIf(root == null, _data.name, "this is not XML: expected a COLLADA document");
             root.refuseIf(root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + root.name + ">");
             var asset:ColladaElement = root.child("asset");
-            _data.unit = unitOf(asset);
             _data.upAxis = isAxisNamed ? _data.upAxis : upAxisOf(asset);
+            if (_data.scaling == Model.AS_GIVEN && _data.transform == ModelTransform.IDENTITY)
+            {
+                _data.transform = toMetres(asset);
+            }
             var scene:ColladaScene = new ColladaScene(root);
             return new StepSequence().add(scene).begin(function():Steps
                 {
@@ -69,7 +78,7 @@ package starlogo.models.collada
                 });
         }
 
-        private function readingInstances(instances:Vector.<ColladaPlace>):Steps
+        private function readingInstances(instances:Vector.<ColladaInstance>):Steps
         {
             // points without a surface
             var loosePoints:Vector.<Number> = new Vector.<Number>();
@@ -79,7 +88,7 @@ package starlogo.models.collada
                     return new StepSequence().add(mesh).begin(function():Steps
                         {
                             _data.readShare = (index + 1) / instances.length;
-                            return placing(instances[index], mesh.hasSurfaces ? _data.vertices : loosePoints);
+                            return placing(instances[index], mesh.triangles.length > 0 ? _data.vertices : loosePoints);
                         });
                 }).call(function():void
                 {
@@ -88,7 +97,7 @@ package starlogo.models.collada
         }
 
         // The work that adds a mesh at an instance's place. If the instance's transform mirrors, the triangles' corner order is reversed.
-        private function placing(instance:ColladaPlace, out:Vector.<Number>):Steps
+        private function placing(instance:ColladaInstance, out:Vector.<Number>):Steps
         {
             var mesh:ColladaMesh = instance.mesh;
             var firstVertex:int = out.length / 3;
@@ -111,11 +120,11 @@ package starlogo.models.collada
         }
 
         // An instance is a mesh with the name of its node. Its materials are those that it binds to the symbols of its geometry.
-        private function addLabels(instance:ColladaPlace, firstTriangle:int):void
+        private function addLabels(instance:ColladaInstance, firstTriangle:int):void
         {
             var element:ColladaElement = instance.element;
             var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.mesh.geometry);
-            element.limits.count(FileLimits.THINGS, instance.mesh.symbols.length, element);
+            element.limits.countElements(instance.mesh.symbols.length, element);
             _data.meshes.beginRun(_data.meshes.addName(label), firstTriangle);
             for (var i:int = 0; i < instance.mesh.symbols.length; i++)
             {
@@ -164,12 +173,13 @@ package starlogo.models.collada
             }
         }
 
-        // A unit that is no length counts as a metre.
-        private static function unitOf(asset:ColladaElement):Number
+        // Scales by the document's unit. A unit that is no length counts as a metre.
+        private static function toMetres(asset:ColladaElement):ModelTransform
         {
             var element:ColladaElement = asset == null ? null : asset.child("unit");
-            var metres:Number = element == null ? 1 : Decimal.of(TextWords.of(element.attribute("meter")).join(" "));
-            return metres > 0 && metres < Infinity ? metres : 1;
+            var unit:Number = element == null ? 1 : Decimal.of(TextWords.of(element.attribute("meter")).join(" "));
+            unit = unit > 0 && unit < Infinity ? unit : 1;
+            return new ModelTransform(null, new Vector3D(unit, unit, unit));
         }
 
         private function upAxisOf(asset:ColladaElement):String

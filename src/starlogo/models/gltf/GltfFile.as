@@ -23,6 +23,9 @@ package starlogo.models.gltf
         private static const HEADER_LENGTH:int = 12;
         private static const CHUNK_HEADER_LENGTH:int = 8;
 
+        // the most files beside this one
+        private static const MOST_FILES:int = 100;
+
         private static const READ_VERSION:RegExp = /^2\.0/;
         private static const VERSIONS:RegExp = /^2\.\d/;
 
@@ -286,7 +289,7 @@ package starlogo.models.gltf
             var file:int = _otherFiles.indexOf(uri);
             if (file < 0)
             {
-                limits.count(FileLimits.FILES, 1, buffer.place + ".uri");
+                buffer.refuseIf(_otherFiles.length == MOST_FILES, "it has more than " + MOST_FILES + " other files", "uri");
                 file = _otherFiles.push(uri) - 1;
                 _buffersIn.push(new Vector.<int>());
             }

@@ -1,7 +1,6 @@
 package starlogo.models.gltf
 {
     import starlogo.geometry.AffineTransform;
-    import starlogo.models.FileLimits;
     import starlogo.steps.StepSequence;
 
     /**
@@ -46,7 +45,7 @@ package starlogo.models.gltf
             _points = positions.numbers;
             firstVertex = vertices.length / 3;
             count = positions.count;
-            file.limits.require(FileLimits.VERTICES, firstVertex + Number(count), primitive.place);
+            file.limits.requireMesh(firstVertex + Number(count), 0, primitive.place);
             add(positions);
             addTargets(file, primitive, weights);
             var skin:int = _node.reference("skin", "skins");
@@ -75,7 +74,7 @@ package starlogo.models.gltf
                 if (index >= 0 && weights[i] != 0)
                 {
                     addTarget(file.accessor(index, "VEC3"), weights[i]);
-                    file.limits.count(FileLimits.NUMBERS, 3 * Number(count), primitive.place);
+                    file.limits.countNumbers(3 * Number(count), primitive.place);
                 }
             }
         }
@@ -112,7 +111,7 @@ package starlogo.models.gltf
                     sets.push(addAccessor(file.accessor(index, "VEC4")));
                 }
             }
-            file.limits.count(FileLimits.NUMBERS, 2 * count * Number(sets.length), attributes.place);
+            file.limits.countNumbers(2 * count * Number(sets.length), attributes.place);
             slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
                 {
                     moveByJoints(sets, first, end);

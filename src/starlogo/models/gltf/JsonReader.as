@@ -184,7 +184,7 @@ package starlogo.models.gltf
         private function put(value:*):void
         {
             var around:Object = _open.length == 0 ? null : _open[_open.length - 1];
-            _limits.count(FileLimits.THINGS, THINGS_PER_VALUE, this);
+            _limits.countElements(THINGS_PER_VALUE, this);
             if (around == null)
             {
                 root = value;

@@ -132,7 +132,7 @@ package starlogo.models.loading
                     }
                     else
                     {
-                        setMaker(ModelFormat.newReader(name, bytes, text, _url, _upAxis, _scaling, fetchBeside));
+                        setMaker(ModelFormat.newBuilder(name, bytes, text, _url, _upAxis, _scaling, fetchBeside));
                     }
                 });
         }

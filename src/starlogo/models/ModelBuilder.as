@@ -17,7 +17,7 @@ package starlogo.models
      *
      * @private
      */
-    public final class ModelReader extends StepSequence implements ModelMaker
+    public final class ModelBuilder extends StepSequence implements ModelMaker
     {
         // Reading the file is this share of the work. The rest is normalising.
         private static const READING:Number = 0.9;
@@ -38,7 +38,7 @@ package starlogo.models
          * @param data what is read; see <code>ModelData.forFile()</code>. The steps change it, and throw the errors of Model's constructor
          * @param reading the steps that fill the data; null if its vertices and triangles are complete
          */
-        public function ModelReader(data:ModelData, reading:Steps = null)
+        public function ModelBuilder(data:ModelData, reading:Steps = null)
         {
             _data = data;
             if (reading != null)
@@ -49,7 +49,7 @@ package starlogo.models
         }
 
         /** Does all steps that are left. Returns the data, which are complete then. */
-        public function readAll():ModelData
+        public function build():ModelData
         {
             finish(this);
             return _data;
@@ -96,7 +96,7 @@ package starlogo.models
                 addPlacing();
             }
             slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners);
-            if (_data.transform != null && _data.transform.isMirror)
+            if (_data.transform.isMirror)
             {
                 slices(_data.triangles.length / 3, TRIANGLES_PER_STEP, turnOver);
             }
@@ -141,20 +141,14 @@ package starlogo.models
         private function turning():Steps
         {
             var transform:ModelTransform = _data.transform;
-            return transform == null || transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
+            return transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
         }
 
         private function stretching():Steps
         {
-            var f:Vector3D = factors;
+            var f:Vector3D = _data.transform.scale;
             return f.x == 1 && f.y == 1 && f.z == 1 ? null : transforming(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
                     cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
-        }
-
-        private function get factors():Vector3D
-        {
-            var unit:Number = _data.scaling == Model.AS_GIVEN ? _data.unit : 1;
-            return _data.transform == null ? new Vector3D(unit, unit, unit) : _data.transform.scale;
         }
 
         // The steps that turn or scale. The factor says how much larger this makes the model.
@@ -191,7 +185,7 @@ package starlogo.models
         // Moves by the transform. With the scaling VOLUME the lowest vertex is put at z = 0 first.
         private function translating():Steps
         {
-            return placing(new Vector3D(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0), _data.transform == null ? new Vector3D() : _data.transform.translation, 1);
+            return placing(new Vector3D(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0), _data.transform.translation, 1);
         }
 
         // The steps that put a low corner at the origin, move, and divide by a divisor. The differences from the corner come first and the division

@@ -3,7 +3,7 @@ package starlogo.models.collada
     import starlogo.geometry.AffineTransform;
 
     /** A geometry at a place in a COLLADA scene. */
-    internal final class ColladaPlace
+    internal final class ColladaInstance
     {
         /** The element that places the geometry. If there is no scene, the geometry's own element. */
         public var element:ColladaElement;
@@ -19,7 +19,7 @@ package starlogo.models.collada
          * @param mesh the geometry's vertices and triangles
          * @param transform takes its points to the scene
          */
-        public function ColladaPlace(element:ColladaElement, mesh:ColladaMesh, transform:AffineTransform)
+        public function ColladaInstance(element:ColladaElement, mesh:ColladaMesh, transform:AffineTransform)
         {
             this.element = element;
             this.mesh = mesh;

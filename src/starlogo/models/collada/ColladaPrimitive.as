@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.polygons.Triangulator;
+    import starlogo.models.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
@@ -151,7 +152,7 @@ package starlogo.models.collada
                 var size:Number = Decimal.ofIndex(sizes[i]);
                 if (!(size >= 0 && size <= most && size == int(size)))
                 {
-                    throw _element.child("vcount").error("expected the number of a polygon's corners, but found \"" + TextWords.shorten(sizes[i]) + "\"");
+                    throw _element.child("vcount").error("expected the number of a polygon's corners, but found \"" + shortened(sizes[i]) + "\"");
                 }
                 sum += size;
             }
@@ -230,7 +231,7 @@ package starlogo.models.collada
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)
             {
-                throw _element.error("expected a position's index, 0 to " + (_positions.count - 1) + ", but found \"" + TextWords.shorten(word) + "\"");
+                throw _element.error("expected a position's index, 0 to " + (_positions.count - 1) + ", but found \"" + shortened(word) + "\"");
             }
             return _positions.first + index;
         }

@@ -8,6 +8,7 @@ package starlogo.models.collada
     import starlogo.models.ModelBuilder;
     import starlogo.models.ModelTransform;
     import starlogo.models.refuseIf;
+    import starlogo.models.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
@@ -190,7 +191,7 @@ package starlogo.models.collada
                 return "y";
             }
             var axis:String = TextWords.of(element.text).join(" ");
-            refuseIf(!/^[XYZ]_UP$/.test(axis), _data.name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextWords.shorten(axis) + "\"", element);
+            refuseIf(!/^[XYZ]_UP$/.test(axis), _data.name, "expected X_UP, Y_UP or Z_UP, but found \"" + shortened(axis) + "\"", element);
             return axis.charAt(0).toLowerCase();
         }
     }

@@ -4,6 +4,7 @@ package starlogo.models.gltf
     import flash.utils.Endian;
     import starlogo.models.FileLimits;
     import starlogo.models.refuseIf;
+    import starlogo.models.shortened;
     import starlogo.models.text.FileAddress;
     import starlogo.models.text.FileText;
     import starlogo.models.text.TextWords;
@@ -94,7 +95,7 @@ package starlogo.models.gltf
             var file:GltfFile = new GltfFile(name, bytes, null, function(uri:String, take:Function):void
                 {
                     take(buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
-                            "\"" + TextWords.shorten(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
+                            "\"" + shortened(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
                 });
             finish(file);
             return file;
@@ -218,7 +219,7 @@ package starlogo.models.gltf
         {
             json.refuseIf(extension == DRACO, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
             json.refuseIf(MESHOPT.test(extension), "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
-            json.refuseIf(!SUPPORTED.test(extension), "it needs the extension \"" + TextWords.shorten(extension) +
+            json.refuseIf(!SUPPORTED.test(extension), "it needs the extension \"" + shortened(extension) +
                     "\", which is not known: save the model without it", "extensionsRequired");
         }
 

@@ -8,9 +8,9 @@ package starlogo.models.obj
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
+    import starlogo.models.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
-    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -46,7 +46,7 @@ package starlogo.models.obj
             refuseIf(text == null, name, "there is no text to read");
             refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             var tag:Array = text.substr(0, 1000).match(/^\s*(<[^\n\r]*)/);
-            refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && TextWords.shorten(tag[1])) + "\". A ColladaModel reads COLLADA");
+            refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && shortened(tag[1])) + "\". A ColladaModel reads COLLADA");
             _data = data;
             _lines = new LineReader(name, text);
             _limits = new FileLimits(name, text.length);
@@ -134,12 +134,12 @@ package starlogo.models.obj
             if (index != value || index == 0)
             {
                 throw new ModelError(_data.name, _lines.place, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
-                        TextWords.shorten(word) + "\"");
+                        shortened(word) + "\"");
             }
             index = index > 0 ? index - 1 : _data.vertices.length / 3 + index;
             if (index < 0)
             {
-                throw new ModelError(_data.name, _lines.place, "the corner \"" + TextWords.shorten(word) +
+                throw new ModelError(_data.name, _lines.place, "the corner \"" + shortened(word) +
                         "\" counts back beyond the first vertex: there are " + _data.vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)

@@ -96,7 +96,7 @@ package starlogo.models
                 addPlacing();
             }
             slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners);
-            if (_data.transform.isMirror)
+            if (_data.transform != null && _data.transform.isMirror)
             {
                 slices(_data.triangles.length / 3, TRIANGLES_PER_STEP, turnOver);
             }
@@ -141,12 +141,12 @@ package starlogo.models
         private function turning():Steps
         {
             var transform:ModelTransform = _data.transform;
-            return transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
+            return transform == null || transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
         }
 
         private function stretching():Steps
         {
-            var f:Vector3D = _data.transform.scale;
+            var f:Vector3D = _data.transform == null ? new Vector3D(1, 1, 1) : _data.transform.scale;
             return f.x == 1 && f.y == 1 && f.z == 1 ? null : transforming(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
                     cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
         }
@@ -185,7 +185,7 @@ package starlogo.models
         // Moves by the transform. With the scaling VOLUME the lowest vertex is put at z = 0 first.
         private function translating():Steps
         {
-            return placing(new Vector3D(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0), _data.transform.translation, 1);
+            return placing(new Vector3D(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0), _data.transform == null ? new Vector3D() : _data.transform.translation, 1);
         }
 
         // The steps that put a low corner at the origin, move, and divide by a divisor. The differences from the corner come first and the division

@@ -1,9 +1,6 @@
 package starlogo.models
 {
-    import starlogo.engine;
     import starlogo.models.cooked.CookedFile;
-
-    use namespace engine;
 
     /**
      * What a model is made of. The reader of a format fills it with what the file says, a ModelBuilder brings that to the model's place and
@@ -31,8 +28,8 @@ package starlogo.models
         /** The scaling: Model.FOOTPRINT, VOLUME or AS_GIVEN. */
         public var scaling:String = null;
 
-        /** Turns, scales and moves the model. */
-        public var transform:ModelTransform = ModelTransform.IDENTITY;
+        /** Turns, scales and moves the model; null for none. */
+        public var transform:ModelTransform = null;
 
         /** The axis that points up in the vertices, before they are turned to z up: "x", "y" or "z". With a transform it is "z". */
         public var upAxis:String = "z";
@@ -62,7 +59,7 @@ package starlogo.models
          * @param vertices x, y, z of each; copied
          * @param triangles three vertex indices each; copied; null for none
          * @param scaling as for Model's constructor
-         * @param transform turns, scales and moves the model; null for none
+         * @param transform null for none
          * @throws ModelError as Model's constructor
          */
         public static function of(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>, scaling:String, transform:ModelTransform = null):ModelData
@@ -71,7 +68,7 @@ package starlogo.models
             data.vertices = vertices == null ? data.vertices : vertices.slice();
             data.triangles = triangles == null ? data.triangles : triangles.slice();
             data.scaling = scaling;
-            data.transform = transform || data.transform;
+            data.transform = transform;
             return new ModelBuilder(data).build();
         }
 
@@ -88,14 +85,8 @@ package starlogo.models
             requireUpAxis(name, upAxis);
             var data:ModelData = new ModelData(name);
             data.scaling = scaling;
-            if (upAxis is ModelTransform)
-            {
-                data.transform = ModelTransform(upAxis);
-            }
-            else
-            {
-                data.upAxis = String(upAxis);
-            }
+            data.transform = upAxis as ModelTransform;
+            data.upAxis = data.transform == null ? String(upAxis) : "z";
             return data;
         }
 

@@ -18,9 +18,6 @@ package starlogo.models
      */
     public final class ModelTransform
     {
-        /** @private Changes nothing. */
-        engine static const IDENTITY:ModelTransform = new ModelTransform();
-
         private var _rotation:Vector3D;
         private var _scale:Vector3D;
         private var _translation:Vector3D;

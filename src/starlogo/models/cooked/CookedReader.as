@@ -104,10 +104,7 @@ package starlogo.models.cooked
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
             new FileLimits(_data.name, _bytes.length).requireMesh(vertexCount, triangleCount);
-            if (hasTransform)
-            {
-                _data.transform = readTransform();
-            }
+            _data.transform = hasTransform ? readTransform() : null;
             if (form == DOUBLE)
             {
                 _data.frame = readFrame();

@@ -29,7 +29,8 @@ package starlogo.models.cooked
             var source:Vector.<Number> = model.source.toSource(model.vertices);
             var transform:ModelTransform = model.data.transform;
             // a transform that mirrors would turn the triangles over once more
-            for (var form:int = 0; form <= CookedReader.SINGLE && !transform.isMirror; form++)
+            var isMirror:Boolean = transform != null && transform.isMirror;
+            for (var form:int = 0; form <= CookedReader.SINGLE && !isMirror; form++)
             {
                 var points:Vector.<Number> = form < CookedReader.SINGLE ? multiples(source, CookedReader.divisorOf(form)) : singles(source);
                 if (areSourceOf(points, model, transform))
@@ -38,7 +39,7 @@ package starlogo.models.cooked
                 }
             }
             refuseIf(SourceFrame.of(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
-            return write(model, CookedReader.DOUBLE, model.vertices, ModelTransform.IDENTITY);
+            return write(model, CookedReader.DOUBLE, model.vertices, null);
         }
 
         // Whether a model of these points and the model's triangles is the model: the vertices and the place in the source are equal to the last bit.
@@ -81,10 +82,10 @@ package starlogo.models.cooked
             var triangles:Vector.<uint> = model.triangles || new Vector.<uint>();
             VarInt.write(Model.SCALINGS.indexOf(data.scaling), out);
             VarInt.write(form, out);
-            VarInt.write(transform.isIdentity ? 0 : 1, out);
+            VarInt.write(transform == null ? 0 : 1, out);
             VarInt.write(points.length / 3, out);
             VarInt.write(triangles.length / 3, out);
-            if (!transform.isIdentity)
+            if (transform != null)
             {
                 writeVector(transform.rotation, out);
                 writeVector(transform.scale, out);

@@ -23,8 +23,8 @@ package starlogo.models.gltf
         private var _vertices:Vector.<Number>;
         // the points before the node places them
         private var _points:Vector.<Number>;
-        // of a skinned mesh, how its joints move points
-        private var _joints:Vector.<AffineTransform> = null;
+        // What moves the points: the joints of a skin, or the transform of the node.
+        private var _skin:GltfSkin = null;
         private var _transform:AffineTransform;
 
         /**
@@ -52,17 +52,18 @@ package starlogo.models.gltf
             var attributes:GltfJson = primitive.object("attributes");
             if (skin >= 0 && attributes.has("JOINTS_0"))
             {
-                _joints = scene.jointsOf(skin, call(copyPoints));
+                _skin = scene.skin(skin);
+                add(_skin).call(copyPoints);
                 addSkin(file, attributes);
             }
-            _transform = _joints == null ? scene.globalTransformOf(node) : new AffineTransform();
+            _transform = _skin == null ? scene.globalTransformOf(node) : new AffineTransform();
             slices(count, VERTICES_PER_STEP, placeVertices);
         }
 
         /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
         public function get isMirror():Boolean
         {
-            return (_joints == null ? _transform : _joints[0]).isMirror;
+            return (_skin == null ? _transform : _skin.joints[0]).isMirror;
         }
 
         private function addTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
@@ -154,7 +155,7 @@ package starlogo.models.gltf
                 }
                 if (sum == 0)
                 {
-                    _joints[0].transformPoints(points, i, i + 1, points, i);
+                    _skin.joints[0].transformPoints(points, i, i + 1, points, i);
                     continue;
                 }
                 points[at] = x / sum;
@@ -166,11 +167,11 @@ package starlogo.models.gltf
         private function jointAt(numbers:GltfAccessor, at:int):AffineTransform
         {
             var joint:Number = numbers.numbers[at];
-            if (!(joint >= 0 && joint < _joints.length && int(joint) == joint))
+            if (!(joint >= 0 && joint < _skin.joints.length && int(joint) == joint))
             {
-                throw numbers.json.error("vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.length);
+                throw numbers.json.error("vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _skin.joints.length);
             }
-            return _joints[int(joint)];
+            return _skin.joints[int(joint)];
         }
 
         private function placeVertices(first:int, end:int):void

@@ -10,7 +10,6 @@ package starlogo
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
-    import starlogo.models.SourceTransform;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.requireUpAxis;
     import starlogo.steps.Steps;
@@ -178,10 +177,7 @@ package starlogo
         public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
             requireGiven("model", model);
-            if (!(upAxis is SourceTransform))
-            {
-                requireUpAxis(model.name, upAxis);
-            }
+            requireUpAxis(model.name, upAxis);
             var preparation:ModelPreparation = preparing(model, null);
             finish(preparation);
             return preparation.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));

@@ -56,7 +56,7 @@ test('every question stands in the files of docs/adding.md, "A question"', () =>
 });
 
 test('every format stands in the files of docs/adding.md, "A format"', () => {
-	const makesReader = /\bpublic static function of\([^)]*\):ModelReader\b/;
+	const makesReader = /\bpublic static function of\([^)]*\):ModelBuilder\b/;
 	const readers = sourcesBelow('src/starlogo/models').filter((file) => makesReader.test(codeOf(read(file)))).map(simpleName);
 	for (const known of ['ColladaReader', 'CookedReader', 'GltfReader', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);
 	// CookedLoadingTest damages cooked files

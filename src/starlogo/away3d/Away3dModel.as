@@ -26,13 +26,13 @@ package starlogo.away3d
          * Reads a model at once.
          *
          * @param name what agents call the shape, not empty
-         * @param object the source, which is not changed; or, for the engine alone, the ModelData that a ModelReader has made
+         * @param object the source, which is not changed; or, for the engine alone, the ModelData that a ModelBuilder has made
          * @throws ModelError if the object is no such source or has no vertices, if its data end early, if a coordinate is not finite,
          * or if the name is empty
          */
         public function Away3dModel(name:String, object:Object)
         {
-            super(name, null, null, Model.FOOTPRINT, object as ModelData || SourceReader.of(name, object).readAll());
+            super(name, null, null, Model.FOOTPRINT, object as ModelData || SourceReader.of(name, object).build());
         }
 
         /**

@@ -2,7 +2,7 @@ package starlogo.away3d
 {
     import starlogo.models.Model;
     import starlogo.models.ModelMaker;
-    import starlogo.models.ModelReader;
+    import starlogo.models.ModelBuilder;
 
     /**
      * Makes an Away3dModel in steps, while a game runs. Give it to a ModelLoader.
@@ -15,7 +15,7 @@ package starlogo.away3d
      */
     public final class Away3dModelReader implements ModelMaker
     {
-        private var _reader:ModelReader;
+        private var _builder:ModelBuilder;
         private var _model:Away3dModel = null;
 
         /**
@@ -26,19 +26,19 @@ package starlogo.away3d
          */
         public function Away3dModelReader(name:String, object:Object)
         {
-            _reader = SourceReader.of(name, object);
+            _builder = SourceReader.of(name, object);
         }
 
         /** @inheritDoc */
         public function get name():String
         {
-            return _reader.name;
+            return _builder.name;
         }
 
         /** @inheritDoc */
         public function get progress():Number
         {
-            return _model == null ? _reader.progress : 1;
+            return _model == null ? _builder.progress : 1;
         }
 
         /** The Away3dModel. Read it when no step is left. */
@@ -54,10 +54,10 @@ package starlogo.away3d
          */
         public function step():Boolean
         {
-            var hasMore:Boolean = _reader.step();
+            var hasMore:Boolean = _builder.step();
             if (!hasMore)
             {
-                _model ||= new Away3dModel(name, _reader.readAll());
+                _model ||= new Away3dModel(name, _builder.build());
             }
             return hasMore;
         }

@@ -10,7 +10,7 @@ package starlogo.away3d
     import starlogo.models.Model;
     import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelReader;
+    import starlogo.models.ModelBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -36,10 +36,10 @@ package starlogo.away3d
         }
 
         /** The work that makes a model of a source. @param object as for Away3dModel */
-        public static function of(name:String, object:Object):ModelReader
+        public static function of(name:String, object:Object):ModelBuilder
         {
             var data:ModelData = ModelData.forFile(name, "z", Model.FOOTPRINT);
-            return new ModelReader(data, new SourceReader(data, object));
+            return new ModelBuilder(data, new SourceReader(data, object));
         }
 
         private function readingParts():Steps

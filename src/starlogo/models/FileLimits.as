@@ -9,24 +9,6 @@ package starlogo.models
      */
     public final class FileLimits
     {
-        /** The vertices of the model, with those of every instance. */
-        public static const VERTICES:int = 0;
-
-        /** The triangles of the model, with those of every instance. */
-        public static const TRIANGLES:int = 1;
-
-        /** The numbers that are read. They count as often as they are used. */
-        public static const NUMBERS:int = 2;
-
-        /** The numbers that a file has no data for, because it only declares them. */
-        public static const ZEROS:int = 3;
-
-        /** Elements, values, nodes, transforms and instances. They count as often as they are placed. */
-        public static const THINGS:int = 4;
-
-        /** Other files that are fetched. */
-        public static const FILES:int = 5;
-
         /** The most vertices of a model. */
         public static const MOST_VERTICES:int = 1000000;
 
@@ -37,19 +19,12 @@ package starlogo.models
         private static const TESTS_PER_BYTE:Number = 40;
         private static const CORNER_TESTS:Number = 100000;
 
-        // For each kind, from VERTICES to FILES: its name for messages; what each byte allows, what a file without bytes may have, and the most
-        // that any file may have.
-        private static const NAMES:Vector.<String> = new <String>["vertices", "triangles", "numbers, each counted as often as it is used",
-                "numbers without data", "elements, values, nodes, transforms and instances, each counted as often as it is placed", "other files"];
-        private static const PER_BYTE:Vector.<Number> = new <Number>[16, 32, 16, 1, 1, 0];
-        private static const FREE:Vector.<Number> = new <Number>[100000, 200000, 100000, 0, 50000, 100];
-        private static const MOST:Vector.<Number> = new <Number>[MOST_VERTICES, 2 * MOST_VERTICES, 40000000, Infinity, 500000, 100];
-
         /** The model's name. */
         public var modelName:String;
 
         private var _bytes:Number;
-        private var _counts:Vector.<Number>;
+        private var _numbers:Number;
+        private var _elements:Number;
         private var _cornerTestsLeft:Number;
 
         /**
@@ -66,7 +41,7 @@ package starlogo.models
         /** Counts anew, because what the file has is read once more. */
         public function restart():void
         {
-            _counts = new Vector.<Number>(NAMES.length, true);
+            _numbers = _elements = 0;
             _cornerTestsLeft = CORNER_TESTS + TESTS_PER_BYTE * _bytes;
         }
 
@@ -76,27 +51,34 @@ package starlogo.models
             _bytes += bytes;
         }
 
-        /** Counts more of a kind. @throws ModelError if these are too many */
-        public function count(kind:int, more:Number, place:Object = ""):void
-        {
-            _counts[kind] += more;
-            require(kind, _counts[kind], place);
-        }
-
-        /** Checks how many vertices and triangles the model has. @throws ModelError if there are more than a file may have */
+        /** Checks how many vertices and triangles the model has, with those of every instance. @throws ModelError if there are too many */
         public function requireMesh(vertexCount:Number, triangleCount:Number, place:Object = ""):void
         {
-            require(VERTICES, vertexCount, place);
-            require(TRIANGLES, triangleCount, place);
+            require(vertexCount, 100000, 16, MOST_VERTICES, "vertices", place);
+            require(triangleCount, 200000, 32, 2 * MOST_VERTICES, "triangles", place);
         }
 
-        /** Checks a number of a kind, without counting it. @throws ModelError if it is more than a file may have */
-        public function require(kind:int, number:Number, place:Object = ""):void
+        /** Counts numbers that are read. They count as often as they are used. @throws ModelError if these are too many */
+        public function countNumbers(more:Number, place:Object):void
         {
-            var most:Number = Math.min(MOST[kind], FREE[kind] + PER_BYTE[kind] * _bytes);
-            if (number > most)
+            _numbers += more;
+            require(_numbers, 100000, 16, 40000000, "numbers, each counted as often as it is used", place);
+        }
+
+        /** Counts elements, values, nodes, transforms and instances, as often as they are placed. @throws ModelError if these are too many */
+        public function countElements(more:Number, place:Object):void
+        {
+            _elements += more;
+            require(_elements, 50000, 1, 500000, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
+        }
+
+        // Checks a count. A file without bytes may have as many as are free, each byte allows some more, and no file may have more than the most.
+        private function require(count:Number, free:Number, perByte:Number, most:Number, what:String, place:Object):void
+        {
+            var limit:Number = Math.min(most, free + perByte * _bytes);
+            if (count > limit)
             {
-                throw new ModelError(modelName, String(place), "it has more than " + most + " " + NAMES[kind]);
+                throw new ModelError(modelName, String(place), "it has more than " + limit + " " + what);
             }
         }
 

@@ -1,6 +1,6 @@
-// This room has models, and what reads them from files. A reader for each format fills a ModelData, as the first part of a ModelReader, which then
+// This room has models, and what reads them from files. A reader for each format fills a ModelData, as the first part of a ModelBuilder, which then
 // brings that to its place and scale, and a Model keeps it; a ModelLoader does the same in steps while a game runs. Read this file first, then
-// ModelReader and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
+// ModelBuilder and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
 package starlogo.models
 {
     import starlogo.engine;
@@ -67,7 +67,7 @@ package starlogo.models
          * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
          * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
-         * @param data for the engine alone: what a ModelReader has made. The model keeps it, and the other arguments have no effect
+         * @param data for the engine alone: what a ModelBuilder has made. The model keeps it, and the other arguments have no effect
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
          * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers

@@ -3,7 +3,7 @@ package starlogo.models
     import starlogo.models.cooked.CookedFile;
 
     /**
-     * What a model is made of. The reader of a format fills it with what the file says, a ModelReader brings that to the model's place and
+     * What a model is made of. The reader of a format fills it with what the file says, a ModelBuilder brings that to the model's place and
      * scale, and the Model keeps it.
      *
      * @private
@@ -16,7 +16,7 @@ package starlogo.models
         /** x, y, z of each vertex. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
-        /** Three vertex indices for each triangle. The ModelReader replaces an empty list by null. */
+        /** Three vertex indices for each triangle. The ModelBuilder replaces an empty list by null. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
         /** The material of each triangle. */
@@ -34,11 +34,8 @@ package starlogo.models
         /** The axis that points up in the vertices, before they are turned to z up: "x", "y" or "z". With a transform it is "z". */
         public var upAxis:String = "z";
 
-        /** The length of the file's unit in patches, for Model.AS_GIVEN without a transform. */
-        public var unit:Number = 1;
-
         /**
-         * The model's place and scale in its source. The ModelReader sets it. If a cooked file has set it before, the vertices are in
+         * The model's place and scale in its source. The ModelBuilder sets it. If a cooked file has set it before, the vertices are in
          * their places already.
          */
         public var frame:SourceFrame = null;
@@ -72,7 +69,7 @@ package starlogo.models
             data.triangles = triangles == null ? data.triangles : triangles.slice();
             data.scaling = scaling;
             data.transform = transform;
-            return new ModelReader(data).readAll();
+            return new ModelBuilder(data).build();
         }
 
         /**
@@ -85,14 +82,11 @@ package starlogo.models
          */
         public static function forFile(name:String, upAxis:Object, scaling:String):ModelData
         {
+            requireUpAxis(name, upAxis);
             var data:ModelData = new ModelData(name);
             data.scaling = scaling;
             data.transform = upAxis as ModelTransform;
-            if (data.transform == null)
-            {
-                requireUpAxis(name, upAxis);
-                data.upAxis = String(upAxis);
-            }
+            data.upAxis = data.transform == null ? String(upAxis) : "z";
             return data;
         }
 

@@ -3,9 +3,6 @@ package starlogo.models
     /** Thrown if a model can't be loaded. The message says which model, where in the file, and what is wrong. */
     public class ModelError extends Error
     {
-        // Longer names are shortened in the message: they are probably a file's text.
-        private static const LONGEST_NAME:int = 60;
-
         private var _modelName:String;
         private var _place:String;
 
@@ -28,12 +25,6 @@ package starlogo.models
         private static function isText(name:String):Boolean
         {
             return name != null && name.indexOf("\n") >= 0;
-        }
-
-        // The first words of a text that was passed in place of a name, on one line.
-        private static function shortened(name:String):String
-        {
-            return name == null || name.length <= LONGEST_NAME ? name : name.substr(0, LONGEST_NAME).replace(/\s+/g, " ") + "...";
         }
 
         /** The name of the model that failed. If it was a text of several lines, its beginning. */

@@ -16,7 +16,7 @@ package starlogo.models
      * model decides which parts of the transform have an effect: see <code>Model.FOOTPRINT</code>, <code>VOLUME</code> and
      * <code>AS_GIVEN</code>.</p>
      */
-    public final class ModelTransform implements SourceTransform
+    public final class ModelTransform
     {
         private var _rotation:Vector3D;
         private var _scale:Vector3D;

@@ -10,10 +10,14 @@ package starlogo.models
         /** The name of each number, or null for a number without a name. Null if nothing gives names. */
         public var names:Vector.<String>;
 
-        // Triangles that follow one another and have the same number are a run. The first triangle of each run, and its number. close() adds the
-        // number of triangles to _starts. So each run ends where the next entry begins.
-        private var _starts:Vector.<int> = new <int>[0];
-        private var _runs:Vector.<int> = new <int>[-1];
+        /**
+         * Triangles that follow one another and have the same number are a run. This is the first triangle of each run. <code>close()</code> adds the
+         * number of triangles, so each run ends where the next entry begins. Read only.
+         */
+        public var starts:Vector.<int> = new <int>[0];
+
+        /** The number of each run. That of the first run is -1, for triangles without a number. Only the first run may have no triangle. Read only. */
+        public var numbersOfRuns:Vector.<int> = new <int>[-1];
 
         // The number of each triangle, after it was first asked for.
         private var _list:Vector.<int> = null;
@@ -43,46 +47,53 @@ package starlogo.models
             return names.push(name) - 1;
         }
 
-        /** The number of the triangles that come next. */
-        public function get next():int
+        /** The number of the last run. Triangles that come next have it. */
+        public function get current():int
         {
-            return _runs[_runs.length - 1];
+            return numbersOfRuns[numbersOfRuns.length - 1];
         }
 
         /** Gives a number to all triangles from one on. It must not be before the last run. */
         public function beginRun(number:int, triangle:int):void
         {
-            if (number != next)
+            endRun(triangle);
+            if (number != current)
             {
-                _starts.push(triangle);
-                _runs.push(number);
+                starts.push(triangle);
+                numbersOfRuns.push(number);
             }
         }
 
         /** Ends the last run. If then no triangle has a number, there are no names either. @param count the number of triangles */
         public function close(count:int):void
         {
-            _starts.push(count);
-            for (var run:int = 0; run < _runs.length; run++)
+            endRun(count);
+            starts.push(count);
+            names = numbersOfRuns.length == 1 ? null : names;
+        }
+
+        // Ends the last run before a triangle. If it has no triangle, it is removed, unless it is the first.
+        private function endRun(end:int):void
+        {
+            var last:int = numbersOfRuns.length - 1;
+            if (last > 0 && starts[last] == end)
             {
-                if (_runs[run] >= 0 && _starts[run] < _starts[run + 1])
-                {
-                    return;
-                }
+                starts.length = numbersOfRuns.length = last;
             }
-            _runs.length = 1; // triangles before the first number have none
-            names = null;
         }
 
         /** The number of each triangle, -1 for none, after <code>close()</code>. Always the same list. Null if no triangle has a number. */
         public function get numbers():Vector.<int>
         {
-            if (_list == null && _runs.length > 1)
+            if (_list == null && numbersOfRuns.length > 1)
             {
-                _list = new Vector.<int>(_starts[_runs.length], true);
-                for (var i:int = 0; i < _list.length; i++)
+                _list = new Vector.<int>(starts[numbersOfRuns.length], true);
+                for (var run:int = 0; run < numbersOfRuns.length; run++)
                 {
-                    _list[i] = numberOf(i);
+                    for (var i:int = starts[run]; i < starts[run + 1]; i++)
+                    {
+                        _list[i] = numbersOfRuns[run];
+                    }
                 }
             }
             return _list;
@@ -92,11 +103,11 @@ package starlogo.models
         public function numberOf(triangle:int):int
         {
             var low:int = 0;
-            var high:int = _runs.length - 1;
+            var high:int = numbersOfRuns.length - 1;
             while (low < high)
             {
                 var middle:int = (low + high + 1) >> 1;
-                if (_starts[middle] <= triangle)
+                if (starts[middle] <= triangle)
                 {
                     low = middle;
                 }
@@ -105,7 +116,7 @@ package starlogo.models
                     high = middle - 1;
                 }
             }
-            return _runs[low];
+            return numbersOfRuns[low];
         }
 
         /** The name of a number; null if it has none. */

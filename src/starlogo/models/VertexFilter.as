@@ -3,7 +3,7 @@ package starlogo.models
     import starlogo.steps.StepSequence;
 
     /**
-     * Removes the vertices that no surface uses and closes the gaps, in steps.
+     * Removes the vertices that no triangle uses and closes the gaps, in steps. If there are no triangles, all vertices stay.
      *
      * @private
      */
@@ -15,23 +15,31 @@ package starlogo.models
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
+        // by vertex: 1 if a triangle uses it, otherwise 0; and the new index of those that are used
         private var _isUsed:Vector.<uint>;
-
-        // the new index of each vertex that is used, and the number of these
         private var _newIndices:Vector.<int>;
+
+        // the number of vertices that are used, so far
         private var _count:int = 0;
 
         /**
          * @param vertices x, y, z, ...; changed in place
-         * @param triangles indices of used vertices; changed to the new indices
-         * @param isUsed 1 for each vertex that is kept although no triangle uses it, 0 for the others; the triangles' vertices get a 1
+         * @param triangles indices of vertices; changed to the new indices. Both lists need to be complete only when the first step is done
          */
-        public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>)
+        public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
             _vertices = vertices;
             _triangles = triangles;
-            _isUsed = isUsed;
-            slices(triangles.length, CORNERS_PER_STEP, markUsed).call(addClosing);
+            call(addParts);
+        }
+
+        private function addParts():void
+        {
+            if (_triangles.length > 0)
+            {
+                _isUsed = new Vector.<uint>(_vertices.length / 3);
+                slices(_triangles.length, CORNERS_PER_STEP, markUsed).call(addClosing);
+            }
         }
 
         private function markUsed(first:int, end:int):void

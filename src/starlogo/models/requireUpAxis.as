@@ -6,7 +6,7 @@ package starlogo.models
     use namespace engine;
 
     /**
-     * Throws a ModelError if an up axis is not "x", "y" or "z". The caller checks for a ModelTransform before.
+     * Throws a ModelError if an up axis is not "x", "y" or "z", or a ModelTransform in its place.
      *
      * @param name the model's name
      * @param upAxis what was given
@@ -14,7 +14,7 @@ package starlogo.models
      */
     public function requireUpAxis(name:String, upAxis:Object):void
     {
-        refuseIf(["x", "y", "z"].indexOf(upAxis) < 0, name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " + textOf(upAxis)
+        refuseIf(["x", "y", "z"].indexOf(upAxis) < 0 && !(upAxis is ModelTransform), name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " + textOf(upAxis)
                 + (Model.SCALINGS.indexOf(String(upAxis)) < 0 ? "" : ": a scaling is the argument after it"));
     }
 }

@@ -67,6 +67,14 @@ package starlogo.models
         }
 
         [Test]
+        public function cornersOfPolygonsWithoutTrianglesAreLeftOut():void
+        {
+            var line:String = "v 5 0 0\nv 6 0 0\nv 7 0 0\nv 8 0 0\nv 9 0 0\nf -5 -4 -3 -2 -1\n";
+            assertEquals(15, new ObjModel("a", line).vertices.length);
+            assertEquals(12, new ObjModel("a", SQUARE + line + "f 1 2 3 4\n").vertices.length);
+        }
+
+        [Test]
         public function refusesOtherTextsByTheirBeginning():void
         {
             var expected:RegExp = /no OBJ text: it begins with "<!doctype html>"\. A ColladaModel/;

@@ -3,6 +3,7 @@ package starlogo.models.collada
     import starlogo.geometry.AffineTransform;
     import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
+    import starlogo.models.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
 
@@ -142,7 +143,7 @@ package starlogo.models.collada
         {
             var url:String = attribute(attributeName);
             refuseIf(url.charAt(0) != "#", "expected a " + attributeName + " like \"#id\", of an element in this file, but found \"" +
-                    TextWords.shorten(url) + "\"");
+                    shortened(url) + "\"");
             for each (var targetName:String in names)
             {
                 var found:ColladaElement = (scope == null ? null : scope.child(targetName, url.substr(1))) || elementsById[targetName + url];
@@ -151,7 +152,7 @@ package starlogo.models.collada
                     return found;
                 }
             }
-            throw error("there is no <" + names[0] + "> with the id \"" + TextWords.shorten(url.substr(1)) + "\"");
+            throw error("there is no <" + names[0] + "> with the id \"" + shortened(url.substr(1)) + "\"");
         }
 
         /** The element's own text. Long texts are split into words in steps, by TextWords.splitting(). */
@@ -183,7 +184,7 @@ package starlogo.models.collada
             var number:Number = TextWords.toNumber(word);
             if (number - number != 0)
             {
-                throw error("expected finite numbers, but found \"" + TextWords.shorten(word) + "\"");
+                throw error("expected finite numbers, but found \"" + shortened(word) + "\"");
             }
             return number;
         }
@@ -198,14 +199,14 @@ package starlogo.models.collada
             var value:String = attribute(attributeName);
             var number:Number = value == "" ? missing : Decimal.of(TextWords.of(value).join(" "));
             refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), "expected " +
-                    attributeName + " to be a whole number, not negative, but found \"" + TextWords.shorten(value) + "\"");
+                    attributeName + " to be a whole number, not negative, but found \"" + shortened(value) + "\"");
             return number;
         }
 
         /** Checks the attribute <code>count</code>, if there is one. @param counted the value that it must have */
         public function checkCount(counted:int, what:String):void
         {
-            refuseIf(integer("count", counted) != counted, "its count is " + TextWords.shorten(attribute("count")) + ", but it has " + counted + " " + what);
+            refuseIf(integer("count", counted) != counted, "its count is " + shortened(attribute("count")) + ", but it has " + counted + " " + what);
         }
 
         /** Throws a ModelError if something is wrong with the element. The message is built in any case, so long loops throw an error(). */
@@ -237,7 +238,7 @@ package starlogo.models.collada
         private function get place():String
         {
             var alike:Vector.<ColladaElement> = parent.childrenNamed(name);
-            return name + (id != "" ? "#" + TextWords.shorten(id) : (alike.length == 1 ? "" : "[" + (alike.indexOf(this) + 1) + "]"));
+            return name + (id != "" ? "#" + shortened(id) : (alike.length == 1 ? "" : "[" + (alike.indexOf(this) + 1) + "]"));
         }
     }
 }

@@ -11,14 +11,11 @@ package starlogo.models.collada
         /** The geometry's element. */
         public var geometry:ColladaElement;
 
-        /** When all is read: the points that its surfaces use, or all points if it has no surface. */
+        /** When all is read: the points that its triangles use, or all points if it has none. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
-        /** When all is read: three point indices per triangle. */
+        /** When all is read: three point indices for each triangle. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
-
-        /** When all is read: whether there are surfaces. They may have no area. */
-        public var hasSurfaces:Boolean = false;
 
         /** When all is read: the symbol of each primitive's material; "" for none. */
         public var symbols:Vector.<String> = new Vector.<String>();
@@ -35,33 +32,25 @@ package starlogo.models.collada
             this.geometry = geometry;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
             var triangulator:Triangulator = new Triangulator(geometry.limits, vertices, triangles);
-            var isUsed:Vector.<uint> = new Vector.<uint>();
             for each (var element:ColladaElement in _mesh == null ? null : _mesh.children)
             {
                 if (ColladaPrimitive.isSurface(element))
                 {
-                    addPrimitive(element, triangulator, isUsed);
+                    addPrimitive(element, triangulator);
                 }
             }
-            begin(readingPoints).begin(function():Steps
-                {
-                    hasSurfaces = isUsed.indexOf(1) >= 0;
-                    return hasSurfaces ? new VertexFilter(vertices, triangles, isUsed) : null;
-                });
+            begin(readingPoints).add(new VertexFilter(vertices, triangles));
         }
 
         // Adds the work on a primitive, after that on its source.
-        private function addPrimitive(element:ColladaElement, triangulator:Triangulator, isUsed:Vector.<uint>):void
+        private function addPrimitive(element:ColladaElement, triangulator:Triangulator):void
         {
             begin(function():Steps
                 {
                     symbols.push(element.attribute("material"));
                     starts.push(triangles.length / 3);
                     var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
-                    return new StepSequence().add(points).call(function():void
-                        {
-                            isUsed.length = vertices.length / 3;
-                        }).add(new ColladaPrimitive(element, points, isUsed, triangulator));
+                    return new StepSequence().add(points).add(new ColladaPrimitive(element, points, triangulator));
                 });
         }
 

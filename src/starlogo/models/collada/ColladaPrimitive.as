@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.polygons.Triangulator;
+    import starlogo.models.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
@@ -16,7 +17,6 @@ package starlogo.models.collada
 
         private var _element:ColladaElement;
         private var _positions:ColladaSource;
-        private var _isUsed:Vector.<uint>;
         private var _triangulator:Triangulator;
 
         // A corner takes _stride indices. The one at _offset is its position's.
@@ -26,14 +26,12 @@ package starlogo.models.collada
         /**
          * @param element the primitive's element
          * @param positions its points; their steps come before this one's
-         * @param isUsed a number for each point of the mesh; set to 1 for points that have a corner
          * @param triangulator takes the triangles, and cuts polygons
          */
-        public function ColladaPrimitive(element:ColladaElement, positions:ColladaSource, isUsed:Vector.<uint>, triangulator:Triangulator)
+        public function ColladaPrimitive(element:ColladaElement, positions:ColladaSource, triangulator:Triangulator)
         {
             _element = element;
             _positions = positions;
-            _isUsed = isUsed;
             _triangulator = triangulator;
             readInputs();
             var lists:Vector.<ColladaElement> = element.childrenNamed("p");
@@ -154,7 +152,7 @@ package starlogo.models.collada
                 var size:Number = Decimal.ofIndex(sizes[i]);
                 if (!(size >= 0 && size <= most && size == int(size)))
                 {
-                    throw _element.child("vcount").error("expected the number of a polygon's corners, but found \"" + TextWords.shorten(sizes[i]) + "\"");
+                    throw _element.child("vcount").error("expected the number of a polygon's corners, but found \"" + shortened(sizes[i]) + "\"");
                 }
                 sum += size;
             }
@@ -225,7 +223,7 @@ package starlogo.models.collada
             return indices.length / _stride;
         }
 
-        // Reads a corner, whose indices begin at the given one. Returns its point, and marks it as used.
+        // Reads a corner, whose indices begin at the given one. Returns its point.
         private function readCorner(indices:Array, at:int):uint
         {
             var word:String = indices[int(at + _offset)];
@@ -233,11 +231,9 @@ package starlogo.models.collada
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)
             {
-                throw _element.error("expected a position's index, 0 to " + (_positions.count - 1) + ", but found \"" + TextWords.shorten(word) + "\"");
+                throw _element.error("expected a position's index, 0 to " + (_positions.count - 1) + ", but found \"" + shortened(word) + "\"");
             }
-            index += _positions.first;
-            _isUsed[index] = 1;
-            return index;
+            return _positions.first + index;
         }
     }
 }

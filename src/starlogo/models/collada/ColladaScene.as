@@ -1,8 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
-    import starlogo.models.FileLimits;
-    import starlogo.models.text.TextWords;
+    import starlogo.models.shortened;
     import starlogo.steps.StepSequence;
 
     /** Visits the nodes of a COLLADA scene and finds their geometries. If there is no scene, it takes all geometries of the library. */
@@ -13,10 +12,10 @@ package starlogo.models.collada
         private static const MAX_CONTROLLERS:int = 16;
 
         // a placed element takes more memory than an element
-        private static const THINGS_PER_ELEMENT:int = 2;
+        private static const COUNT_PER_PLACING:int = 2;
 
         /** The geometries in the document's order, when no step is left. */
-        public var instances:Vector.<ColladaPlace> = new Vector.<ColladaPlace>();
+        public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
         private var _meshes:Object = {}; // of geometries in the scene; the key is "#" and the geometry's id
 
@@ -59,7 +58,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaPlace(geometry, new ColladaMesh(geometry), new AffineTransform()));
+                    instances.push(new ColladaInstance(geometry, new ColladaMesh(geometry), new AffineTransform()));
                 }
             }
         }
@@ -68,7 +67,7 @@ package starlogo.models.collada
         private function enter(node:ColladaElement, transform:AffineTransform):void
         {
             node.refuseIf(_nodes.length > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
-            node.limits.count(FileLimits.THINGS, THINGS_PER_ELEMENT * (1 + node.children.length), node);
+            node.limits.countElements(COUNT_PER_PLACING * (1 + node.children.length), node);
             _nodes.push(node);
             _transforms.push(transform);
             _pending.push(null);
@@ -98,7 +97,7 @@ package starlogo.models.collada
                     break;
                 case "instance_node":
                     var inner:ColladaElement = element.target("url", ["node"]);
-                    element.refuseIf(_nodes.indexOf(inner) >= 0, "recursive instance_node: it places the node \"" + TextWords.shorten(inner.id) + "\" within itself");
+                    element.refuseIf(_nodes.indexOf(inner) >= 0, "recursive instance_node: it places the node \"" + shortened(inner.id) + "\" within itself");
                     enter(inner, transform);
                     break;
                 case "node":
@@ -116,7 +115,7 @@ package starlogo.models.collada
             var target:ColladaElement = element.target("url", ["controller"]);
             for (var i:int = 0; target.name == "controller"; i++)
             {
-                element.limits.count(FileLimits.THINGS, THINGS_PER_ELEMENT, element);
+                element.limits.countElements(COUNT_PER_PLACING, element);
                 var skin:ColladaElement = target.child("skin");
                 var deformer:ColladaElement = skin || target.requiredChild("morph");
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
@@ -132,7 +131,7 @@ package starlogo.models.collada
         private function addInstance(element:ColladaElement, geometry:ColladaElement, transform:AffineTransform):void
         {
             var mesh:ColladaMesh = _meshes["#" + geometry.id] ||= new ColladaMesh(geometry);
-            instances.push(new ColladaPlace(element, mesh, transform));
+            instances.push(new ColladaInstance(element, mesh, transform));
         }
     }
 }

@@ -1,6 +1,5 @@
 package starlogo.models.collada
 {
-    import starlogo.models.FileLimits;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
@@ -29,8 +28,8 @@ package starlogo.models.collada
             var accessor:ColladaElement = source.requiredChild("technique_common").requiredChild("accessor");
             var array:ColladaElement = accessor.target("source", ["float_array", "int_array"], source);
             var text:String = array.text;
-            accessor.limits.count(FileLimits.NUMBERS, text.length / 2, accessor);
-            accessor.limits.count(FileLimits.THINGS, accessor.children.length, accessor);
+            accessor.limits.countNumbers(text.length / 2, accessor);
+            accessor.limits.countElements(accessor.children.length, accessor);
             add(TextWords.splitting(text, function(words:Array):Steps
                     {
                         return readingPoints(accessor, array, words);
@@ -47,7 +46,7 @@ package starlogo.models.collada
             var last:Number = offset + stride * (wanted - 1) + Math.max(columns[0], columns[1], columns[2]);
             accessor.refuseIf(wanted > 0 && last >= words.length, "its count of " + wanted + " with a stride of " + stride +
                     " reaches beyond the " + words.length + " numbers of its array");
-            accessor.limits.count(FileLimits.NUMBERS, 3 * wanted, accessor);
+            accessor.limits.countNumbers(3 * wanted, accessor);
             count = wanted;
             first = _points.length / 3;
             return new StepSequence().slices(count, POINTS_PER_STEP, function(from:int, end:int):void

@@ -119,7 +119,7 @@ package starlogo.models.collada
             var quote:int = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
             refuseIf(name == "" || root != null && _open == null);
-            _limits.count(FileLimits.THINGS, 1, this);
+            _limits.countElements(1, this);
             var element:ColladaElement = new ColladaElement(_limits, localName(name), _open);
             root ||= element;
             _at += name.length;

@@ -9,7 +9,7 @@ package starlogo.models.cooked
     import starlogo.models.Model;
     import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelReader;
+    import starlogo.models.ModelBuilder;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
     import starlogo.models.TriangleLabels;
@@ -63,10 +63,10 @@ package starlogo.models.cooked
          * @param bytes as for the constructor
          * @param modelKey as for the constructor
          */
-        public static function of(name:String, bytes:ByteArray, modelKey:Fingerprint = null):ModelReader
+        public static function of(name:String, bytes:ByteArray, modelKey:Fingerprint = null):ModelBuilder
         {
             var data:ModelData = new ModelData(name);
-            return new ModelReader(data, new CookedReader(data, bytes, modelKey));
+            return new ModelBuilder(data, new CookedReader(data, bytes, modelKey));
         }
 
         /** The divisor for the numbers of a form. */
@@ -211,7 +211,7 @@ package starlogo.models.cooked
             }
         }
 
-        // The ModelReader checks whether the vertices exist.
+        // The ModelBuilder checks whether the vertices exist.
         private function readCorners(first:int, end:int):void
         {
             var bytes:ByteArray = _bytes;

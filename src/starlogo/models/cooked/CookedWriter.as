@@ -27,7 +27,7 @@ package starlogo.models.cooked
         public static function of(model:Model):ByteArray
         {
             var source:Vector.<Number> = model.source.toSource(model.vertices);
-            var transform:ModelTransform = transformOf(model.data);
+            var transform:ModelTransform = model.data.transform;
             // a transform that mirrors would turn the triangles over once more
             var isMirror:Boolean = transform != null && transform.isMirror;
             for (var form:int = 0; form <= CookedReader.SINGLE && !isMirror; form++)
@@ -40,13 +40,6 @@ package starlogo.models.cooked
             }
             refuseIf(SourceFrame.of(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
             return write(model, CookedReader.DOUBLE, model.vertices, null);
-        }
-
-        // The transform that takes the source to the model; null for none. A file's unit is a scale.
-        private static function transformOf(data:ModelData):ModelTransform
-        {
-            var hasUnit:Boolean = data.transform == null && data.scaling == Model.AS_GIVEN && data.unit != 1;
-            return hasUnit ? new ModelTransform(null, new Vector3D(data.unit, data.unit, data.unit)) : data.transform;
         }
 
         // Whether a model of these points and the model's triangles is the model: the vertices and the place in the source are equal to the last bit.
@@ -146,7 +139,7 @@ package starlogo.models.cooked
             }
         }
 
-        // The names, and the runs of triangles with the same number. The length of a missing name is -1.
+        // The names, and the runs after the first. The length of a missing name is -1.
         private static function writeLabels(labels:TriangleLabels, out:ByteArray):void
         {
             VarInt.write(labels.names == null ? -1 : labels.names.length, out);
@@ -157,21 +150,11 @@ package starlogo.models.cooked
                 VarInt.write(label == null ? -1 : bytes.length, out);
                 out.writeBytes(bytes);
             }
-            var numbers:Vector.<int> = labels.numbers || new Vector.<int>();
-            var runs:Vector.<int> = new Vector.<int>();
-            var start:int = 0;
-            for (var i:int = 0; i < numbers.length; i++)
+            VarInt.write(labels.numbersOfRuns.length - 1, out);
+            for (var run:int = 1; run < labels.numbersOfRuns.length; run++)
             {
-                if (numbers[i] != (i == 0 ? -1 : numbers[i - 1]))
-                {
-                    runs.push(i - start, numbers[i]);
-                    start = i;
-                }
-            }
-            VarInt.write(runs.length / 2, out);
-            for each (var number:int in runs)
-            {
-                VarInt.write(number, out);
+                VarInt.write(labels.starts[run] - labels.starts[run - 1], out);
+                VarInt.write(labels.numbersOfRuns[run], out);
             }
         }
     }

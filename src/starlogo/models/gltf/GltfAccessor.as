@@ -1,7 +1,6 @@
 package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
-    import starlogo.models.FileLimits;
     import starlogo.steps.StepSequence;
 
     /**
@@ -62,7 +61,7 @@ package starlogo.models.gltf
             {
                 addRows(file, view, offset);
             }
-            file.limits.count(view < 0 ? FileLimits.ZEROS : FileLimits.NUMBERS, Number(count) * width, json.place);
+            file.limits.countNumbers(Number(count) * width, json.place);
             numbers = new Vector.<Number>(count * width);
         }
 

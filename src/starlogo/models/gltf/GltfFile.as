@@ -4,6 +4,7 @@ package starlogo.models.gltf
     import flash.utils.Endian;
     import starlogo.models.FileLimits;
     import starlogo.models.refuseIf;
+    import starlogo.models.shortened;
     import starlogo.models.text.FileAddress;
     import starlogo.models.text.FileText;
     import starlogo.models.text.TextWords;
@@ -22,6 +23,9 @@ package starlogo.models.gltf
         private static const BINARY_CHUNK:uint = 0x004E4942;
         private static const HEADER_LENGTH:int = 12;
         private static const CHUNK_HEADER_LENGTH:int = 8;
+
+        // the most files beside this one
+        private static const MOST_FILES:int = 100;
 
         private static const READ_VERSION:RegExp = /^2\.0/;
         private static const VERSIONS:RegExp = /^2\.\d/;
@@ -91,7 +95,7 @@ package starlogo.models.gltf
             var file:GltfFile = new GltfFile(name, bytes, null, function(uri:String, take:Function):void
                 {
                     take(buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
-                            "\"" + TextWords.shorten(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
+                            "\"" + shortened(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
                 });
             finish(file);
             return file;
@@ -215,7 +219,7 @@ package starlogo.models.gltf
         {
             json.refuseIf(extension == DRACO, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
             json.refuseIf(MESHOPT.test(extension), "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
-            json.refuseIf(!SUPPORTED.test(extension), "it needs the extension \"" + TextWords.shorten(extension) +
+            json.refuseIf(!SUPPORTED.test(extension), "it needs the extension \"" + shortened(extension) +
                     "\", which is not known: save the model without it", "extensionsRequired");
         }
 
@@ -286,7 +290,7 @@ package starlogo.models.gltf
             var file:int = _otherFiles.indexOf(uri);
             if (file < 0)
             {
-                limits.count(FileLimits.FILES, 1, buffer.place + ".uri");
+                buffer.refuseIf(_otherFiles.length == MOST_FILES, "it has more than " + MOST_FILES + " other files", "uri");
                 file = _otherFiles.push(uri) - 1;
                 _buffersIn.push(new Vector.<int>());
             }

@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.ModelError;
-    import starlogo.models.text.TextWords;
+    import starlogo.models.shortened;
 
     /**
      * An object in the JSON of a glTF file. Its methods check what they read, and errors name the place. Only texts are never refused, and
@@ -185,7 +185,7 @@ package starlogo.models.gltf
             }
             if (value is String)
             {
-                return "\"" + TextWords.shorten(value) + "\"";
+                return "\"" + shortened(value) + "\"";
             }
             return value is Array ? "a list" : (isObject(value) ? "an object" : String(value));
         }

@@ -1,8 +1,7 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.FileLimits;
     import starlogo.models.ModelData;
-    import starlogo.models.ModelReader;
+    import starlogo.models.ModelBuilder;
     import starlogo.models.VertexFilter;
     import starlogo.models.turnToZUp;
     import starlogo.steps.StepSequence;
@@ -40,7 +39,7 @@ package starlogo.models.gltf
                 {
                     _scene = new GltfScene(file, animation, time);
                     return _scene;
-                }).begin(readingNodes).begin(droppingUnused);
+                }).begin(readingNodes).call(takeLoosePoints).add(new VertexFilter(data.vertices, data.triangles));
         }
 
         /**
@@ -50,10 +49,10 @@ package starlogo.models.gltf
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor
          */
-        public static function of(file:GltfFile, upAxis:Object, scaling:String):ModelReader
+        public static function of(file:GltfFile, upAxis:Object, scaling:String):ModelBuilder
         {
             var data:ModelData = dataFor(file, upAxis, scaling);
-            return new ModelReader(data, new GltfReader(data, file));
+            return new ModelBuilder(data, new GltfReader(data, file));
         }
 
         /** Reads the vertices at a time of an animation, in seconds. They are not normalised. @param upAxis as for of() */
@@ -94,7 +93,7 @@ package starlogo.models.gltf
             var placed:Object = {};
             _data.readShare = index / _scene.nodes.length;
             // each primitive may have a target for each weight
-            _file.limits.count(FileLimits.THINGS, (1 + weights.length) * (1 + mesh.count("primitives")), mesh.place);
+            _file.limits.countElements((1 + weights.length) * (1 + mesh.count("primitives")), mesh.place);
             return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
                 {
                     return readingPrimitive(nodeIndex, label, mesh.element("primitives", primitive), weights, placed);
@@ -130,10 +129,9 @@ package starlogo.models.gltf
             return work;
         }
 
-        private function droppingUnused():Steps
+        private function takeLoosePoints():void
         {
             _data.takeLoosePoints(_loosePoints, "a mesh in the scene");
-            return _data.triangles.length == 0 ? null : new VertexFilter(_data.vertices, _data.triangles, new Vector.<uint>(_data.vertices.length / 3));
         }
     }
 }

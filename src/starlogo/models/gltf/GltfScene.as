@@ -8,7 +8,6 @@ package starlogo.models.gltf
     internal final class GltfScene extends StepSequence
     {
         private static const NODES_PER_STEP:int = 200;
-        private static const JOINTS_PER_STEP:int = 200;
 
         /** The indices of the nodes in the scene that have a mesh, when no step is left. */
         public var nodes:Vector.<int> = new Vector.<int>();
@@ -20,7 +19,7 @@ package starlogo.models.gltf
         private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
         private var _isVisited:Vector.<Boolean>;
-        private var _joints:Array = []; // of each skin, by its index: the transforms of its joints
+        private var _skins:Array = []; // the skins so far, by index
 
         /**
          * @param file the file; all its steps must be done
@@ -66,42 +65,10 @@ package starlogo.models.gltf
             return transform;
         }
 
-        /**
-         * How the joints of a skin move points: a transform for each joint, at rest or in a pose, as the nodes are. They are found once.
-         *
-         * @param skin the skin's index
-         * @param work takes the steps that find them, if none has taken these before. It must be done before other work asks for them
-         * @return the transforms, when the steps are done
-         */
-        public function jointsOf(skin:int, work:StepSequence):Vector.<AffineTransform>
+        /** A skin. It is the same for all that use it, so its joints are found once. @param index the skin's index */
+        public function skin(index:int):GltfSkin
         {
-            if (_joints[skin] == null)
-            {
-                _joints[skin] = new Vector.<AffineTransform>();
-                addJoints(_file.json.fileEntry("skins", skin), _joints[skin], work);
-            }
-            return _joints[skin];
-        }
-
-        private function addJoints(skin:GltfJson, out:Vector.<AffineTransform>, work:StepSequence):void
-        {
-            var count:int = skin.count("joints");
-            skin.refuseIf(count == 0, "expected at least one joint", "joints");
-            var accessor:int = skin.reference("inverseBindMatrices", "accessors");
-            var matrices:GltfAccessor = accessor < 0 ? null : _file.accessor(accessor, "MAT4");
-            if (matrices != null)
-            {
-                matrices.json.refuseIf(matrices.count < count, "there are " + count + " joints, but fewer matrices");
-                work.add(matrices);
-            }
-            work.slices(count, JOINTS_PER_STEP, function(first:int, end:int):void
-                {
-                    for (var i:int = first; i < end; i++)
-                    {
-                        var transform:AffineTransform = globalTransformOf(skin.indexIn("joints", i, "nodes"));
-                        out.push(matrices == null ? transform : transform.after(ofColumns(matrices.numbers, 16 * i)));
-                    }
-                });
+            return _skins[index] ||= new GltfSkin(_file, this, index);
         }
 
         private function findParents(first:int, end:int):void
@@ -193,8 +160,8 @@ package starlogo.models.gltf
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);
         }
 
-        // The transform with 16 numbers, column by column.
-        private static function ofColumns(m:Vector.<Number>, at:int):AffineTransform
+        /** The transform with 16 numbers, column by column. @param at the index of the first one */
+        internal static function ofColumns(m:Vector.<Number>, at:int):AffineTransform
         {
             return new AffineTransform(new <Number>[
                         m[at], m[at + 4], m[at + 8], m[at + 12],

@@ -1,6 +1,5 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.FileLimits;
     import starlogo.steps.StepSequence;
 
     /** Adds the triangles of a primitive to a model, at the place of a node, in steps. The primitive's vertices are already added. */
@@ -36,7 +35,7 @@ package starlogo.models.gltf
             var cornerCount:int = _indices == null ? _vertices.count : _indices.count;
             var mode:int = modeOf(primitive);
             var triangleCount:int = mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            file.limits.require(FileLimits.TRIANGLES, triangles.length / 3 + triangleCount, primitive.place);
+            file.limits.requireMesh(0, triangles.length / 3 + triangleCount, primitive.place);
             slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                 {
                     addTriangles(mode, first, end, triangles);

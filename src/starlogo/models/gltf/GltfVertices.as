@@ -1,7 +1,6 @@
 package starlogo.models.gltf
 {
     import starlogo.geometry.AffineTransform;
-    import starlogo.models.FileLimits;
     import starlogo.steps.StepSequence;
 
     /**
@@ -24,8 +23,8 @@ package starlogo.models.gltf
         private var _vertices:Vector.<Number>;
         // the points before the node places them
         private var _points:Vector.<Number>;
-        // of a skinned mesh, how its joints move points
-        private var _joints:Vector.<AffineTransform> = null;
+        // What moves the points: the joints of a skin, or the transform of the node.
+        private var _skin:GltfSkin = null;
         private var _transform:AffineTransform;
 
         /**
@@ -46,24 +45,25 @@ package starlogo.models.gltf
             _points = positions.numbers;
             firstVertex = vertices.length / 3;
             count = positions.count;
-            file.limits.require(FileLimits.VERTICES, firstVertex + Number(count), primitive.place);
+            file.limits.requireMesh(firstVertex + Number(count), 0, primitive.place);
             add(positions);
             addTargets(file, primitive, weights);
             var skin:int = _node.reference("skin", "skins");
             var attributes:GltfJson = primitive.object("attributes");
             if (skin >= 0 && attributes.has("JOINTS_0"))
             {
-                _joints = scene.jointsOf(skin, call(copyPoints));
+                _skin = scene.skin(skin);
+                add(_skin).call(copyPoints);
                 addSkin(file, attributes);
             }
-            _transform = _joints == null ? scene.globalTransformOf(node) : new AffineTransform();
+            _transform = _skin == null ? scene.globalTransformOf(node) : new AffineTransform();
             slices(count, VERTICES_PER_STEP, placeVertices);
         }
 
         /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
         public function get isMirror():Boolean
         {
-            return (_joints == null ? _transform : _joints[0]).isMirror;
+            return (_skin == null ? _transform : _skin.joints[0]).isMirror;
         }
 
         private function addTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
@@ -75,7 +75,7 @@ package starlogo.models.gltf
                 if (index >= 0 && weights[i] != 0)
                 {
                     addTarget(file.accessor(index, "VEC3"), weights[i]);
-                    file.limits.count(FileLimits.NUMBERS, 3 * Number(count), primitive.place);
+                    file.limits.countNumbers(3 * Number(count), primitive.place);
                 }
             }
         }
@@ -112,7 +112,7 @@ package starlogo.models.gltf
                     sets.push(addAccessor(file.accessor(index, "VEC4")));
                 }
             }
-            file.limits.count(FileLimits.NUMBERS, 2 * count * Number(sets.length), attributes.place);
+            file.limits.countNumbers(2 * count * Number(sets.length), attributes.place);
             slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
                 {
                     moveByJoints(sets, first, end);
@@ -155,7 +155,7 @@ package starlogo.models.gltf
                 }
                 if (sum == 0)
                 {
-                    _joints[0].transformPoints(points, i, i + 1, points, i);
+                    _skin.joints[0].transformPoints(points, i, i + 1, points, i);
                     continue;
                 }
                 points[at] = x / sum;
@@ -167,11 +167,11 @@ package starlogo.models.gltf
         private function jointAt(numbers:GltfAccessor, at:int):AffineTransform
         {
             var joint:Number = numbers.numbers[at];
-            if (!(joint >= 0 && joint < _joints.length && int(joint) == joint))
+            if (!(joint >= 0 && joint < _skin.joints.length && int(joint) == joint))
             {
-                throw numbers.json.error("vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.length);
+                throw numbers.json.error("vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _skin.joints.length);
             }
-            return _joints[int(joint)];
+            return _skin.joints[int(joint)];
         }
 
         private function placeVertices(first:int, end:int):void

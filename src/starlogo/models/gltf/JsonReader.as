@@ -14,7 +14,7 @@ package starlogo.models.gltf
         internal static const MAX_DEPTH:int = 100;
 
         // a value takes a quarter of the memory of an element
-        private static const THINGS_PER_VALUE:Number = 0.25;
+        private static const ELEMENTS_PER_VALUE:Number = 0.25;
 
         private static const CHARACTERS_PER_STEP:int = 2000;
         private static const BACKSLASH:int = 0x5C;
@@ -27,6 +27,9 @@ package starlogo.models.gltf
         private static const KEY:String = "\"";
         private static const IN_LIST:String = ",]";
         private static const IN_OBJECT:String = ",}";
+
+        // What a string cannot have as it is
+        private static const UNUSUAL:RegExp = /[\\\x00-\x1F]/;
 
         private static const NUMBER:RegExp = /^-?(0|[1-9]\d*)(\.\d+)?([eE][-+]?\d+)?$/;
         private static const WORDS:Object = {"true": true, "false": false, "null": null};
@@ -44,6 +47,9 @@ package starlogo.models.gltf
         // The lists and objects that are not closed yet, and the key of the next value in an object.
         private var _open:Array = [];
         private var _key:String;
+
+        // how many values this step has read
+        private var _valueCount:int = 0;
 
         /**
          * @param text possible JSON
@@ -63,6 +69,7 @@ package starlogo.models.gltf
         public function step():Boolean
         {
             var end:int = Math.min(_at + CHARACTERS_PER_STEP, _text.length);
+            _valueCount = 0;
             while (_at < end)
             {
                 var code:int = _text.charCodeAt(_at++);
@@ -71,6 +78,7 @@ package starlogo.models.gltf
                     readMark(_text.charAt(_at - 1));
                 }
             }
+            _limits.countElements(ELEMENTS_PER_VALUE * _valueCount, this);
             refuseIf(_at == _text.length && _allowed != "", "it is cut off");
             return _at < _text.length;
         }
@@ -127,13 +135,10 @@ package starlogo.models.gltf
         {
             var end:int = endOfString();
             refuseIf(end < 0, "a string has no end");
-            try
+            var text:String = _text.substring(_at, end);
+            if (UNUSUAL.test(text))
             {
-                var text:String = JSON.parse(_text.substring(_at - 1, end + 1)) as String;
-            }
-            catch (error:Error)
-            {
-                refuseIf(true, "a string has a wrong character or escape");
+                text = decoded(text);
             }
             if (_allowed.indexOf(WORD) >= 0)
             {
@@ -145,6 +150,19 @@ package starlogo.models.gltf
                 _allowed = ":";
             }
             _at = end + 1;
+        }
+
+        private function decoded(text:String):String
+        {
+            try
+            {
+                return JSON.parse("\"" + text + "\"") as String;
+            }
+            catch (error:Error)
+            {
+                refuseIf(true, "a string has a wrong character or escape");
+            }
+            return null;
         }
 
         // The index of the quote that ends a string; -1 if there is none.
@@ -168,7 +186,7 @@ package starlogo.models.gltf
         private function readWord():void
         {
             var end:int = _at;
-            while (_text.charCodeAt(end) > 0x20 && MARKS.indexOf(_text.charAt(end)) < 0)
+            while (isInWord(_text.charCodeAt(end)))
             {
                 end++;
             }
@@ -181,10 +199,16 @@ package starlogo.models.gltf
             _at = end;
         }
 
+        // Whether a character can be in a word: it is no mark, no white space, and not the end of the text.
+        private static function isInWord(code:int):Boolean
+        {
+            return code > 0x20 && code != 0x22 && code != 0x2C && code != 0x3A && code != 0x5B && code != 0x5D && code != 0x7B && code != 0x7D;
+        }
+
         private function put(value:*):void
         {
             var around:Object = _open.length == 0 ? null : _open[_open.length - 1];
-            _limits.count(FileLimits.THINGS, THINGS_PER_VALUE, this);
+            _valueCount++;
             if (around == null)
             {
                 root = value;

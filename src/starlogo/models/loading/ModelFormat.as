@@ -1,7 +1,7 @@
 package starlogo.models.loading
 {
     import flash.utils.ByteArray;
-    import starlogo.models.ModelReader;
+    import starlogo.models.ModelBuilder;
     import starlogo.models.ModelTransform;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedFile;
@@ -66,7 +66,7 @@ package starlogo.models.loading
          * @param scaling as for Model's constructor
          * @param fetch gives the other files that a glTF file names: see GltfFile
          */
-        public static function newReader(name:String, bytes:ByteArray, text:String, url:String, upAxis:Object, scaling:String, fetch:Function):ModelReader
+        public static function newBuilder(name:String, bytes:ByteArray, text:String, url:String, upAxis:Object, scaling:String, fetch:Function):ModelBuilder
         {
             switch (text == null ? ofBytes(bytes) : ofText(text, url))
             {

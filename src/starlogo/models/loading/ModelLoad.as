@@ -58,9 +58,11 @@ package starlogo.models.loading
         // the progress of a cooked file that gave no model; 0 if there was none
         private var _tried:Number = 0;
 
-        // The file and its transform file, or its cooked file. Then the other files that its reader asks for, and the function that takes each.
+        // The downloads that the next step waits for: the file and its transform file, or its cooked file, or other files that its reader asks for.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
-        private var _takers:Vector.<Function> = new Vector.<Function>();
+
+        // The functions that give such other files to the reader, once they have come.
+        private var _givers:Vector.<Function> = new Vector.<Function>();
 
         // what reads the file, or makes the model instead; null before the file has come, and after the model is made
         private var _maker:ModelMaker = null;
@@ -128,12 +130,11 @@ package starlogo.models.loading
                 {
                     if (text == null && (bytes == null || ModelFormat.ofBytes(bytes) == null))
                     {
-                        setFile(null, FileText.decode(name, bytes));
+                        text = FileText.decode(name, bytes);
                     }
-                    else
-                    {
-                        setMaker(ModelFormat.newReader(name, bytes, text, _url, _upAxis, _scaling, fetchBeside));
-                    }
+                }).call(function():void
+                {
+                    setMaker(ModelFormat.newBuilder(name, bytes, text, _url, _upAxis, _scaling, fetchBeside));
                 });
         }
 
@@ -234,8 +235,11 @@ package starlogo.models.loading
         {
             if (FileAddress.hasFolder(_url))
             {
-                download(FileAddress.folderOf(_url) + uri);
-                _takers.push(take);
+                var file:FileDownload = download(FileAddress.folderOf(_url) + uri);
+                _givers.push(function():void
+                    {
+                        take(file.bytes, file.problem);
+                    });
             }
             else
             {
@@ -245,11 +249,11 @@ package starlogo.models.loading
 
         private function stepMaker():Boolean
         {
-            for (var i:int = 0; i < _takers.length; i++)
+            for each (var give:Function in _givers)
             {
-                _takers[i](_downloads[i].bytes, _downloads[i].problem);
+                give();
             }
-            _takers.length = _downloads.length = 0;
+            _givers.length = _downloads.length = 0;
             return _maker.step();
         }
 

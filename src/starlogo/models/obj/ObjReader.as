@@ -3,14 +3,14 @@ package starlogo.models.obj
     import starlogo.models.FileLimits;
     import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelReader;
+    import starlogo.models.ModelBuilder;
     import starlogo.models.TriangleLabels;
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
+    import starlogo.models.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
-    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -46,11 +46,11 @@ package starlogo.models.obj
             refuseIf(text == null, name, "there is no text to read");
             refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             var tag:Array = text.substr(0, 1000).match(/^\s*(<[^\n\r]*)/);
-            refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && TextWords.shorten(tag[1])) + "\". A ColladaModel reads COLLADA");
+            refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && shortened(tag[1])) + "\". A ColladaModel reads COLLADA");
             _data = data;
             _lines = new LineReader(name, text);
             _limits = new FileLimits(name, text.length);
-            repeat(readSome).call(checkIndices).begin(cutting);
+            repeat(readSome).call(checkIndices).begin(cutting).add(new VertexFilter(data.vertices, data.triangles));
         }
 
         /**
@@ -61,10 +61,10 @@ package starlogo.models.obj
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
          * @param scaling as for Model's constructor
          */
-        public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelReader
+        public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelBuilder
         {
             var data:ModelData = ModelData.forFile(name, upAxis, scaling);
-            return new ModelReader(data, new ObjReader(data, text));
+            return new ModelBuilder(data, new ObjReader(data, text));
         }
 
         private function readSome():Boolean
@@ -120,7 +120,7 @@ package starlogo.models.obj
             else if (corners.length > 3)
             {
                 _polygons.push(corners);
-                _polygonLabels.push(_data.materials.next, _data.meshes.next);
+                _polygonLabels.push(_data.materials.current, _data.meshes.current);
                 _polygonTriangles += corners.length - 2;
             }
         }
@@ -134,12 +134,12 @@ package starlogo.models.obj
             if (index != value || index == 0)
             {
                 throw new ModelError(_data.name, _lines.place, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
-                        TextWords.shorten(word) + "\"");
+                        shortened(word) + "\"");
             }
             index = index > 0 ? index - 1 : _data.vertices.length / 3 + index;
             if (index < 0)
             {
-                throw new ModelError(_data.name, _lines.place, "the corner \"" + TextWords.shorten(word) +
+                throw new ModelError(_data.name, _lines.place, "the corner \"" + shortened(word) +
                         "\" counts back beyond the first vertex: there are " + _data.vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)
@@ -157,31 +157,16 @@ package starlogo.models.obj
             refuseIf(_highestIndex >= vertexCount, _data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
         }
 
-        // Cuts all polygons. If there are faces, vertices of no face are removed then.
+        // The steps that cut all polygons.
         private function cutting():Steps
         {
-            // a number for each vertex: 1 if a polygon has it as a corner
-            var isCorner:Vector.<uint> = new Vector.<uint>(_data.vertices.length / 3);
             var triangulator:Triangulator = new Triangulator(_limits, _data.vertices, _data.triangles);
-            return new StepSequence().add(triangulator.addingEach(_polygons.length, function(index:int):Steps
-                    {
-                        beginPolygon(index, isCorner);
-                        return triangulator.addPolygon(_polygons[index]);
-                    })).begin(function():Steps
+            return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
-                    return _data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(_data.vertices, _data.triangles, isCorner);
+                    _data.materials.beginRun(_polygonLabels[2 * index], _data.triangles.length / 3);
+                    _data.meshes.beginRun(_polygonLabels[2 * index + 1], _data.triangles.length / 3);
+                    return triangulator.addPolygon(_polygons[index]);
                 });
-        }
-
-        // Gives the triangles that follow the material and the mesh of a polygon, and marks its vertices.
-        private function beginPolygon(index:int, isCorner:Vector.<uint>):void
-        {
-            _data.materials.beginRun(_polygonLabels[2 * index], _data.triangles.length / 3);
-            _data.meshes.beginRun(_polygonLabels[2 * index + 1], _data.triangles.length / 3);
-            for each (var corner:uint in _polygons[index])
-            {
-                isCorner[corner] = 1; // also if the polygon has no triangle
-            }
         }
     }
 }

@@ -38,9 +38,6 @@ package starlogo.models.polygons
         /** Limit the tests of corners. */
         internal var limits:FileLimits;
 
-        /** Whether the outline has an area. Otherwise there is no axis of projection, and no ring. */
-        internal var hasArea:Boolean = false;
-
         // x, y, z of each vertex, and the vertex of the outline's first corner
         private var _vertices:Vector.<Number>;
         private var _origin:uint;
@@ -50,22 +47,35 @@ package starlogo.models.polygons
         private var _axisY:int;
         private var _scale:Number;
 
+        /** Use <code>of()</code> instead. */
+        public function PolygonRings(limits:FileLimits, vertices:Vector.<Number>, origin:uint)
+        {
+            this.limits = limits;
+            _vertices = vertices;
+            _origin = origin;
+        }
+
         /**
-         * Chooses the axis of projection. There are no rings yet.
+         * The plane of a polygon, without rings yet.
          *
          * @param limits limit the tests of corners
          * @param vertices x, y, z, ...; corners are indices of these
          * @param outline the corners of the outline
+         * @return null if the outline has no area
          */
-        public function PolygonRings(limits:FileLimits, vertices:Vector.<Number>, outline:Vector.<uint>)
+        internal static function of(limits:FileLimits, vertices:Vector.<Number>, outline:Vector.<uint>):PolygonRings
         {
-            this.limits = limits;
-            _vertices = vertices;
-            _origin = outline[0];
+            var rings:PolygonRings = new PolygonRings(limits, vertices, outline[0]);
+            return rings.chooseAxis(outline) ? rings : null;
+        }
+
+        // Chooses the axis of projection. Returns whether the outline has an area along it.
+        private function chooseAxis(outline:Vector.<uint>):Boolean
+        {
             _scale = 1 / extentOf(outline);
             if (!(_scale > 0 && _scale < Number.POSITIVE_INFINITY))
             {
-                return;
+                return false;
             }
             var normal:Vector.<Number> = new <Number>[
                     doubleArea(outline, 1, 2), doubleArea(outline, 2, 0), doubleArea(outline, 0, 1)];
@@ -80,7 +90,7 @@ package starlogo.models.polygons
             var turnsLeft:Boolean = normal[axis] > 0;
             _axisX = (axis + (turnsLeft ? 1 : 2)) % 3;
             _axisY = (axis + (turnsLeft ? 2 : 1)) % 3;
-            hasArea = normal[axis] != 0;
+            return normal[axis] != 0;
         }
 
         /**

@@ -6,7 +6,7 @@ package starlogo.models.stl
     import starlogo.models.FileLimits;
     import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelReader;
+    import starlogo.models.ModelBuilder;
     import starlogo.models.refuseIf;
     import starlogo.models.text.FileText;
     import starlogo.models.text.LineReader;
@@ -64,10 +64,10 @@ package starlogo.models.stl
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
          * @param scaling as for Model's constructor
          */
-        public static function of(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String):ModelReader
+        public static function of(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String):ModelBuilder
         {
             var data:ModelData = ModelData.forFile(name, upAxis, scaling);
-            return new ModelReader(data, new StlReader(data, bytes, text));
+            return new ModelBuilder(data, new StlReader(data, bytes, text));
         }
 
         private function addText(text:String):void
@@ -84,7 +84,7 @@ package starlogo.models.stl
             _limits = new FileLimits(_data.name, bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);
-            _limits.require(FileLimits.TRIANGLES, count);
+            _limits.requireMesh(0, count);
             _points = new PointTable(Math.min(3 * count, FileLimits.MOST_VERTICES));
             slices(count, FACETS_PER_STEP, function(first:int, end:int):void
                 {

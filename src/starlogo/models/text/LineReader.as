@@ -2,6 +2,7 @@ package starlogo.models.text
 {
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
+    import starlogo.models.shortened;
 
     /**
      * Divides text that has one statement per line into words, some lines at a time. A format's reader gets the first word of a
@@ -137,7 +138,7 @@ package starlogo.models.text
                 if (number - number != 0)
                 {
                     var found:String = statement.concat(word == null ? [] : word, readRest()).join(" ");
-                    throw new ModelError(_name, start, "expected a vertex, three finite numbers, but found \"" + TextWords.shorten(found) + "\"");
+                    throw new ModelError(_name, start, "expected a vertex, three finite numbers, but found \"" + shortened(found) + "\"");
                 }
                 statement.push(word);
                 out[at + i] = number;

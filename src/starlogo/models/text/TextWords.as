@@ -99,11 +99,5 @@ package starlogo.models.text
             var isPlain:Boolean = number == number || word.indexOf(",") < 0 || word.indexOf(".") >= 0;
             return isPlain ? number : Decimal.of(word.replace(",", "."));
         }
-
-        /** The beginning of a text, for messages. */
-        public static function shorten(text:String):String
-        {
-            return text.length > 60 ? text.substr(0, 60) + "..." : text;
-        }
     }
 }

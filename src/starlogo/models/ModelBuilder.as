@@ -17,7 +17,7 @@ package starlogo.models
      *
      * @private
      */
-    public final class ModelReader extends StepSequence implements ModelMaker
+    public final class ModelBuilder extends StepSequence implements ModelMaker
     {
         // Reading the file is this share of the work. The rest is normalising.
         private static const READING:Number = 0.9;
@@ -38,7 +38,7 @@ package starlogo.models
          * @param data what is read; see <code>ModelData.forFile()</code>. The steps change it, and throw the errors of Model's constructor
          * @param reading the steps that fill the data; null if its vertices and triangles are complete
          */
-        public function ModelReader(data:ModelData, reading:Steps = null)
+        public function ModelBuilder(data:ModelData, reading:Steps = null)
         {
             _data = data;
             if (reading != null)
@@ -49,7 +49,7 @@ package starlogo.models
         }
 
         /** Does all steps that are left. Returns the data, which are complete then. */
-        public function readAll():ModelData
+        public function build():ModelData
         {
             finish(this);
             return _data;
@@ -146,15 +146,9 @@ package starlogo.models
 
         private function stretching():Steps
         {
-            var f:Vector3D = factors;
+            var f:Vector3D = _data.transform == null ? new Vector3D(1, 1, 1) : _data.transform.scale;
             return f.x == 1 && f.y == 1 && f.z == 1 ? null : transforming(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
                     cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
-        }
-
-        private function get factors():Vector3D
-        {
-            var unit:Number = _data.scaling == Model.AS_GIVEN ? _data.unit : 1;
-            return _data.transform == null ? new Vector3D(unit, unit, unit) : _data.transform.scale;
         }
 
         // The steps that turn or scale. The factor says how much larger this makes the model.

@@ -1,0 +1,122 @@
+package starlogo.models.collada
+{
+    import starlogo.geometry.AffineTransform;
+    import starlogo.models.ModelData;
+    import starlogo.models.TriangleLabels;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    /** A geometry at a place in a COLLADA scene, which can add it to a model. */
+    internal final class ColladaInstance
+    {
+        private static const VERTICES_PER_STEP:int = 3000;
+        private static const TRIANGLES_PER_STEP:int = 5000;
+
+        // The element that places the geometry. If there is no scene, the geometry's own element.
+        private var _element:ColladaElement;
+
+        private var _mesh:ColladaMesh;
+        private var _transform:AffineTransform;
+
+        /**
+         * @param element the element that places the geometry; the geometry's own element if there is no scene
+         * @param mesh the geometry's vertices and triangles. All instances of a geometry share them
+         * @param transform takes its points to the scene
+         */
+        public function ColladaInstance(element:ColladaElement, mesh:ColladaMesh, transform:AffineTransform)
+        {
+            _element = element;
+            _mesh = mesh;
+            _transform = transform;
+        }
+
+        /**
+         * The steps that read the geometry, if they are not done yet, and add it to a model.
+         *
+         * @param data takes the vertices, the triangles and what they belong to
+         * @param loosePoints takes the points of a geometry without triangles
+         */
+        public function adding(data:ModelData, loosePoints:Vector.<Number>):Steps
+        {
+            return new StepSequence().add(_mesh).begin(function():Steps
+                {
+                    return _mesh.triangles.length > 0 ? addingMesh(data, data.vertices) : addingMesh(data, loosePoints);
+                });
+        }
+
+        // If the transform mirrors, the triangles' corner order is reversed.
+        private function addingMesh(data:ModelData, out:Vector.<Number>):Steps
+        {
+            var firstVertex:int = out.length / 3;
+            var firstCorner:int = data.triangles.length;
+            var vertexCount:int = _mesh.vertices.length / 3;
+            var triangleCount:int = _mesh.triangles.length / 3;
+            _element.limits.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, _element);
+            if (triangleCount > 0)
+            {
+                addLabels(data, firstCorner / 3);
+            }
+            return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    var areFinite:Boolean = _transform.transformPoints(_mesh.vertices, first, end, out, firstVertex + first);
+                    _element.refuseIf(!areFinite, "its transformed coordinates are too large: they are not finite numbers");
+                }).slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
+                {
+                    addTriangles(data.triangles, 3 * first, 3 * end, firstVertex, firstCorner);
+                });
+        }
+
+        // The instance is a mesh with the name of its node. Its materials are those that it binds to the symbols of its geometry.
+        private function addLabels(data:ModelData, firstTriangle:int):void
+        {
+            var node:ColladaElement = _element.name != "geometry" && _element.parent != null ? _element.parent : _element;
+            _element.limits.countElements(_mesh.symbols.length, _element);
+            data.meshes.beginRun(data.meshes.addName(nameOf(node) || nameOf(_mesh.geometry)), firstTriangle);
+            for (var i:int = 0; i < _mesh.symbols.length; i++)
+            {
+                data.materials.beginRun(numberOf(_mesh.symbols[i], data.materials), firstTriangle + _mesh.starts[i]);
+            }
+        }
+
+        // The number of the material that is bound to a symbol. A symbol that is not bound counts as a material. -1 for no symbol.
+        private function numberOf(symbol:String, materials:TriangleLabels):int
+        {
+            if (symbol == "")
+            {
+                return -1;
+            }
+            var material:ColladaElement = materialOf(symbol);
+            // A symbol may be equal to another material's id.
+            return material == null ? materials.addKey("symbol " + symbol, symbol) : materials.addKey("material " + material.id, nameOf(material));
+        }
+
+        // The material that is bound to a symbol; null if none is bound, or one that is not in this file.
+        private function materialOf(symbol:String):ColladaElement
+        {
+            var binding:ColladaElement = _element.child("bind_material");
+            var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
+            var bound:ColladaElement = technique == null ? null : technique.child("instance_material", symbol);
+            return bound == null ? null : _element.elementsById["material" + bound.attribute("target")];
+        }
+
+        private static function nameOf(element:ColladaElement):String
+        {
+            return element.attribute("name") || element.id || null;
+        }
+
+        private function addTriangles(to:Vector.<uint>, first:int, last:int, firstVertex:int, firstCorner:int):void
+        {
+            var from:Vector.<uint> = _mesh.triangles;
+            var at:int = firstCorner + first;
+            var second:int = _transform.isMirror ? 2 : 1;
+            var third:int = 3 - second;
+            for (var i:int = first; i < last; i += 3)
+            {
+                to[at] = from[i] + firstVertex;
+                to[int(at + 1)] = from[int(i + second)] + firstVertex;
+                to[int(at + 2)] = from[int(i + third)] + firstVertex;
+                at += 3;
+            }
+        }
+    }
+}

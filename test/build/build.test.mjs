@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { setTimeout } from 'node:timers/promises';
-import { failuresIn, saidOf } from '../failures.mjs';
+import { failuresIn, saidOf } from '../runner/failures.mjs';
 import { read, root } from '../structure/sources.mjs';
 
 /** The build files, by their paths in the project. */
@@ -187,6 +187,8 @@ test('tests that fail without a player are named, whatever Node prints', () => {
 	const said = (error) => `not ok 1 - adds two\n  ---\n  duration_ms: 1\n  location: 'a:1:2'\n  error: ${error}\n  ...\n`;
 	assert.deepEqual(failuresIn(said('|-\n    docs/a.md:3: no\n    more')), ['adds two: docs/a.md:3: no']);
 	assert.deepEqual([failuresIn(said("'1 is not 2'")), failuresIn(said("'2 subtests failed'"))], [['adds two: 1 is not 2'], ['adds two']]);
+	const compared = '|-\n    Expected values to be equal:\n    + actual - expected\n    \n      [\n    +   3,\n    +   4\n      ]';
+	assert.deepEqual(failuresIn(said(compared)), ['adds two: Expected values to be equal: 3,']);
 	const failure = 'not ok 2 - adds two\n  ---\n  error: |-\n    1, not 2\n  ...';
 	assert.equal(saidOf(`TAP version 13\nok 1 - adds one\n  ---\n  duration_ms: 1\n  ...\n${failure}\nok 3 - adds three\n  ---\n  ...\n1..3\n`), failure);
 	assert.equal(saidOf('TAP version 13\n'), 'TAP version 13\n');

@@ -4,7 +4,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { Agent, BuiltInModel, Collision, GreatLand, TightestFitCollider } from "../../bin/module/starlogo-collision.js";
-import { beginCoverage } from "./coverage.mjs";
+import { beginCoverage } from "../runner/coverage.mjs";
 
 const at = (file) => fileURLToPath(new URL(`../../${file}`, import.meta.url));
 const code = readFileSync(at("bin/module/starlogo-collision.js"), "utf8");

@@ -25,7 +25,7 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { choose, fartherTests, readTests, testsBeside } from "../chosen.mjs";
+import { choose, fartherTests, readTests, testsBeside } from "../runner/chosen.mjs";
 import { randomNumbers } from "../module/random.mjs";
 import { placesIn } from "./places.mjs";
 
@@ -75,7 +75,7 @@ function testsOf(name, line) {
 }
 
 function runTests(file, options) {
-	return spawnSync("sh", ["-c", `ulimit -t ${PATIENCE_S}; exec "$@"`, "sh", process.execPath, path.join(root, "test/module/run.mjs"), file, ...options,
+	return spawnSync("sh", ["-c", `ulimit -t ${PATIENCE_S}; exec "$@"`, "sh", process.execPath, path.join(root, "test/runner/run.mjs"), file, ...options,
 		"--mount=/assets=assets", "--mount=/fixtures=test/fixtures", "--mount=/models=bin/test-models", "--mount=/assimp=/usr/share/assimp/models"],
 	{ cwd: root, encoding: "utf8", timeout: PATIENCE_MS, maxBuffer: 1 << 26 });
 }

@@ -1,4 +1,4 @@
-/** What test/module/run.mjs reports of tests, wherever the file of the tests was made. */
+/** What test/runner/run.mjs reports of tests, wherever the file of the tests was made. */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";

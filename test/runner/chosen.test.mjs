@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { BROAD, choose, fartherTests, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from '../chosen.mjs';
+import { BROAD, choose, fartherTests, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from './chosen.mjs';
 import { root } from '../structure/sources.mjs';
 
 const known = readTests();
@@ -216,10 +216,10 @@ test('tests without a player run with the sources of the packages that they say 
 test('all of a choice can be left to Node: classes and tests by their names, a page by its samples in JavaScript', () => {
 	const out = mkdtempSync(path.join(tmpdir(), 'chosen-'));
 	const list = (pattern, ...options) => {
-		const { status } = spawnSync(process.execPath, ['test/list-tests.mjs', out, `--test=${pattern}`, '--node', ...options], { cwd: root });
+		const { status } = spawnSync(process.execPath, ['test/runner/list-tests.mjs', out, `--test=${pattern}`, '--node', ...options], { cwd: root });
 		return status === 0 ? Object.fromEntries(readFileSync(path.join(out, 'tests.properties'), 'utf8').trim().split('\n').map((line) => line.split('='))) : null;
 	};
-	const { left, then, beside, of, pages } = list('src/starlogo/search/ChangedRows.as', '--elsewhere=test/headless/in-node.txt');
+	const { left, then, beside, of, pages } = list('src/starlogo/search/ChangedRows.as', '--elsewhere=test/runner/in-node.txt');
 	assert.ok(left.split(',').includes('ChangedRowsTest') && then.includes('SoakTest.'));
 	assert.deepEqual([beside, of, pages], ['test/fuzz/kept.test.mjs', 'starlogo.search.ChangedRows', undefined]);
 	assert.equal(list('BoxTest.rotatesAboutTheOrigin').left, 'BoxTest.rotatesAboutTheOrigin');

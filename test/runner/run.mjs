@@ -2,7 +2,7 @@
 /**
  * Runs the FlexUnit classes on the ES module's code, in Node.
  *
- *   node test/module/run.mjs TESTS [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--beside FILE,...] [--until FILE] [--of SOURCE,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
+ *   node test/runner/run.mjs TESTS [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--beside FILE,...] [--until FILE] [--of SOURCE,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
  *
  * TESTS is what the build made of the engine and the tests together. With --order these run alone, in that order; with --first it ends when one fails.
  * If none fails, those of --then run, until one fails or they have taken their time. Before these the files of --beside run, each as node --test with
@@ -16,7 +16,7 @@ import { appendFileSync, existsSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
-import { failuresIn, saidOf } from "../failures.mjs";
+import { failuresIn, saidOf } from "./failures.mjs";
 import { countLines } from "./coverage.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";

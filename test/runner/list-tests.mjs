@@ -2,7 +2,7 @@
 /**
  * Writes what the tests' SWF runs: a class that lists the test classes, and which of them, or of their tests, -Dtest names.
  *
- *   node test/list-tests.mjs OUT [--test PATTERN] [--samples FOLDER] [--away3d] [--node] [--elsewhere FILE]
+ *   node test/runner/list-tests.mjs OUT [--test PATTERN] [--samples FOLDER] [--away3d] [--node] [--elsewhere FILE]
  *
  * OUT gets AllTests.as and tests.properties: picked, what is run if it is not all, and allocations, the tests of allocations among them. The samples of
  * the documentation are test classes too. With --away3d those that need Away3D are listed, without it all others. FILE lists what Node runs in place
@@ -16,7 +16,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { choose, fartherTests, inNodeAlone, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from './chosen.mjs';
-import { NOT_HERE } from './module/not-here.mjs';
+import { NOT_HERE } from './not-here.mjs';
 
 const simpleName = (name) => name.split('.').pop();
 

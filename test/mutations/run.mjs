@@ -60,18 +60,18 @@ const known = readTests();
 
 const simpleName = (name) => name.split(".").pop();
 
-/** What the runner is told to run for a change of a line of a class; null if no test runs it. */
+/** What the runner is told to run for a change of a line of a class, as list-tests.mjs writes it; null if no test runs it. */
 function testsOf(name, line) {
 	if (all === "all") {
 		const reaching = coverage.filter(({ lines }) => lines.some(([first, last]) => first <= line && line <= last));
 		// a line that runs when the tests are loaded may change any of them
 		const some = reaching.some(({ test }) => test === "") ? coverage : reaching;
-		return some.length > 0 ? [`--order=${some.map(({ test }) => test).filter((test) => test !== "")}`] : null;
+		return some.length > 0 ? { order: some.map(({ test }) => test).filter((test) => test !== "") } : null;
 	}
 	const choice = choose(`${name}.as`, known.classes, known.sources);
 	const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
-	if (all !== "chosen") return [`--order=${[...near, SOAK]}`];
-	return [`--order=${near}`, `--beside=${testsBeside(choice.named)}`, `--then=${fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`)}`];
+	if (all !== "chosen") return { order: [...near, SOAK] };
+	return { order: near, beside: testsBeside(choice.named), then: fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`) };
 }
 
 function runTests(file, options) {
@@ -99,7 +99,10 @@ const coverage = all === "all" ? readCoverage() : [];
 function killerOf(file, name, line) {
 	const chosen = testsOf(name, line);
 	if (chosen === null) return null;
-	const run = runTests(file, ["--first", ...chosen]);
+	const told = `${file}.json`;
+	writeFileSync(told, JSON.stringify(chosen));
+	const run = runTests(file, ["--first", `--choice=${told}`]);
+	rmSync(told);
 	return run.error || run.signal ? "no end" : run.status === 0 ? null : /FAILED,? ([\w.]+)/.exec(run.stdout)?.[1] ?? "no start";
 }
 

@@ -43,8 +43,8 @@ function withFilesBeside(name, text, beside) {
 }
 
 /** The test classes, and tests of classes, that Node runs in place of the browser's interpreter. They take long. */
-export function inNodeAlone(file = 'test/runner/in-node.txt') {
-	return new Set(read(file).split('\n').filter((line) => line !== '' && !line.startsWith('#')));
+export function inNodeAlone() {
+	return new Set(read('test/runner/in-node.txt').split('\n').filter((line) => line !== '' && !line.startsWith('#')));
 }
 
 /**

@@ -7,7 +7,7 @@ export function saidOf(output) {
  * The start of what a failed test says, in the lines of TAP after its name, and the first value that is too much, where two were compared. A file says only
  * that one of its tests failed.
  */
-const ERROR = /^(?: *---\n)?(?: +(?!error:)\w+:.*\n)* +error: (?:\|-\n( +)(.+)(?:(?:\n(?:\1.*)?)*?\n\1\+ {2,}(.+))?|'(?!(?:test failed|\d+ subtests? failed)')(.+)')/;
+const ERROR = /^(?: *---\n)?(?: +(?!error:)\w+:.*\n)* +error: (?:\|-\n( +)(.+)(?:(?:\n(?:\1.*)?)*?\n\1\+ {2,}(?![[{]$)(.+))?|'(?!(?:test failed|\d+ subtests? failed)')(.+)')/;
 
 /**
  * The names of the tests that failed, in what node --test prints: "not ok 3 - name" or, in other versions of Node, "✖ name (12 ms)". Files stand before their

@@ -1,16 +1,19 @@
 #!/usr/bin/env node
 /**
- * Writes what the tests' SWF runs: a class that lists the test classes, and which of them, or of their tests, -Dtest names.
+ * Lists the tests that a machine runs: all, or those that -Dtest names.
  *
- *   node test/runner/list-tests.mjs OUT [--test PATTERN] [--samples FOLDER] [--away3d] [--node] [--elsewhere FILE]
+ *   node test/runner/list-tests.mjs OUT MACHINE [--test PATTERN] [--samples FOLDER] [--full]
  *
- * OUT gets AllTests.as and tests.properties: picked, what is run if it is not all, and allocations, the tests of allocations among them. The samples of
- * the documentation are test classes too. With --away3d those that need Away3D are listed, without it all others. FILE lists what Node runs in place
- * of the player: of that, only what the pattern names itself is taken. What is left to Node is left in the properties; if all is, as with --node, they
- * have none. What Node runs after that, as far as the time goes, is then: the tests farther from a source, the nearest first, those that take long last.
- * beside has the files of tests without a player that check the source, and of the names of the sources. pages names the pages if they have samples in
- * JavaScript. away3d is the number of tests that need Away3D, of those that the pattern names and those of a source of the adapters.
- * Files that would be the same keep their times.
+ * MACHINE is ruffle, avmshell, away3d (Ruffle, with Away3D) or node. OUT gets
+ *
+ *   AllTests.as        a class that lists the test classes that the machine's SWF has. The samples of the documentation in FOLDER are test classes too
+ *   choice.json        what Node runs of a choice, as run.mjs reads it
+ *   tests.properties   what Ant has to know: picked, which of AllTests.as run, if it is not all; elsewhere, what Node runs in place of Ruffle, as in-node.txt
+ *                      lists it; allocations, the tests of allocations among those picked; none, if the SWF has no test; node, if Node runs some; pages, those
+ *                      of the pages named that have samples in JavaScript; away3d, how many tests need Away3D, of those named and those of a named adapter
+ *
+ * Of tests that Node runs in place of Ruffle, a SWF has only those that the pattern names itself. With --full Ruffle runs all, and Node goes on with none
+ * farther off. Files that would be the same keep their times.
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -20,42 +23,46 @@ import { NOT_HERE } from './not-here.mjs';
 
 const simpleName = (name) => name.split('.').pop();
 
-const { values, positionals: [out] } = parseArgs({
+const { values: { test: pattern, samples, full: isFull }, positionals: [out, machine] } = parseArgs({
 	allowPositionals: true,
-	options: { test: { type: 'string', default: '' }, samples: { type: 'string', default: '' }, away3d: { type: 'boolean', default: false }, node: { type: 'boolean', default: false }, elsewhere: { type: 'string', default: '' } },
+	options: { test: { type: 'string', default: '' }, samples: { type: 'string', default: '' }, full: { type: 'boolean', default: false } },
 });
+const isNode = machine === 'node';
+
+/** Whether Node runs what takes Ruffle long, and goes on with tests farther off. */
+const isShared = !isFull && (isNode || machine === 'ruffle');
 
 const { classes: all, sources } = readTests();
-if (values.samples !== '') {
-	for (const file of readdirSync(path.join(values.samples, 'docs')).filter((each) => each.endsWith('Test.as')).sort()) {
-		all.set(`docs.${file.slice(0, -3)}`, readFileSync(path.join(values.samples, 'docs', file), 'utf8'));
+if (!isNode) {
+	for (const file of readdirSync(path.join(samples, 'docs')).filter((each) => each.endsWith('Test.as')).sort()) {
+		all.set(`docs.${file.slice(0, -3)}`, readFileSync(path.join(samples, 'docs', file), 'utf8'));
 	}
 }
 const needsAway3d = (name) => /^(starlogo\.away3d|docs)\.Away3d/.test(name);
-const classes = new Map([...all].filter(([name]) => needsAway3d(name) === values.away3d));
+const classes = new Map([...all].filter(([name]) => needsAway3d(name) === (machine === 'away3d')));
 
-const choice = values.test === '' ? { tests: new Map([...classes.keys()].map((name) => [name, null])), used: new Set(), farther: new Set(), named: [], pages: [], said: [] } : choose(values.test, classes, sources);
-const { tests, used, farther, said } = choice;
-const inAway3d = values.away3d || values.node || values.test === '' || choice.named.some((name) => !name.startsWith('starlogo.away3d.')) ? [] : [...choose(values.test, all, sources).tests].filter(([name]) => needsAway3d(name));
+const elsewhere = isShared ? inNodeAlone() : new Set();
+const choice = pattern === '' ? { tests: new Map([...classes.keys()].map((name) => [name, null])), used: new Set(), farther: new Set(), named: [], pages: [], said: [] } : choose(pattern, classes, sources);
+const { tests, used, farther, named } = choice;
 const ofPages = testsOfPages(choice.pages);
-if (tests.size + inAway3d.length + (values.node ? ofPages : choice.pages).length === 0) {
-	const ofClass = testsBefore(values.test, classes).slice(0, 100);
-	const near = ofClass.length > 0 ? ofClass : values.test.split(',').flatMap((part) => nearestNames(part.trim(), all, sources));
+const ofAdapters = pattern === '' || machine === 'away3d' || isNode || named.some((name) => !name.startsWith('starlogo.away3d.')) ? [] : [...choose(pattern, all, sources).tests].filter(([name]) => needsAway3d(name));
+if (tests.size + ofAdapters.length + (isNode ? ofPages : choice.pages).length === 0) {
+	const ofClass = testsBefore(pattern, classes).slice(0, 100);
+	const near = ofClass.length > 0 ? ofClass : pattern.split(',').flatMap((part) => nearestNames(part.trim(), all, sources));
 	// antw says such a line last, and not the status of this program
-	console.log(`FAILED -Dtest=${values.test} names nothing: no class of tests, no test, no source file and no page${near.length > 0 ? `; there are ${near.join(', ')}` : ''}`);
+	console.log(`FAILED -Dtest=${pattern} names nothing: no class of tests, no test, no source file and no page${near.length > 0 ? `; there are ${near.join(', ')}` : ''}`);
 	process.exit(1);
 }
-const elsewhere = values.elsewhere === '' ? new Set() : inNodeAlone(values.elsewhere);
-const left = values.node ? new Map() : withoutElsewhere();
-for (const line of said) console.log(line);
-const inNode = [...tests.keys()].filter((name) => values.elsewhere === '' || !farther.has(name)).flatMap((name) => leftToNode(name));
-if (inNode.length > 0 && !values.node) console.log(`in Node only: ${inNode.join(', ')}`);
-if (inAway3d.length > 0) console.log(`with Away3D: ${inAway3d.map(([name]) => simpleName(name)).join(', ')}`);
-const then = values.elsewhere === '' ? [] : fartherTests(choice, classes, sources).filter(([name]) => !left.has(name)).map(([name, test]) => `${simpleName(name)}.${test}`);
-const beside = values.elsewhere === '' ? [] : testsBeside(choice.named);
+const inSwf = isNode ? new Map() : withoutElsewhere();
+const order = pattern === '' ? [] : [...tests.keys()].filter((name) => !isShared || !farther.has(name)).flatMap(leftToNode);
+const then = isShared ? fartherTests(choice, classes, sources).filter(([name]) => !inSwf.has(name)).map(([name, test]) => `${simpleName(name)}.${test}`) : [];
+const beside = isShared ? testsBeside(named) : [];
+for (const line of choice.said) console.log(line);
+if (order.length > 0 && !isNode) console.log(`in Node only: ${order.join(', ')}`);
+if (ofAdapters.length > 0) console.log(`with Away3D: ${ofAdapters.map(([name]) => simpleName(name)).join(', ')}`);
 if (beside.length + ofPages.length > 0) console.log(`in Node, without a class: ${[...beside, ...ofPages].join(', ')}`);
 
-const names = [...left.keys()];
+const names = [...inSwf.keys()];
 write('AllTests.as', `package
 {
 ${names.map((name) => `    import ${name};`).join('\n')}
@@ -68,12 +75,22 @@ ${names.map((name) => `    import ${name};`).join('\n')}
     }
 }
 `);
-const picked = [...left].flatMap(([name, list]) => list?.map((test) => `${name}.${test}`) ?? [name]);
-write('tests.properties', `picked=${values.test === '' ? '' : picked.join(',')}\nallocations=${picked.filter((name) => /AllocationTest\b/.test(name)).join(',')}\n${inNode.length + then.length + beside.length > 0 ? `left=${inNode.join(',')}\nthen=${then.join(',')}\nbeside=${beside.join(',')}\nof=${choice.named.join(',')}\n` : ''}${ofPages.length > 0 ? `pages=${choice.pages.join(',')}\n` : ''}${left.size === 0 ? 'none=true\n' : ''}${inAway3d.length > 0 ? `away3d=${inAway3d.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0)}\n` : ''}`);
+write('choice.json', JSON.stringify({ order, beside, then, of: named }));
+const picked = pattern === '' ? [] : [...inSwf].flatMap(([name, list]) => list?.map((test) => `${name}.${test}`) ?? [name]);
+const properties = {
+	picked: picked.join(','),
+	elsewhere: [...elsewhere].join(','),
+	allocations: (pattern === '' ? names : picked).filter((name) => /AllocationTest\b/.test(name)).join(','),
+	none: inSwf.size === 0,
+	node: order.length + then.length + beside.length > 0,
+	pages: ofPages.length > 0 && choice.pages.join(','),
+	away3d: ofAdapters.length > 0 && ofAdapters.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0),
+};
+write('tests.properties', Object.entries(properties).filter(([, value]) => value !== false).map(([name, value]) => `${name}=${value}\n`).join(''));
 
 /** The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther on. */
 function withoutElsewhere() {
-	if (values.elsewhere === '') return tests;
+	if (!isShared) return tests;
 	return new Map([...tests].flatMap(([name, list]) => {
 		if (!used.has(name)) return [[name, list]];
 		if (elsewhere.has(name) || (farther.has(name) && !NOT_HERE.has(name))) return [];
@@ -85,9 +102,9 @@ function withoutElsewhere() {
 
 /** What Node runs of a class in place of the player: the class, or some of its tests, without packages. */
 function leftToNode(name) {
-	if (left.has(name) && left.get(name) === tests.get(name)) return [];
-	const wanted = tests.get(name) ?? (left.has(name) ? testsIn(classes.get(name)) : null);
-	return wanted?.filter((test) => !left.get(name)?.includes(test)).map((test) => `${simpleName(name)}.${test}`) ?? [simpleName(name)];
+	if (inSwf.has(name) && inSwf.get(name) === tests.get(name)) return [];
+	const wanted = tests.get(name) ?? (inSwf.has(name) ? testsIn(classes.get(name)) : null);
+	return wanted?.filter((test) => !inSwf.get(name)?.includes(test)).map((test) => `${simpleName(name)}.${test}`) ?? [simpleName(name)];
 }
 
 function write(name, text) {

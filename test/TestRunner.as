@@ -35,7 +35,7 @@ package
             _request = filter.narrow(_request);
             if (filter.leavesOut)
             {
-                trace("Node alone runs what test/headless/in-node.txt lists");
+                trace("Node alone runs what test/runner/in-node.txt lists");
             }
             Fixtures.load(Fixtures.listOf(classes), run);
         }

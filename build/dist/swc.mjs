@@ -1,6 +1,6 @@
 import { createHash } from 'node:crypto';
 import { strFromU8, strToU8, unzipSync, zlibSync } from 'fflate';
-import { readSwf, writeSwf } from '../../test/headless/swf.mjs';
+import { readSwf, writeSwf } from '../headless/swf.mjs';
 import { zip } from './zip.mjs';
 
 const PRODUCT_INFO = 41;

@@ -9,7 +9,7 @@
  */
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { launch } from '../../test/headless/browsers.mjs';
+import { launch } from '../headless/browsers.mjs';
 import { folder, groups, pages, WIDTH } from './list.mjs';
 import { open, serveExamples } from './site.mjs';
 

@@ -5,7 +5,7 @@
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { serve } from '../../test/headless/server.mjs';
+import { serve } from '../headless/server.mjs';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
 

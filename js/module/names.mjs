@@ -1,8 +1,7 @@
 /** Lists the names of ActionScript that the module takes from elsewhere, and the names that it exports. */
-import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { qnameOf, readSignatures } from "./signatures.mjs";
+import { readSignatures } from "./signatures.mjs";
 
 /** The project's folder. */
 export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
@@ -77,11 +76,3 @@ export function publicSignatures() {
 
 /** The classes that the module consists of, with all that they use: those of publicSignatures(), and one of the stand-ins. */
 export const moduleRoots = (types = publicSignatures()) => [...types.keys(), "standin.Machine"];
-
-/** The test classes and benchmarks that Node runs, and what their runners use. Some tests compare the stand-ins with Flash's own classes or need Away3D: not here. */
-export function testRoots() {
-	const isForPlayers = (file) => ["standin.flash.", AWAY3D].some((name) => readFileSync(join(ROOT, "test", file), "utf8").includes(name));
-	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !isForPlayers(file)).sort();
-	const benchmarks = readdirSync(join(ROOT, "test/benchmark")).filter((file) => file.endsWith("Benchmark.as")).map((file) => join("benchmark", file));
-	return [...[...tests, ...benchmarks].map(qnameOf), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.TaskQueue", "support.Effort", "support.Fixtures"];
-}

@@ -1,14 +1,13 @@
 #!/usr/bin/env node
 /**
- * Writes the compiler's main class. It names all classes to compile. With --tests these are the tests too, and the sources are noted for changed.mjs.
+ * Writes the compiler's main class. It names all classes of the module.
  *
- * node js/module/roots.mjs FOLDER [--tests]
+ * node js/module/roots.mjs FOLDER
  */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { moduleRoots, testRoots } from "./names.mjs";
-import { readSources } from "./sources.mjs";
+import { moduleRoots } from "./names.mjs";
 
 const LANGUAGE = "org.apache.royale.utils.Language";
 
@@ -40,8 +39,4 @@ ${names.map((name) => `    import ${name};`).join("\n")}
 	writeFileSync(join(folder, "config.xml"), "<royale-config/>\n");
 }
 
-if (process.argv[1] === fileURLToPath(import.meta.url)) {
-	const [folder, withTests] = process.argv.slice(2);
-	writeRoots(folder, [...moduleRoots(), ...(withTests ? testRoots() : [])]);
-	if (withTests) writeFileSync(join(folder, "sources.json"), JSON.stringify(readSources()));
-}
+if (process.argv[1] === fileURLToPath(import.meta.url)) writeRoots(process.argv[2], moduleRoots());

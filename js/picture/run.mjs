@@ -8,8 +8,8 @@
  */
 import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { launch } from '../../test/headless/browsers.mjs';
-import { serve } from '../../test/headless/server.mjs';
+import { launch } from '../../build/headless/browsers.mjs';
+import { serve } from '../../build/headless/server.mjs';
 import { animationOf } from './webp.mjs';
 
 const MOST_BYTES = 1000000;

@@ -6,7 +6,7 @@
  *   node js/playground/serve.mjs FOLDER [PORT [HOST]]     HOST 0.0.0.0 is this machine's network
  */
 import os from "node:os";
-import { serve } from "../../test/headless/server.mjs";
+import { serve } from "../../build/headless/server.mjs";
 import { addressesOf, qrOf } from "./announce.mjs";
 
 const LOOPBACK = "127.0.0.1";

@@ -1,6 +1,6 @@
 // Starts the main class of a SWF in avmshell, and runs its frames until it ends:
 // avmshell FILE.swf start.abc -- MAIN [NAME=VALUE ...] [/path=FOLDER ...]
-// Some of the lines that it traces begin with U+0001. They are for test/headless/shell.mjs: "write FILE TEXT", both escaped, is a file to
+// Some of the lines that it traces begin with U+0001. They are for build/headless/shell.mjs: "write FILE TEXT", both escaped, is a file to
 // write, "uncaught TEXT" is an error that nothing caught, and "exit STATUS" is the end.
 import avmplus.Domain;
 import avmplus.FLASH10_FLAGS;

@@ -5,7 +5,7 @@ package headless
     import flash.utils.getTimer;
 
     /**
-     * Lets a document class talk to the headless runner (test/headless): it writes files and ends the run. In a browser page, or in a
+     * Lets a document class talk to the headless runner (build/headless): it writes files and ends the run. In a browser page, or in a
      * player without the runner, its methods do nothing.
      */
     public final class Host

@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { launch, saysItWaits } from "../headless/browsers.mjs";
-import { serve } from "../headless/server.mjs";
+import { launch, saysItWaits } from "../../build/headless/browsers.mjs";
+import { serve } from "../../build/headless/server.mjs";
 import { root } from "./peers.mjs";
 
 const CDN = /^https:\/\/cdn\.jsdelivr\.net\/npm\/three@0\.(\d+)\.\d+\/(.*)$/;

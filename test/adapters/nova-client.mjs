@@ -1,5 +1,5 @@
 /** A small client with the interface of StarLogo Nova's that its collisions have, and random games in it. */
-import { randomNumbers } from "../module/games.mjs";
+import { randomNumbers } from "../benchmark/games.mjs";
 
 const HALF = 50.5;
 const EVERYONE = { id: 1, name: "Everyone" };

@@ -7,7 +7,7 @@
  *   NOVA=... node test/adapters/nova-cost.mjs [system ...]
  */
 import { installInto } from "../../bin/module/nova/index.js";
-import { randomNumbers } from "../module/games.mjs";
+import { randomNumbers } from "../benchmark/games.mjs";
 import { loadEngine, makeAgents } from "./nova-real.mjs";
 
 const systems = process.argv.length > 2 ? process.argv.slice(2) : ["bins"];

@@ -1,9 +1,9 @@
 /** The StarLogo Nova client's pages in headless Chromium; all hosts but the loopback are blocked. */
-import { launch } from "../headless/browsers.mjs";
+import { launch } from "../../build/headless/browsers.mjs";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { serve } from "../headless/server.mjs";
+import { serve } from "../../build/headless/server.mjs";
 import { NOVA } from "./nova-real.mjs";
 
 /** The classic script. */

@@ -6,8 +6,8 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import vm from "node:vm";
 import { BuiltInModel, Model, ModelTransform, ObjModel, TightestFitCollider, GreatLand, Agent } from "../../bin/module/starlogo-collision.js";
-import { serve } from "../headless/server.mjs";
-import { asset, randomNumbers } from "../module/games.mjs";
+import { serve } from "../../build/headless/server.mjs";
+import { asset, randomNumbers } from "../benchmark/games.mjs";
 import { addBlocks, addButton, installInto } from "../../bin/module/nova/index.js";
 import { alive, bruteCollisions, hatch, makeWindow, pairKeys, playGame, within } from "./nova-client.mjs";
 

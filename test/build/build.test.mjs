@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { setTimeout } from 'node:timers/promises';
-import { failuresIn, saidOf } from '../failures.mjs';
+import { failuresIn, saidOf } from '../runner/failures.mjs';
 import { read, root } from '../structure/sources.mjs';
 
 /** The build files, by their paths in the project. */
@@ -117,8 +117,8 @@ test('a second run in the folder is refused until the first has ended, or is a s
 	rmSync(path.join(home, 'bin/stamps/making'));
 	assert.equal(runAnt([], 0).status, 0);
 	for (const file of ['js/playground/serve.mjs', 'build/examples/serve.mjs']) {
-		const [target] = files.map(read).map((text) => text.split(`<arg value="${file}"/>`)[0]).filter((text, i) => text !== read(files[i]));
-		assert.match(target, /<delete file="\$\{stamps\}\/making" quiet="true"\/>\s+<exec [^<]*$/, file);
+		const [target] = files.map(read).map((text) => text.split(`<node script="${file}">`)[0]).filter((text, i) => text !== read(files[i]));
+		assert.match(target, /<delete file="\$\{stamps\}\/making" quiet="true"\/>\s+$/, file);
 	}
 	run.kill('SIGTERM');
 	await once(run, 'exit');
@@ -131,9 +131,13 @@ test('what is made is made again after any edit of its sources: in the same seco
 		<property name="stamps" value="stamps"/>
 		<property name="flex.home" value="sdk"/>
 		<property name="target.player" value="11.1"/>
-		<import file="${path.join(root, 'build/made.xml')}"/>
-		<target name="check"><made property="done" file="out.txt"><fileset dir="." includes="in.txt,other.txt"/></made></target>
-		<target name="make" depends="check" unless="done"><fail if="broken"/><copy file="in.txt" tofile="out.txt" overwrite="true"/></target>
+		<import file="${path.join(root, 'build/make.xml')}"/>
+		<target name="make">
+			<make file="out.txt">
+				<of><fileset dir="." includes="in.txt,other.txt"/></of>
+				<by><fail if="broken"/><copy file="in.txt" tofile="out.txt" overwrite="true"/></by>
+			</make>
+		</target>
 	</project>`);
 	const at = (name) => path.join(home, name);
 	const time = (name) => statSync(at(name)).mtimeMs / 1000;
@@ -187,6 +191,8 @@ test('tests that fail without a player are named, whatever Node prints', () => {
 	const said = (error) => `not ok 1 - adds two\n  ---\n  duration_ms: 1\n  location: 'a:1:2'\n  error: ${error}\n  ...\n`;
 	assert.deepEqual(failuresIn(said('|-\n    docs/a.md:3: no\n    more')), ['adds two: docs/a.md:3: no']);
 	assert.deepEqual([failuresIn(said("'1 is not 2'")), failuresIn(said("'2 subtests failed'"))], [['adds two: 1 is not 2'], ['adds two']]);
+	const compared = '|-\n    Expected values to be equal:\n    + actual - expected\n    \n      [\n    +   3,\n    +   4\n      ]';
+	assert.deepEqual(failuresIn(said(compared)), ['adds two: Expected values to be equal: 3,']);
 	const failure = 'not ok 2 - adds two\n  ---\n  error: |-\n    1, not 2\n  ...';
 	assert.equal(saidOf(`TAP version 13\nok 1 - adds one\n  ---\n  duration_ms: 1\n  ...\n${failure}\nok 3 - adds three\n  ---\n  ...\n1..3\n`), failure);
 	assert.equal(saidOf('TAP version 13\n'), 'TAP version 13\n');

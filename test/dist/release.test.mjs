@@ -7,10 +7,10 @@ import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { strFromU8, unzipSync } from 'fflate';
 import { NAME, ROOT, VERSION, inRoot } from '../../build/dist/project.mjs';
-import { PATIENCE, launch } from '../headless/browsers.mjs';
-import { readSwf } from '../headless/swf.mjs';
-import { play } from '../headless/player.mjs';
-import { serve } from '../headless/server.mjs';
+import { PATIENCE, launch } from '../../build/headless/browsers.mjs';
+import { readSwf } from '../../build/headless/swf.mjs';
+import { play } from '../../build/headless/player.mjs';
+import { serve } from '../../build/headless/server.mjs';
 import { mxmlc } from './flex.mjs';
 
 const release = `${NAME}-${VERSION}`;

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { serve } from '../headless/server.mjs';
+import { serve } from '../../build/headless/server.mjs';
 
 const assets = new URL('../../assets/', import.meta.url);
 const read = (name) => readFileSync(new URL(name, assets));

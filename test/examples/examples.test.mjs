@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { folder, groups, isSwf, pages } from '../../build/examples/list.mjs';
 import { open, root, serveExamples } from '../../build/examples/site.mjs';
-import { isChromium, launch } from '../headless/browsers.mjs';
+import { isChromium, launch } from '../../build/headless/browsers.mjs';
 
 const examples = groups().flatMap((group) => group.examples);
 const LONGEST = 60;

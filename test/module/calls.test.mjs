@@ -4,7 +4,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { Agent, BuiltInModel, Collision, GreatLand, TightestFitCollider } from "../../bin/module/starlogo-collision.js";
-import { beginCoverage } from "./coverage.mjs";
+import { beginCoverage } from "../runner/coverage.mjs";
 
 const at = (file) => fileURLToPath(new URL(`../../${file}`, import.meta.url));
 const code = readFileSync(at("bin/module/starlogo-collision.js"), "utf8");
@@ -14,7 +14,9 @@ const ROOMS = ["agents", "broadphase", "search", "handlers", "collision"];
 const inRooms = new Set(ROOMS.flatMap((room) => readdirSync(at(`src/starlogo/${room}`), { recursive: true }))
 	.filter((file) => file.endsWith(".as")).map((file) => file.split(/[\\/]/).pop().slice(0, -3)));
 
-const classes = [...code.matchAll(/^(?:const \w+ = .*)?class (\w+)/gm)].map(({ 1: name, index }) => ({ name, start: index, end: code.indexOf("\n}", index) }));
+// a class's static methods are functions behind it: Name$method
+const parts = [...code.matchAll(/^(?:(?:const \w+ = .*)?class (\w+)|function ([A-Z][a-zA-Z\d]*)\$)/gm)]
+	.map(({ 1: ofClass, 2: ofFunction, index }) => ({ name: ofClass ?? ofFunction, start: index, end: code.indexOf("\n}", index) }));
 
 /** The classes of the rooms of which something runs in a call. */
 function classesThatRun(call) {
@@ -23,7 +25,8 @@ function classesThatRun(call) {
 	call();
 	const { functions } = take().find(({ url }) => url.endsWith("starlogo-collision.js"));
 	const starts = functions.map(({ ranges }) => ranges[0]).filter(({ count }) => count > 0).map(({ startOffset }) => startOffset);
-	return classes.filter(({ name, start, end }) => inRooms.has(name) && starts.some((each) => each > start && each < end)).map(({ name }) => name);
+	const ran = parts.filter(({ name, start, end }) => inRooms.has(name) && starts.some((each) => each >= start && each < end));
+	return [...new Set(ran.map(({ name }) => name))];
 }
 
 test("docs/calls.md lists the classes that a frame passes, and those that it leaves out", () => {

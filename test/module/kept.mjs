@@ -5,7 +5,7 @@
  */
 import { readFileSync } from "node:fs";
 import { memoryUsage } from "node:process";
-import { engine } from "./games.mjs";
+import { engine } from "../benchmark/games.mjs";
 
 const { Agent, AgentQueries, BuiltInModel, CombinationCollider, Footing, GltfModel, GreatLand, Model, RayHit, ShapeHit, Sphere, Vector3D, WalkOptions } = engine;
 

@@ -7,8 +7,8 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import vm from "node:vm";
-import { launch } from "../headless/browsers.mjs";
-import { serve } from "../headless/server.mjs";
+import { launch } from "../../build/headless/browsers.mjs";
+import { serve } from "../../build/headless/server.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = path.join(root, "bin/module");

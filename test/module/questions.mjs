@@ -7,7 +7,7 @@
  * SYSTEM is one of those of games.mjs, or triangles. MOST is JSON: the bytes that a question of each kind may leave, and of all others.
  */
 import { garbageOf } from "./bytes.mjs";
-import { HALF_WIDTH, MODELS, SYSTEMS, engine, makeGreatLand, scatter } from "./games.mjs";
+import { HALF_WIDTH, MODELS, SYSTEMS, engine, makeGreatLand, scatter } from "../benchmark/games.mjs";
 
 const { Agent, AgentFilter, AgentQueries, Contact, Footing, RayHit, ShapeHit, Sphere, Terrain, Vector3D, WalkOptions } = engine;
 

@@ -25,7 +25,7 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { choose, fartherTests, readTests, testsBeside } from "../chosen.mjs";
+import { choose, fartherTests, readTests, testsBeside } from "../runner/chosen.mjs";
 import { randomNumbers } from "../module/random.mjs";
 import { placesIn } from "./places.mjs";
 
@@ -60,22 +60,22 @@ const known = readTests();
 
 const simpleName = (name) => name.split(".").pop();
 
-/** What the runner is told to run for a change of a line of a class; null if no test runs it. */
+/** What the runner is told to run for a change of a line of a class, as list-tests.mjs writes it; null if no test runs it. */
 function testsOf(name, line) {
 	if (all === "all") {
 		const reaching = coverage.filter(({ lines }) => lines.some(([first, last]) => first <= line && line <= last));
 		// a line that runs when the tests are loaded may change any of them
 		const some = reaching.some(({ test }) => test === "") ? coverage : reaching;
-		return some.length > 0 ? [`--order=${some.map(({ test }) => test).filter((test) => test !== "")}`] : null;
+		return some.length > 0 ? { order: some.map(({ test }) => test).filter((test) => test !== "") } : null;
 	}
 	const choice = choose(`${name}.as`, known.classes, known.sources);
 	const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
-	if (all !== "chosen") return [`--order=${[...near, SOAK]}`];
-	return [`--order=${near}`, `--beside=${testsBeside(choice.named)}`, `--then=${fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`)}`];
+	if (all !== "chosen") return { order: [...near, SOAK] };
+	return { order: near, beside: testsBeside(choice.named), then: fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`) };
 }
 
 function runTests(file, options) {
-	return spawnSync("sh", ["-c", `ulimit -t ${PATIENCE_S}; exec "$@"`, "sh", process.execPath, path.join(root, "test/module/run.mjs"), file, ...options,
+	return spawnSync("sh", ["-c", `ulimit -t ${PATIENCE_S}; exec "$@"`, "sh", process.execPath, path.join(root, "test/runner/run.mjs"), file, ...options,
 		"--mount=/assets=assets", "--mount=/fixtures=test/fixtures", "--mount=/models=bin/test-models", "--mount=/assimp=/usr/share/assimp/models"],
 	{ cwd: root, encoding: "utf8", timeout: PATIENCE_MS, maxBuffer: 1 << 26 });
 }
@@ -99,7 +99,10 @@ const coverage = all === "all" ? readCoverage() : [];
 function killerOf(file, name, line) {
 	const chosen = testsOf(name, line);
 	if (chosen === null) return null;
-	const run = runTests(file, ["--first", ...chosen]);
+	const told = `${file}.json`;
+	writeFileSync(told, JSON.stringify(chosen));
+	const run = runTests(file, ["--first", `--choice=${told}`]);
+	rmSync(told);
 	return run.error || run.signal ? "no end" : run.status === 0 ? null : /FAILED,? ([\w.]+)/.exec(run.stdout)?.[1] ?? "no start";
 }
 

@@ -1,7 +1,7 @@
 /** What screen readers, fingers and keys get, and messages that cover nothing. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { isChromium } from '../headless/browsers.mjs';
+import { isChromium } from '../../build/headless/browsers.mjs';
 import { SIZES, begin, open, rest } from './browser.mjs';
 
 const LOW = { ...SIZES.laptop, viewport: { width: 1366, height: 625 } };

@@ -2,8 +2,8 @@
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { isChromium, launch, saysItWaits } from '../headless/browsers.mjs';
-import { serve } from '../headless/server.mjs';
+import { isChromium, launch, saysItWaits } from '../../build/headless/browsers.mjs';
+import { serve } from '../../build/headless/server.mjs';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
 const folder = path.join(root, 'bin/playground');

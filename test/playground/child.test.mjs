@@ -1,7 +1,7 @@
 /** Play as a child meets it on a small laptop: room for blocks, blocks that snap, lessons that answer, agents to drag, sounds and times. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { isChromium } from '../headless/browsers.mjs';
+import { isChromium } from '../../build/headless/browsers.mjs';
 import { SIZES, begin, finger, focused, listen, open, press, ready, rest, titled } from './browser.mjs';
 
 let site;

@@ -1,7 +1,7 @@
 /** Play before a class: from the first screen to lessons that are done, and to a game of one's own that is opened elsewhere. Nothing is drawn in 3D. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PATIENCE, isChromium } from '../headless/browsers.mjs';
+import { PATIENCE, isChromium } from '../../build/headless/browsers.mjs';
 import { SIZES, begin, finger, focused, listen, open, own, press, ready, refuseCopies, rest, tabTo, tap, titled, told } from './browser.mjs';
 
 let site;

@@ -6,7 +6,7 @@ import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { after, before, test } from 'node:test';
 import { createRequire } from 'node:module';
-import { serve } from '../headless/server.mjs';
+import { serve } from '../../build/headless/server.mjs';
 import { SIZES, begin, open, press, root, saved } from './browser.mjs';
 
 const jsQR = createRequire(path.join(root, 'js/playground/package.json'))('jsqr');

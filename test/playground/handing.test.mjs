@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { isChromium } from '../headless/browsers.mjs';
+import { isChromium } from '../../build/headless/browsers.mjs';
 import { SIZES, begin, goNowhere, keepCopies, open, own, press, ready, refuseCopies, root, saved, titled, told } from './browser.mjs';
 
 let site;

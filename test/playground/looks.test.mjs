@@ -7,7 +7,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
-import { isChromium } from '../headless/browsers.mjs';
+import { isChromium } from '../../build/headless/browsers.mjs';
 import { SIZES, begin, dragBall, drop, hold, open, press, ready, root, saved, sharing } from './browser.mjs';
 
 let site;

@@ -1,7 +1,7 @@
 /** Play, in the browser. 3D is drawn where a test is about what is drawn, and with the keys; else nothing is, as the processor would have to. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { isChromium } from '../headless/browsers.mjs';
+import { isChromium } from '../../build/headless/browsers.mjs';
 import { SIZES, begin, drop, finger, hold, newPage, open, own, press, ready, rest, tabTo, tap, titled } from './browser.mjs';
 
 let site;

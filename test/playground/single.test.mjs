@@ -5,8 +5,8 @@ import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { isChromium, launch } from '../headless/browsers.mjs';
-import { serve } from '../headless/server.mjs';
+import { isChromium, launch } from '../../build/headless/browsers.mjs';
+import { serve } from '../../build/headless/server.mjs';
 import { SIZES, newPage as openPage, press, ready, root, saved } from './browser.mjs';
 import { parts } from './parts.mjs';
 

@@ -6,8 +6,8 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
-import { isChromium } from '../headless/browsers.mjs';
-import { serve } from '../headless/server.mjs';
+import { isChromium } from '../../build/headless/browsers.mjs';
+import { serve } from '../../build/headless/server.mjs';
 import { SIZES, begin, dragBall, drop, goNowhere, hold, hurry, open, press, ready, refuseCopies, rest, root, sharing } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare', 'measure', 'level', 'teach'];

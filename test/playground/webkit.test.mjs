@@ -4,8 +4,8 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import net from 'node:net';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { serve } from '../headless/server.mjs';
-import { missing, openWebKit } from '../headless/webkit.mjs';
+import { serve } from '../../build/headless/server.mjs';
+import { missing, openWebKit } from '../../build/headless/webkit.mjs';
 import { root } from './browser.mjs';
 
 const skip = process.env.FULL_TESTS === 'true' ? missing : 'only with -Dfull';

@@ -35,7 +35,7 @@ const version = (command) => execFileSync(command, ["--version"], { encoding: "u
 const said = (...command) => run(...command).catch((error) => error);
 
 async function inPlayer(file, player, single = false) {
-	const { stdout } = await said("node", ["test/headless/run.mjs", file, "--stall", "600", "--player", player, "--param", `frames=${frames}`, "--param", `single=${single}`], { cwd: root, timeout: PATIENCE_MS });
+	const { stdout } = await said("node", ["build/headless/run.mjs", file, "--stall", "600", "--player", player, "--param", `frames=${frames}`, "--param", `single=${single}`], { cwd: root, timeout: PATIENCE_MS });
 	return hashIn(stdout);
 }
 

@@ -1,10 +1,10 @@
 /** Tests of the list of what the browser's interpreter leaves to Node. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { NOT_HERE } from '../module/not-here.mjs';
+import { NOT_HERE } from '../runner/not-here.mjs';
 import { definitionIn, read, sourcesBelow } from './sources.mjs';
 
-const listed = read('test/headless/in-node.txt').split('\n').filter((line) => line !== '' && !line.startsWith('#'));
+const listed = read('test/runner/in-node.txt').split('\n').filter((line) => line !== '' && !line.startsWith('#'));
 const texts = new Map(sourcesBelow('test').map((file) => [definitionIn(file), read(file)]));
 const classOf = (name) => (texts.has(name) ? name : name.slice(0, name.lastIndexOf('.')));
 

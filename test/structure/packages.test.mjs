@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { test } from 'node:test';
-import { codeOf, definitionIn, importsIn, layout, packageOf, read, sourcesBelow, usesIn } from './sources.mjs';
+import { codeOf, definitionIn, importsIn, layout, packageOf, read, root, sourcesBelow, usesIn } from './sources.mjs';
 
 const MOST_LINES = 450;
 const REASON = 'This file is long because';
@@ -67,6 +68,13 @@ test('src uses nothing of test', () => {
 		wrong.push(...usesIn(name, text, onlyInTest).map((each) => `${name} uses ${each}`));
 	}
 	assert.equal(wrong.join('\n'), '');
+});
+
+test('no script outside of test imports one of test', () => {
+	const scripts = execFileSync('git', ['ls-files', '*.mjs', '*.js'], { cwd: root, encoding: 'utf8' }).trim().split('\n').filter((file) => !file.startsWith('test/'));
+	assert.ok(scripts.length > 150);
+	const wrong = scripts.filter((file) => /\b(?:from|import) ?\(?["'](?:\.\.\/)+test\//.test(read(file)));
+	assert.deepEqual(wrong, []);
 });
 
 test('no file of the engine declares a function outside of its package: it would be looked up by name in every call', () => {

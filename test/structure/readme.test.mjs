@@ -3,11 +3,11 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
-import { choose, readTests } from '../chosen.mjs';
+import { choose, readTests } from '../runner/chosen.mjs';
 import { definitionIn, foldersIn, layout, read, root, sourcesBelow } from './sources.mjs';
 
 const GUIDE = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).map((file) => `docs/${file}`);
-const PAGES = ['README.md', 'CONTRIBUTING.md', 'js/README.md', 'js/module/README.md', 'lib/README.md', ...GUIDE];
+const PAGES = ['README.md', 'CONTRIBUTING.md', 'js/README.md', 'js/module/README.md', 'lib/README.md', 'test/README.md', ...GUIDE];
 
 const lists = layout();
 const isFolder = (name) => !name.includes('.');
@@ -21,6 +21,11 @@ for (const folder of ['src/starlogo', 'src/evaluation']) {
 test('CONTRIBUTING.md lists the folders of src', () => {
 	const listed = [...lists.keys()].filter((name) => /^src\/\w+$/.test(name));
 	assert.deepEqual(listed.map((name) => name.slice(4)).sort(), foldersIn('src'));
+});
+
+test('test/README.md lists the folders of test', () => {
+	const listed = [...read('test/README.md').matchAll(/^\| `(\w+)\/` \|/gm)].map(([, name]) => name);
+	assert.deepEqual(listed.sort(), foldersIn('test').sort());
 });
 
 test('examples of -Dtest name tests that there are', () => {

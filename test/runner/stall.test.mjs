@@ -35,7 +35,7 @@ function swf(name, ...tags) {
 }
 
 function run(file, seconds, ...others) {
-	const run = [path.join(root, 'test/headless/run.mjs'), file, '--stall', String(seconds), ...others];
+	const run = [path.join(root, 'build/headless/run.mjs'), file, '--stall', String(seconds), ...others];
 	const { status, stderr } = spawnSync(process.execPath, run, { encoding: 'utf8' });
 	return { status, stderr };
 }
@@ -53,7 +53,7 @@ test('a SWF that waits is told from one whose call does not end', { skip }, () =
 test('Ctrl+C and --seconds end a SWF that goes on, with a picture', { skip }, async () => {
 	const file = swf('going-on.swf', traced('it runs'));
 	const picture = path.join(folder, 'going-on.png');
-	const options = [path.join(root, 'test/headless/run.mjs'), file, '--screenshot', picture];
+	const options = [path.join(root, 'build/headless/run.mjs'), file, '--screenshot', picture];
 	const interrupted = spawn(process.execPath, options, { stdio: ['ignore', 'pipe', 'inherit'] });
 	await once(interrupted.stdout, 'data');
 	rmSync(picture, { force: true });
@@ -81,11 +81,11 @@ test('a part that fails does not stop the others', { skip }, () => {
 test('the last test that a client\'s SWF has begun is the one that did not end', { skip }, () => {
 	const counts = path.join(folder, 'counts.txt');
 	const file = swf('hanging.swf', traced('  3/5 game.MeetTest.hangs (MeetTest.as:7)', LOOP.slice(2)));
-	const { status, stdout } = spawnSync(process.execPath, [path.join(root, 'test/client-tests-run.mjs'), file, '5', counts], { encoding: 'utf8' });
+	const { status, stdout } = spawnSync(process.execPath, [path.join(root, 'test/runner/client-tests-run.mjs'), file, '5', counts], { encoding: 'utf8' });
 	assert.equal(status, 70);
 	assert.match(stdout, /^FAILED game\.MeetTest\.hangs \(MeetTest\.as:7\): did not end within 5 s, and no frame in the last \d+ s: .*\n2 passed, 1 failed, 0 ignored, 2 not run\n$/m);
 	// the build's own reporter calls Host.exit
-	const waiting = spawnSync(process.execPath, [path.join(root, 'test/client-tests-run.mjs'), swf('waiting-client.swf', traced('  1/1 game.MeetTest.waits')), '5', path.join(folder, 'others.txt')], { encoding: 'utf8' });
+	const waiting = spawnSync(process.execPath, [path.join(root, 'test/runner/client-tests-run.mjs'), swf('waiting-client.swf', traced('  1/1 game.MeetTest.waits')), '5', path.join(folder, 'others.txt')], { encoding: 'utf8' });
 	assert.match(waiting.stdout, /^FAILED game\.MeetTest\.waits: did not end within 5 s, but \d+ frames: it (?!.*Host)/m);
 	assert.equal(readFileSync(counts, 'utf8'), '2 passed, 1 failed, 0 ignored, 2 not run');
 });

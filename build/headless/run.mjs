@@ -2,7 +2,7 @@
 /**
  * Runs a SWF in a headless player: prints what it traces, as it comes, and ends with its exit status.
  *
- *   node test/headless/run.mjs file.swf [options]
+ *   node build/headless/run.mjs file.swf [options]
  *
  *   --param name=value      a value in loaderInfo.parameters (may be repeated)
  *   --mount /path=folder    a folder that the SWF can load from (may be repeated)
@@ -22,7 +22,7 @@
 import { access, mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
-import { thereIs } from '../../build/nearest.mjs';
+import { thereIs } from '../nearest.mjs';
 import { play } from './player.mjs';
 import * as avmshell from './shell.mjs';
 

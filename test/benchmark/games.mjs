@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import * as engine from "../../bin/module/starlogo-collision.min.js";
-import { randomNumbers } from "./random.mjs";
+import { randomNumbers } from "../module/random.mjs";
 
 const { Agent, BinCollider, BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 

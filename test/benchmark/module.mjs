@@ -1,9 +1,9 @@
 #!/usr/bin/env node
 /**
  * Times the ES module in Node beside other engines, and what only the module has: bindings, snapshots' bytes, memory. The benchmarks that players run
- * too are those of benchmarks.mjs.
+ * too are those of in-node.mjs.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: memory, cold, exact, distances, rays, peers, boxes, queries, bindings, snapshots,
+ *   node test/benchmark/module.mjs [PART ...]      parts: memory, cold, exact, distances, rays, peers, boxes, queries, bindings, snapshots,
  *                                                         ground, level
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.

@@ -2,7 +2,7 @@
 /**
  * Writes the document class of a client's own tests: ClientTests.as, which runs every class whose name ends with Test.
  *
- *   node test/client-tests.mjs OUT FOLDER,FOLDER [NAME]
+ *   node test/runner/client-tests.mjs OUT FOLDER,FOLDER [NAME]
  *
  * With NAME only what it chooses of these, as -Dtest does for ./antw test: classes, or tests of them.
  */

@@ -3,7 +3,7 @@
  * Runs the tests that need no player (every *.test.mjs below test/), and writes their counts. Prints what a failed one says. Exit
  * status: 1 if one failed.
  *
- *   node test/node-tests.mjs bin/test-reports/summary-node.txt node | structure | pages | samples
+ *   node test/runner/node-tests.mjs bin/test-reports/summary-node.txt node | structure | pages | samples
  *
  * With "structure" those of test/structure, and otherwise all others. With "samples" the documentation's samples in JavaScript, of the pages that OF names. With "pages" those alone that open pages, in the browser that TEST_BROWSER names; where that is not installed they are skipped, and counted.
  *
@@ -15,10 +15,10 @@ import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { SAMPLES_IN_JAVASCRIPT } from './docs/samples.mjs';
+import { SAMPLES_IN_JAVASCRIPT } from '../docs/samples.mjs';
 import { failuresIn, saidOf } from './failures.mjs';
-import { missing } from './headless/browsers.mjs';
-import { filesBelow, root } from './structure/sources.mjs';
+import { missing } from '../../build/headless/browsers.mjs';
+import { filesBelow, root } from '../structure/sources.mjs';
 
 /** A count of the runner's closing lines: "# pass 12" or, in later versions of Node, "ℹ pass 12". */
 function count(output, name) {

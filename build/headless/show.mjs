@@ -2,7 +2,7 @@
 /**
  * Serves a page with a SWF in Ruffle on loopback, for a browser on this machine, until it is interrupted.
  *
- *   node test/headless/show.mjs file.swf [options]
+ *   node build/headless/show.mjs file.swf [options]
  *
  *   --param name=value      a value in loaderInfo.parameters (may be repeated)
  *   --mount /path=folder    a folder that the SWF can load from (may be repeated)

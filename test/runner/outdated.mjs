@@ -2,12 +2,12 @@
 import { createHash } from "node:crypto";
 import { readFileSync, readdirSync } from "node:fs";
 import { join, relative } from "node:path";
-import { ROOT, SOURCES } from "./names.mjs";
+import { ROOT, SOURCES } from "../../js/module/names.mjs";
 import { outlineOf } from "./outline.mjs";
-import { qnameOf } from "./signatures.mjs";
+import { qnameOf } from "../../js/module/signatures.mjs";
 
 /** What the compiler is called with, its version and that of the Flex SDK, and what names the classes. */
-const SETTINGS = ["build/module.xml", "build/ivy.xml", "js/module/ivy.xml", "package-lock.json", "js/module/roots.mjs", "js/module/names.mjs", "js/module/sources.mjs", "js/module/outline.mjs"];
+const SETTINGS = ["build/module.xml", "build/ivy.xml", "js/module/ivy.xml", "package-lock.json", "js/module/roots.mjs", "js/module/names.mjs", ...["roots", "outdated", "outline"].map((name) => `test/runner/${name}.mjs`)];
 
 const hashOf = (text) => createHash("sha1").update(text).digest("hex");
 

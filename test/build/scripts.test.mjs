@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const ts = createRequire(path.join(root, "js/module/package.json"))("typescript");
-const FOLDERS = ["build", "js/adapters", "js/module", "js/picture", "js/playground", "test/headless"];
+const FOLDERS = ["build", "js/adapters", "js/module", "js/picture", "js/playground", "test/runner"];
 
 /** TypeScript's errors "Cannot find name" and "has no exported member". */
 const LOST = new Set([2304, 2305, 2552, 2724]);

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { BROAD, choose, fartherTests, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from '../chosen.mjs';
+import { BROAD, choose, fartherTests, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from './chosen.mjs';
 import { root } from '../structure/sources.mjs';
 
 const known = readTests();
@@ -216,15 +216,17 @@ test('tests without a player run with the sources of the packages that they say 
 test('all of a choice can be left to Node: classes and tests by their names, a page by its samples in JavaScript', () => {
 	const out = mkdtempSync(path.join(tmpdir(), 'chosen-'));
 	const list = (pattern, ...options) => {
-		const { status } = spawnSync(process.execPath, ['test/list-tests.mjs', out, `--test=${pattern}`, '--node', ...options], { cwd: root });
-		return status === 0 ? Object.fromEntries(readFileSync(path.join(out, 'tests.properties'), 'utf8').trim().split('\n').map((line) => line.split('='))) : null;
+		const { status } = spawnSync(process.execPath, ['test/runner/list-tests.mjs', out, 'node', `--test=${pattern}`, ...options], { cwd: root });
+		const read = (name) => readFileSync(path.join(out, name), 'utf8');
+		return status === 0 ? { ...JSON.parse(read('choice.json')), ...Object.fromEntries(read('tests.properties').trim().split('\n').map((line) => line.split('='))) } : null;
 	};
-	const { left, then, beside, of, pages } = list('src/starlogo/search/ChangedRows.as', '--elsewhere=test/headless/in-node.txt');
-	assert.ok(left.split(',').includes('ChangedRowsTest') && then.includes('SoakTest.'));
-	assert.deepEqual([beside, of, pages], ['test/fuzz/kept.test.mjs', 'starlogo.search.ChangedRows', undefined]);
-	assert.equal(list('BoxTest.rotatesAboutTheOrigin').left, 'BoxTest.rotatesAboutTheOrigin');
+	const { order, then, beside, of, pages, none, node } = list('src/starlogo/search/ChangedRows.as');
+	assert.ok(order.includes('ChangedRowsTest') && then.some((name) => name.startsWith('SoakTest.')));
+	assert.deepEqual([beside, of, pages, none, node], [['test/fuzz/kept.test.mjs'], ['starlogo.search.ChangedRows'], undefined, 'true', 'true']);
+	assert.deepEqual(list('src/starlogo/search/ChangedRows.as', '--full').then, []);
+	assert.deepEqual(list('BoxTest.rotatesAboutTheOrigin').order, ['BoxTest.rotatesAboutTheOrigin']);
 	const page = list('terrain.md');
-	assert.deepEqual([page.left, page.pages], [undefined, 'docs/terrain.md']);
+	assert.deepEqual([page.node, page.pages], [undefined, 'docs/terrain.md']);
 	assert.equal(list('terms.md'), null);
 	assert.equal(list('noSuchTest'), null);
 	rmSync(out, { recursive: true });

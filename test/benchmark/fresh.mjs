@@ -1,6 +1,6 @@
 /**
  * Measures of a game of 10,000 scattered agents that need a process of their own: node [--expose-gc ...] fresh.mjs MEASURE SYSTEM
- * prints a number. benchmark.mjs starts it.
+ * prints a number. module.mjs starts it.
  */
 import { memoryUsage } from "node:process";
 import { MODELS, SYSTEMS, makeGreatLand, rehearse, scatter } from "./games.mjs";

@@ -5,8 +5,8 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { outlineOf } from '../../js/module/outline.mjs';
-import { outdated, readSources } from '../../js/module/sources.mjs';
+import { outlineOf } from './outline.mjs';
+import { outdated, readSources } from './outdated.mjs';
 import { read, root, sourcesBelow } from '../structure/sources.mjs';
 
 const CLASS = `package a
@@ -120,7 +120,7 @@ test('a translation loses the classes that are gone, when all that was outdated 
 	put('tests/done', '');
 	put('tests/out/bin/js-debug/a/GoneTest.js', '');
 	put('tests/roots/sources.json', JSON.stringify({ ...sources, files: { ...sources.files, 'a.GoneTest': {} } }));
-	execFileSync(process.execPath, ['js/module/changed.mjs', path.join(folder, 'tests'), path.join(folder, 'changed')], { cwd: root });
+	execFileSync(process.execPath, ['test/runner/changed.mjs', path.join(folder, 'tests'), path.join(folder, 'changed')], { cwd: root });
 	assert.equal(readFileSync(path.join(folder, 'changed/changed.properties'), 'utf8'), '');
 	assert.ok(!existsSync(path.join(folder, 'tests/out/bin/js-debug/a/GoneTest.js')));
 	assert.deepEqual(JSON.parse(readFileSync(path.join(folder, 'tests/roots/sources.json'), 'utf8')), sources);

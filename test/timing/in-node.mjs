@@ -2,7 +2,7 @@
 /**
  * Runs the thesis's evaluation on the ES module's code, in Node: what src/Timing.as does in a player, without its pictures.
  *
- *   node test/module/timing.mjs TESTS FOLDER [name=value ...]
+ *   node test/timing/in-node.mjs TESTS FOLDER [name=value ...]
  *
  * TESTS is what the build made of the engine and the tests together; FOLDER gets results.json. The names are Settings' own.
  */

@@ -3,7 +3,7 @@
  * Finds which classes of the tests' translation are out of date: those whose sources changed, and if one looks different from outside, all that use it,
  * directly or by others.
  *
- * node js/module/changed.mjs TRANSPILED OUT [--keep]
+ * node test/runner/changed.mjs TRANSPILED OUT [--keep]
  *
  * TRANSPILED is a translation of all classes, with its sources noted. OUT gets a main class for the compiler, and changed.properties: whole, if all classes
  * have to be compiled; otherwise classes, those to compile, if there are any. If all have to be, TRANSPILED is marked as not done. With --keep the classes
@@ -11,10 +11,11 @@
  */
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
-import { namesIn } from "./assemble.mjs";
-import { compiledFile, compiledFolder, moduleRoots, testRoots } from "./names.mjs";
-import { writeRoots } from "./roots.mjs";
-import { gone, outdated, readSources } from "./sources.mjs";
+import { namesIn } from "../../js/module/assemble.mjs";
+import { compiledFile, compiledFolder } from "../../js/module/names.mjs";
+import { writeRoots } from "../../js/module/roots.mjs";
+import { gone, outdated, readSources } from "./outdated.mjs";
+import { testRoots } from "./roots.mjs";
 
 /** With more classes than these, compiling all takes about as long. */
 const MOST = 200;
@@ -34,7 +35,7 @@ else {
 function properties() {
 	const isTranslated = (qname) => existsSync(compiledFile(transpiled, qname));
 	const now = readSources();
-	const classes = existsSync(done) && existsSync(noted) ? outdated(JSON.parse(readFileSync(noted, "utf8")), now, isTranslated, new Set([...moduleRoots(), ...testRoots()])) : null;
+	const classes = existsSync(done) && existsSync(noted) ? outdated(JSON.parse(readFileSync(noted, "utf8")), now, isTranslated, new Set(testRoots())) : null;
 	if (classes === null || classes.length > MOST) {
 		rmSync(done, { force: true });
 		return "whole=true\n";

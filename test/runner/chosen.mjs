@@ -1,9 +1,9 @@
 /** Which tests -Dtest names: by a class of tests, by a test, by the source file that they test, or by the page whose samples they are. */
 import { existsSync } from 'node:fs';
 import path from 'node:path';
-import { $changesBetween } from '../js/standins/module/warnings.mjs';
-import { SAMPLES_IN_JAVASCRIPT, classOfSamples, fencesIn } from './docs/samples.mjs';
-import { definitionIn, filesBelow, packageOf, read, root, sourcesBelow, usesIn } from './structure/sources.mjs';
+import { $changesBetween } from '../../js/standins/module/warnings.mjs';
+import { SAMPLES_IN_JAVASCRIPT, classOfSamples, fencesIn } from '../docs/samples.mjs';
+import { definitionIn, filesBelow, packageOf, read, root, sourcesBelow, usesIn } from '../structure/sources.mjs';
 
 /** Fewer tests than these say little of a source. */
 const ENOUGH = 5;
@@ -43,8 +43,8 @@ function withFilesBeside(name, text, beside) {
 }
 
 /** The test classes, and tests of classes, that Node runs in place of the browser's interpreter. They take long. */
-export function inNodeAlone(file = 'test/headless/in-node.txt') {
-	return new Set(read(file).split('\n').filter((line) => line !== '' && !line.startsWith('#')));
+export function inNodeAlone() {
+	return new Set(read('test/runner/in-node.txt').split('\n').filter((line) => line !== '' && !line.startsWith('#')));
 }
 
 /**

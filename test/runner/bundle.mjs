@@ -1,15 +1,15 @@
 #!/usr/bin/env node
 /**
- * Writes the engine and its FlexUnit tests as one module, which test/module/run.mjs runs.
+ * Writes the engine and its FlexUnit tests as one module, which run.mjs runs.
  *
- * node js/module/tests.mjs TRANSPILED OUT
+ * node test/runner/bundle.mjs TRANSPILED OUT
  */
 import { writeFileSync } from "node:fs";
-import { standinsText, translate } from "./assemble.mjs";
-import { publicSignatures } from "./names.mjs";
+import { standinsText, translate } from "../../js/module/assemble.mjs";
+import { publicSignatures } from "../../js/module/names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
-const flexunit = new URL("../../test/module/flexunit.mjs", import.meta.url).href;
+const flexunit = new URL("flexunit.mjs", import.meta.url).href;
 const ASSERTS = ["Equals", "StrictlyEquals", "True", "False", "Null", "NotNull"];
 const externals = {
 	"flash.external.ExternalInterface": "ExternalInterface",

@@ -2,21 +2,25 @@
 /**
  * Runs the FlexUnit classes on the ES module's code, in Node.
  *
- *   node test/module/run.mjs TESTS [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--beside FILE,...] [--until FILE] [--of SOURCE,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
+ *   node test/runner/run.mjs TESTS [--choice FILE] [--until FILE] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
  *
- * TESTS is what the build made of the engine and the tests together. With --order these run alone, in that order; with --first it ends when one fails.
- * If none fails, those of --then run, until one fails or they have taken their time. Before these the files of --beside run, each as node --test with
- * TESTS as their engine. Once the file of --until is there, no more of both begin: the player writes it when a test fails there. --of says of which sources
- * all these are tests.
+ * TESTS is what the build made of the engine and the tests together. With --choice only some of them run: FILE has JSON as list-tests.mjs writes it.
+ *
+ *   order    classes, or tests as CLASS.test: these run first, in this order
+ *   beside   files that run next, if none has failed: each as node --test, with TESTS as its engine
+ *   then     tests farther off, which run last, until one fails or they have taken their time. What they print is shown only of one that fails
+ *   of       the sources that all these are tests of
+ *
+ * Once the file of --until is there, no more of beside and then begin: the player writes it when a test fails there. With --first all ends when one fails.
  * With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines of TESTS that it
  * runs. The first line has those that run when TESTS is loaded.
  */
 import { spawnSync } from "node:child_process";
-import { appendFileSync, existsSync, writeFileSync } from "node:fs";
+import { appendFileSync, existsSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
-import { failuresIn, saidOf } from "../failures.mjs";
+import { failuresIn, saidOf } from "./failures.mjs";
 import { countLines } from "./coverage.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
@@ -24,7 +28,7 @@ import { watch, writeSummary } from "./watch.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
-	options: { order: { type: "string", default: "" }, then: { type: "string", default: "" }, beside: { type: "string", default: "" }, until: { type: "string", default: "" }, of: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" }, coverage: { type: "string" } },
+	options: { choice: { type: "string" }, until: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" }, coverage: { type: "string" } },
 });
 
 const linesRun = options.coverage ? countLines(positionals[0]) : () => [];
@@ -52,27 +56,26 @@ let failed = 0;
 let skipped = 0;
 let leftOut = 0;
 let isFarther = false;
+const { log } = console;
 const started = performance.now();
 const only = new Set(NOT_HERE.keys());
 const begins = watch(Number(process.env.NO_END_S ?? (options.full ? NO_END_FULL_S : NO_END_S)), options.summary, options.until);
 
 process.on("uncaughtException", (error) => {
 	failed++;
-	console.log(`FAILED, outside of any test: ${error.stack}`);
+	log(`FAILED, outside of any test: ${error.stack}`);
 	if (options.first) process.exit(1);
 });
 
 const simpleName = ({ name }) => name.split(".").pop();
-const isOrdered = [options.order, options.then, options.beside].some((list) => list !== "");
-const wordsIn = (list) => list.split(",").filter((text) => text !== "");
-const namesIn = (list) => wordsIn(list).map((text) => text.split("."));
-const { classes, farther, beside, of } = isOrdered ? { classes: inOrder(namesIn(options.order)), farther: inOrder(namesIn(options.then)), beside: wordsIn(options.beside), of: wordsIn(options.of) } : { classes: inOrder(tests.CLASSES.map((each) => [each.name])), farther: [], beside: [], of: [] };
+const { order = tests.CLASSES.map(simpleName), beside = [], then = [], of = [] } = options.choice ? JSON.parse(readFileSync(options.choice, "utf8")) : {};
+const farther = inOrder(then);
 
-/** Some classes and tests, by the class's name with or without its package. A class whose tests follow one another is begun once. */
+/** Some classes and tests, by the class's name. A class whose tests follow one another is begun once. */
 function inOrder(names) {
 	const found = [];
-	for (const [wanted, test = null] of names) {
-		for (const each of tests.CLASSES.filter((other) => other.name === wanted || simpleName(other) === wanted)) {
+	for (const [wanted, test = null] of names.map((name) => name.split("."))) {
+		for (const each of tests.CLASSES.filter((other) => simpleName(other) === wanted)) {
 			if (found.at(-1)?.name !== each.name) found.push({ ...each, wanted: [] });
 			found.at(-1).wanted.push(test);
 		}
@@ -80,7 +83,7 @@ function inOrder(names) {
 	return found.map((each) => ({ ...each, isRun: (name) => each.wanted.includes(null) || each.wanted.includes(name) }));
 }
 
-for (const each of classes) await runClass(each, () => true);
+for (const each of inOrder(order)) await runClass(each, () => true);
 for (const file of beside) if (!isOver()) runBeside(file);
 await runFarther();
 
@@ -143,13 +146,17 @@ async function runClass({ name, type, metadata, isRun }, isNext) {
 			continue;
 		}
 		begins(`${simpleName({ name })}.${each.name}`, passed, failed, skipped, Number(isFarther));
+		const printed = [];
+		if (isFarther) console.log = (...words) => printed.push(words);
 		const start = performance.now();
 		const error = problem ?? await run(type, each, methods);
 		const ms = performance.now() - start;
+		console.log = log;
 		if (error instanceof AssumptionViolatedException) skipped++;
 		else if (error === null) passed++;
 		else {
 			failed++;
+			for (const words of printed) console.log(...words);
 			console.log(`FAILED ${name.split(".").pop()}.${each.name}${ofSources()}: ${error.stack ?? error}`);
 			if (options.first) process.exit(1);
 		}
@@ -182,7 +189,7 @@ async function run(type, test, methods) {
 // an error that no test has caught comes in a turn of its own
 await new Promise((resolve) => setTimeout(resolve));
 
-if (!isOrdered && only.size > 0) {
+if (!options.choice && only.size > 0) {
 	failed++;
 	console.log(`FAILED: no such test, though not-here.mjs lists it: ${[...only].join(", ")}`);
 }

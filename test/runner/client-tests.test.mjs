@@ -7,7 +7,7 @@ import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-const script = fileURLToPath(new URL('../client-tests.mjs', import.meta.url));
+const script = fileURLToPath(new URL('client-tests.mjs', import.meta.url));
 const folder = mkdtempSync(path.join(tmpdir(), 'client-tests-'));
 mkdirSync(path.join(folder, 'src/game'), { recursive: true });
 mkdirSync(path.join(folder, 'tests/game/world'), { recursive: true });

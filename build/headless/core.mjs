@@ -3,7 +3,7 @@
  * Leaves of a library of declarations of the player's classes only those that Adobe's VM has without a player, so that sources
  * compiled against it take flash.geom, flash.events and the like from the stand-ins (js/standins/).
  *
- *   node test/headless/core.mjs in out      folders with the catalog.xml and library.swf of a SWC
+ *   node build/headless/core.mjs in out      folders with the catalog.xml and library.swf of a SWC
  */
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';

@@ -1,4 +1,4 @@
-/** What test/module/run.mjs reports of tests, wherever the file of the tests was made. */
+/** What test/runner/run.mjs reports of tests, wherever the file of the tests was made. */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -21,7 +21,9 @@ class LaterTest {
 	isSkipped() {
 		throw new flexunit.AssumptionViolatedException("nothing to test");
 	}
-	passes() {}
+	passes() {
+		console.log("it passes");
+	}
 	throwsLater() {
 		setTimeout(() => { throw new Error("too late"); });
 	}
@@ -37,28 +39,35 @@ export const setFetch = () => {};
 export { flexunit };
 `;
 
+/** Runs some tests, as a file tells the runner. */
+function run(choice, options = [], env = {}) {
+	writeFileSync(path.join(folder, "choice.json"), JSON.stringify(choice));
+	return spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), `--choice=${path.join(folder, "choice.json")}`, ...options],
+		{ encoding: "utf8", env: { ...process.env, NODE_TEST_CONTEXT: undefined, ...env } });
+}
+
 test("tests that were made in another folder are waited for, and skipped if they say so", () => {
 	cpSync(path.join(here, "flexunit.mjs"), path.join(folder, "flexunit.mjs"));
 	writeFileSync(path.join(folder, "tests.mjs"), TESTS);
-	const { stdout, stderr, status } = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.waits,LaterTest.isSkipped,LaterTest.passes"], { encoding: "utf8" });
+	const { stdout, stderr, status } = run({ order: ["LaterTest.waits", "LaterTest.isSkipped", "LaterTest.passes"] });
 	assert.match(stdout, /FAILED LaterTest.waits: Error: it came/, stderr);
 	assert.match(stdout, /: 1 passed, 1 failed, 1 skipped,/);
 	assert.equal(status, 1);
-	const skipped = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.isSkipped"], { encoding: "utf8" });
+	const skipped = run({ order: ["LaterTest.isSkipped"] });
 	assert.match(skipped.stdout, /: 0 passed, 0 failed, 1 skipped,/);
 	assert.equal(skipped.status, 0);
 });
 
 test("an error outside of any test counts, even after the last one", () => {
-	const { stdout, status } = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.throwsLater"], { encoding: "utf8" });
+	const { stdout, status } = run({ order: ["LaterTest.throwsLater"] });
 	assert.match(stdout, /FAILED, outside of any test: Error: too late[^]*: 1 passed, 1 failed,/);
 	assert.equal(status, 1);
 });
 
 test("a test that does not end is named, and the counts of those before it are kept", () => {
 	const summary = path.join(folder, "reports/summary.txt");
-	const { stdout, signal } = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.passes,LaterTest.isSkipped,LaterTest.hasNoEnd", `--summary=${summary}`], { encoding: "utf8", env: { ...process.env, NO_END_S: "1" } });
-	assert.match(stdout, /^FAILED LaterTest.hasNoEnd: it has not ended in 1 s of a processor\n$/);
+	const { stdout, signal } = run({ order: ["LaterTest.passes", "LaterTest.isSkipped", "LaterTest.hasNoEnd"] }, [`--summary=${summary}`], { NO_END_S: "1" });
+	assert.match(stdout, /^it passes\nFAILED LaterTest.hasNoEnd: it has not ended in 1 s of a processor\n$/);
 	assert.equal(signal, "SIGKILL");
 	assert.equal(readFileSync(summary, "utf8"), "1 passed, 1 failed, 1 skipped\n");
 });
@@ -67,10 +76,10 @@ test("what is farther off does not begin once a test has failed in the player", 
 	const until = path.join(folder, "failed.txt");
 	const beside = path.join(folder, "passes.test.mjs");
 	writeFileSync(beside, "import test from 'node:test';\ntest('passes', () => {});\n");
-	const run = () => spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.isSkipped", `--beside=${beside}`, "--then=LaterTest.passes", `--until=${until}`], { encoding: "utf8", env: { ...process.env, NODE_TEST_CONTEXT: undefined } });
-	assert.match(run().stdout, /^of the tests farther off 1 ran\n.*: 2 passed, 0 failed, 1 skipped,/);
+	const runAll = () => run({ order: ["LaterTest.isSkipped"], beside: [beside], then: ["LaterTest.passes"] }, [`--until=${until}`]);
+	assert.match(runAll().stdout, /^of the tests farther off 1 ran\n.*: 2 passed, 0 failed, 1 skipped,/);
 	writeFileSync(until, "ATest.is\n");
-	const { stdout, status } = run();
+	const { stdout, status } = runAll();
 	assert.match(stdout, /^of the tests farther off 0 ran, 1 did not: one failed\n.*: 0 passed, 0 failed, 1 skipped,/);
 	assert.equal(status, 0);
 });
@@ -90,9 +99,8 @@ test("what is farther off and has begun is ended once a test has failed in the p
 test("a failure names the sources that it is a test of, and files beside the classes run on the same module", () => {
 	const file = path.join(folder, "beside.test.mjs");
 	writeFileSync(file, "import assert from 'node:assert/strict';\nimport test from 'node:test';\ntest('engine', () => assert.equal(process.env.ENGINE, 'none'));\n");
-	const run = (...given) => spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--of=a.Low", ...given], { encoding: "utf8", env: { ...process.env, NODE_TEST_CONTEXT: undefined } });
-	assert.match(run("--order=LaterTest.waits").stdout, /FAILED LaterTest.waits \(a test of a.Low\): Error: it came/);
-	const { stdout, status } = run("--order=LaterTest.passes", `--beside=${file}`);
+	assert.match(run({ order: ["LaterTest.waits"], of: ["a.Low"] }).stdout, /FAILED LaterTest.waits \(a test of a.Low\): Error: it came/);
+	const { stdout, status } = run({ order: ["LaterTest.passes"], beside: [file], of: ["a.Low"] });
 	assert.match(stdout, /FAILED \S*beside.test.mjs \(a test of a.Low\):[^]*tests.mjs[^]*: 1 passed, 1 failed,/);
 	assert.equal(status, 1);
 });

@@ -2,13 +2,13 @@
 /**
  * Runs the benchmarks on the ES module's code, in Node, as test/Benchmarks.as does in a player.
  *
- *   node test/module/benchmarks.mjs TESTS NAME [/url=folder ...]
+ *   node test/benchmark/in-node.mjs TESTS NAME [/url=folder ...]
  *
  * TESTS is what the build made of the engine and the tests together. NAME is a part of the names of the benchmarks that are run.
  */
 import path from "node:path";
 import { pathToFileURL } from "node:url";
-import { mount } from "./fixtures.mjs";
+import { mount } from "../runner/fixtures.mjs";
 
 const [file, wanted, ...mounts] = process.argv.slice(2);
 const tests = await import(pathToFileURL(path.resolve(file)));

@@ -2,10 +2,10 @@
 /**
  * Runs the SWF of a client's own tests. If it stalls or the player fails, it names the test that was running and counts those that did not run.
  *
- *   node test/client-tests-run.mjs FILE.swf SECONDS COUNTS
+ *   node test/runner/client-tests-run.mjs FILE.swf SECONDS COUNTS
  *
  * A test that gives no sign of life for so many seconds ends the run. COUNTS is a file for the counts. The exit status is that of
- * test/headless/run.mjs.
+ * build/headless/run.mjs.
  */
 import { spawn } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
@@ -13,14 +13,14 @@ import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 
 const [swf, seconds, counts] = process.argv.slice(2);
-const headless = fileURLToPath(new URL('headless/run.mjs', import.meta.url));
+const headless = fileURLToPath(new URL('../../build/headless/run.mjs', import.meta.url));
 
 const begun = { count: 0, of: 0, name: 'the SWF', ignored: 0 };
 const failed = new Set();
 let summary = '';
 let reason = '';
 
-/** Reads a line of the reporter that test/client-tests.mjs writes. */
+/** Reads a line of the reporter that test/runner/client-tests.mjs writes. */
 function readTrace(line) {
 	const [, number, of, isIgnored, name] = /^ {2}(\d+)\/(\d+) (ignored: )?(.+)$/.exec(line) ?? [];
 	if (number) {

@@ -41,6 +41,8 @@ package starlogo.queries.motion
         // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. A sweep may touch across a wider gap.
         private static const FLAT:Number = 0.01;
 
+        private static const NO_MOTION:Vector3D = new Vector3D();
+
         /** The whole body. Read only. */
         public var body:MovingBody;
 
@@ -77,7 +79,7 @@ package starlogo.queries.motion
          *
          * @param rows the rows that may be in the way
          * @param from where the motion begins
-         * @param motion the whole motion; 0 if the body stands
+         * @param motion the whole motion
          */
         public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):void
         {
@@ -103,6 +105,12 @@ package starlogo.queries.motion
             _mostInset = slop + SHALLOW * largest;
             setInset(slop);
             isFlat = shrink * body.source.leastHalf < FLAT * slop;
+        }
+
+        /** Becomes the core of a body that stands at a place. */
+        public function beginStanding(body:MovingBody, rows:IntList, place:Vector3D):void
+        {
+            begin(body, rows, place, NO_MOTION);
         }
 
         /**

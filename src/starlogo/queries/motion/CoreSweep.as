@@ -135,7 +135,7 @@ package starlogo.queries.motion
             var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + source.offsetX + impact.time * motion.x - contact.x)
                     + contact.normalY * (from.y + source.offsetY + impact.time * motion.y - contact.y)
                     + contact.normalZ * (from.z + source.offsetZ + impact.time * motion.z - contact.z));
-            var expected:Number = Math.max(0, Math.min(1, impact.time + recess / impact.along));
+            var expected:Number = Math.max(0, Math.min(1, impact.time + recess / contact.along(motion)));
             if (!(recess < 0))
             {
                 return expected;
@@ -147,8 +147,8 @@ package starlogo.queries.motion
             return Math.abs(_relative.time - expected) <= expected - impact.time ? _relative.time : impact.time;
         }
 
-        // Sets the place at a time of a motion.
-        private static function setAlong(from:Vector3D, motion:Vector3D, time:Number, out:Vector3D):void
+        /** Sets the place at a time of a motion. */
+        public static function setAlong(from:Vector3D, motion:Vector3D, time:Number, out:Vector3D):void
         {
             out.setTo(from.x + time * motion.x, from.y + time * motion.y, from.z + time * motion.z);
         }
@@ -230,13 +230,11 @@ package starlogo.queries.motion
             }
             out.row = row;
             out.comparedTime = out.time;
-            out.along = contact.along(motion);
-            out.isNormalFallback = !(out.along < against);
+            out.isNormalFallback = !(contact.along(motion) < against);
             if (out.isNormalFallback)
             {
                 contact.setNormal(-motion.x, -motion.y, -motion.z);
                 contact.normalise();
-                out.along = -length;
                 out.comparedTime = out.time > 0 ? out.time + clearanceTime : 0;
             }
             return true;

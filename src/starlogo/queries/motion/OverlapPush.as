@@ -17,8 +17,6 @@ package starlogo.queries.motion
     {
         private static const MOST_PUSHES:int = 8;
 
-        private static const NO_MOTION:Vector3D = new Vector3D();
-
         private var _slider:Slider = new Slider();
         private var _slid:SlideResult = new SlideResult();
 
@@ -61,7 +59,7 @@ package starlogo.queries.motion
         {
             var sum:Number = 0;
             out.depth = 0;
-            _core.begin(body, body.rows, place, NO_MOTION);
+            _core.beginStanding(body, body.rows, place);
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 if (findOverlap(_core, body.rows.numbers[i], place, _overlap))

@@ -30,8 +30,6 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
-        private static const NO_MOTION:Vector3D = new Vector3D();
-
         // The core of a body that stands, with its tolerances.
         private var _core:BodyCore = new BodyCore();
 
@@ -73,7 +71,7 @@ package starlogo.queries.motion
          */
         public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
         {
-            _core.begin(body, rows, place, NO_MOTION);
+            _core.beginStanding(body, rows, place);
             pushOff(_core, rows, place);
         }
 

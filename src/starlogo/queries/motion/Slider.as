@@ -68,7 +68,7 @@ package starlogo.queries.motion
                     corner = planes.count;
                 }
                 var touchTime:Number = _sweep.findTouchTime(core, out.place, _rest.motion, impact);
-                _rest.advance(out.place, Math.max(touchTime + core.clearance / impact.along, 0));
+                _rest.advance(out.place, Math.max(touchTime + core.clearance / impact.contact.along(_rest.motion), 0));
                 noteFloor(impact, out);
                 if (impact.contact.normalZ < limits.walkableZ)
                 {
@@ -108,8 +108,7 @@ package starlogo.queries.motion
             {
                 fraction = Math.max(out.fraction + _start.core.clearance / out.contact.along(motion), 0);
             }
-            var start:Vector3D = _start.place;
-            out.place.setTo(start.x + fraction * motion.x, start.y + fraction * motion.y, start.z + fraction * motion.z);
+            CoreSweep.setAlong(_start.place, motion, fraction, out.place);
         }
 
         // Finds what stops the rest of a motion next.

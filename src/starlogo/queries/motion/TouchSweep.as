@@ -78,7 +78,7 @@ package starlogo.queries.motion
          */
         public function setEnd(from:Vector3D, motion:Vector3D, fraction:Number, common:MotionStart, out:Vector3D):void
         {
-            out.setTo(from.x + fraction * motion.x, from.y + fraction * motion.y, from.z + fraction * motion.z);
+            CoreSweep.setAlong(from, motion, fraction, out);
             pushBack(from, common, out);
         }
 
@@ -134,8 +134,9 @@ package starlogo.queries.motion
             var contact:ContactPoint = out.contact;
             var lift:Number = contact.normalX * (start.place.x - from.x) + contact.normalY * (start.place.y - from.y)
                 + contact.normalZ * (start.place.z - from.z);
-            out.fraction = Math.max(0, Math.min(1, out.fraction + lift / start.impact.along));
-            if (-out.fraction * start.impact.along < start.core.slop && start.core.bodyTouches(out.row, from))
+            var along:Number = contact.along(motion);
+            out.fraction = Math.max(0, Math.min(1, out.fraction + lift / along));
+            if (-out.fraction * along < start.core.slop && start.core.bodyTouches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
                 out.fraction = 0;

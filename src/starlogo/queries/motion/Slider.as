@@ -53,7 +53,7 @@ package starlogo.queries.motion
                 _rest.beginCorner();
                 if (limits.staysLevel)
                 {
-                    standUpPlanes(planes, _rest);
+                    makePlanesUpright(planes, _rest);
                 }
                 _rest.project(planes);
                 findNext(out.place, _rest.motion, _start);
@@ -69,16 +69,7 @@ package starlogo.queries.motion
                 }
                 var touchTime:Number = _sweep.findTouchTime(core, out.place, _rest.motion, impact);
                 _rest.advance(out.place, Math.max(touchTime + core.clearance / impact.contact.along(_rest.motion), 0));
-                noteFloor(impact, out);
-                if (impact.contact.normalZ < limits.walkableZ)
-                {
-                    out.metWall = true;
-                    standUp(impact.contact, _rest);
-                }
-                else if (limits.walkableZ > 0)
-                {
-                    _rest.climb(impact.contact);
-                }
+                takeContact(impact, limits, _rest, out);
                 var newest:int = planes.add(impact.contact, impact.row);
                 dropNeedless(out.place, _start, corner, newest);
                 _rest.project(planes);
@@ -124,19 +115,29 @@ package starlogo.queries.motion
             }
         }
 
-        // Keeps the most level surface that a slide has met.
-        private static function noteFloor(impact:Impact, out:SlideResult):void
+        // Notes what a slide meets: the most level surface is its floor. What is too steep becomes an upright wall. The rest climbs what is not.
+        private static function takeContact(impact:Impact, limits:SlideLimits, rest:SlideRest, out:SlideResult):void
         {
-            if (!impact.isNormalFallback && (out.floorRow < 0 || impact.contact.normalZ > out.floor.normalZ))
+            var contact:ContactPoint = impact.contact;
+            if (!impact.isNormalFallback && (out.floorRow < 0 || contact.normalZ > out.floor.normalZ))
             {
-                out.floor.copyFrom(impact.contact);
+                out.floor.copyFrom(contact);
                 out.floorRow = impact.row;
+            }
+            if (contact.normalZ < limits.walkableZ)
+            {
+                out.metWall = true;
+                makeUpright(contact, rest);
+            }
+            else if (limits.walkableZ > 0)
+            {
+                rest.climb(contact);
             }
         }
 
         // Turns a contact that is too steep into an upright wall. The rest of the motion becomes level, because the slope would stop a motion up
         // or down.
-        private static function standUp(contact:ContactPoint, rest:SlideRest):void
+        private static function makeUpright(contact:ContactPoint, rest:SlideRest):void
         {
             if (contact.normalX * contact.normalX + contact.normalY * contact.normalY > VERTICAL_NORMAL)
             {
@@ -147,13 +148,13 @@ package starlogo.queries.motion
         }
 
         // Turns the planes of what the body overlaps into upright walls, except of level floors and ceilings.
-        private static function standUpPlanes(planes:ContactList, rest:SlideRest):void
+        private static function makePlanesUpright(planes:ContactList, rest:SlideRest):void
         {
             for (var i:int = 0; i < planes.count; i++)
             {
                 if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.LEVEL_Z)
                 {
-                    standUp(planes.contacts[i], rest);
+                    makeUpright(planes.contacts[i], rest);
                 }
             }
         }

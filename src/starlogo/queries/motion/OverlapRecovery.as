@@ -135,56 +135,53 @@ package starlogo.queries.motion
             return isFree;
         }
 
-        // Lets planes stand for obstacles that the core overlaps: only if the overlap is deep, or in any case. One-way obstacles that the body passes leave
-        // too. Returns whether obstacles are left that the core overlapped.
-        private function replaceObstacles(start:MotionStart, inAnyCase:Boolean):Boolean
+        // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. One-way obstacles that the
+        // body passes leave too. Returns whether obstacles are left that the core overlapped.
+        private function replaceObstacles(start:MotionStart, alsoShallow:Boolean):Boolean
         {
+            var body:MovingBody = start.core.body;
             var obstacles:IntList = start.obstacles;
             var isLeft:Boolean = false;
-            var kept:int = 0;
-            for (var i:int = 0; i < obstacles.count; i++)
+            var i:int = 0;
+            while (i < obstacles.count)
             {
                 var row:int = obstacles.numbers[i];
-                if (start.core.touches(row, start.place))
+                var isOverlapped:Boolean = start.core.touches(row, start.place);
+                if (isOverlapped && (body.passesAt(row, start.place) || (findOverlap(body, row, start.place, alsoShallow, _contact) && addPlane(row, start, _contact))))
                 {
-                    if (start.core.body.passesAt(row, start.place) || replaceObstacle(row, start, inAnyCase, _contact))
-                    {
-                        continue;
-                    }
-                    isLeft = true;
+                    obstacles.remove(row);
                 }
-                obstacles.numbers[kept] = row;
-                kept++;
+                else
+                {
+                    isLeft ||= isOverlapped;
+                    i++;
+                }
             }
-            obstacles.count = kept;
             return isLeft;
         }
 
-        // Lets a plane stand for a row that the core overlaps, if the overlap is deep, or in any case. First the core becomes narrower, for the whole motion.
-        // If it is free of the row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether a
-        // plane stands.
-        private static function replaceObstacle(row:int, start:MotionStart, inAnyCase:Boolean, contact:ContactPoint):Boolean
+        // Finds the contact of an overlap. Returns whether it counts.
+        private static function findOverlap(body:MovingBody, row:int, place:Vector3D, alsoShallow:Boolean, out:ContactPoint):Boolean
         {
-            var body:MovingBody = start.core.body;
-            if (inAnyCase)
+            if (alsoShallow)
             {
-                body.findSeparatingContact(row, start.place, contact);
+                body.findSeparatingContact(row, place, out);
+                return true;
             }
-            else
-            {
-                body.findContact(row, start.place, contact);
-                if (body.isShallow(row, contact))
-                {
-                    return false;
-                }
-            }
-            var isFree:Boolean = start.core.narrow(row, start.place);
-            if (isFree || !start.core.bodyOverlaps(row, start.place))
+            body.findContact(row, place, out);
+            return !body.isShallow(row, out);
+        }
+
+        // Lets a plane stand for a row that the core overlaps, if it is needed. First the core becomes narrower, for the whole motion. If it is free of the
+        // row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether the plane stands.
+        private static function addPlane(row:int, start:MotionStart, contact:ContactPoint):Boolean
+        {
+            if (start.core.narrow(row, start.place) || !start.core.bodyOverlaps(row, start.place))
             {
                 return false;
             }
             start.planes.add(contact, row);
-            body.warnIfInside(row, contact);
+            start.core.body.warnIfInside(row, contact);
             return true;
         }
 

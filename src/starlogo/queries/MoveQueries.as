@@ -102,7 +102,7 @@ package starlogo.queries
             }
             else
             {
-                _touches.findFreeEnd(body, _motion, _common, _first.place);
+                _touches.setEnd(body.from, _motion, 1, _common, _first.place);
             }
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
@@ -219,8 +219,7 @@ package starlogo.queries
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.numbers[i];
-                _touches.findTouch(body, row, motion, common, touch);
-                mayLift ||= touch.isLifted || (touch.fraction == 0 && !touch.isDeep);
+                mayLift = _touches.findTouch(body, row, motion, common, touch) || mayLift;
                 if (touch.row >= 0)
                 {
                     found.add(row, touch.fraction);

@@ -4,7 +4,6 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.agents.PlatformLink;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;
     import starlogo.geometry.copyVector;
     import starlogo.queries.motion.Walk;
@@ -14,8 +13,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Moves an agent as a game character walks: reads what the options mean for it, finds the platform that carries it, lets the WalkMover go, and says
-     * on what it stands.
+     * Moves an agent as a game character walks: reads what the options mean for it, lets the WalkMover go, and says on what it stands.
      *
      * @private
      */
@@ -73,11 +71,8 @@ package starlogo.queries
         private function go(walk:Walk, agent:Agent, dx:Number, dy:Number, options:WalkOptions):Boolean
         {
             readOptions(agent, dx, dy, options, walk);
-            var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
-            var platform:int = findPlatform(walk, link);
-            walk.body.readAgent(agent, walk.turn);
-            walk.range += walk.carry.length;
-            return _walkMover.go(walk, platform);
+            agent.platformLink ||= new PlatformLink(agent);
+            return _walkMover.go(agent.platformLink, walk);
         }
 
         // The walk of a question that begins now.
@@ -90,7 +85,7 @@ package starlogo.queries
             return _walks[_seen.nesting];
         }
 
-        // Finds what the motion and the options mean for the agent.
+        // Finds what the motion and the options mean for the agent. No platform carries it yet.
         private function readOptions(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
         {
             var size:Number = _seen.placeOf(agent).size;
@@ -102,52 +97,9 @@ package starlogo.queries
             out.pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
             out.pieceLength = whole / out.pieces;
-            // the way on the steepest slope, and how far a slide after a fall goes sideways
-            out.range = whole / out.walkableZ + Math.min(options.fall, size) / 2;
-        }
-
-        // Returns the row of the agent below if it carries the agent, or -1: if it has moved since the last walk, and the filter does not exclude
-        // it. The walk receives how it carries the agent.
-        private function findPlatform(walk:Walk, link:PlatformLink):int
-        {
-            var row:int = walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
-            if (row >= 0 && _seen.table.shapes[row] != null)
-            {
-                findCarry(link, _seen.table.bodyOf(row).placement, walk);
-                if ((walk.turn != 0 || walk.carry.length > 0) && _seen.ask(1, 0, walk.agent, walk.options.filter).admits(row))
-                {
-                    return row;
-                }
-            }
-            walk.carry.setTo(0, 0, 0);
-            walk.turn = 0;
-            return -1;
-        }
-
-        // Finds how a platform carries an agent. @param now where the platform is now @param out receives the motion, and the turn about the z axis
-        private static function findCarry(link:PlatformLink, now:Placement, out:Walk):void
-        {
-            var from:Placement = link.platformPlace;
-            var offsetX:Number = link.place.x - from.x;
-            var offsetY:Number = link.place.y - from.y;
-            var offsetZ:Number = link.place.z - from.z;
-            var motion:Vector3D = out.carry;
-            motion.setTo(now.x - from.x, now.y - from.y, now.z - from.z);
+            out.platform = -1;
+            out.carry.setTo(0, 0, 0);
             out.turn = 0;
-            if (from.size == now.size && from.hasRotationOf(now))
-            {
-                return;
-            }
-            var scale:Number = now.size / from.size;
-            var alongX:Number = scale * (from.r00 * offsetX + from.r10 * offsetY + from.r20 * offsetZ);
-            var alongY:Number = scale * (from.r01 * offsetX + from.r11 * offsetY + from.r21 * offsetZ);
-            var alongZ:Number = scale * (from.r02 * offsetX + from.r12 * offsetY + from.r22 * offsetZ);
-            motion.x += now.r00 * alongX + now.r01 * alongY + now.r02 * alongZ - offsetX;
-            motion.y += now.r10 * alongX + now.r11 * alongY + now.r12 * alongZ - offsetY;
-            motion.z += now.r20 * alongX + now.r21 * alongY + now.r22 * alongZ - offsetZ;
-            out.turn = Trigonometry.arctangent(now.r10 * from.r00 + now.r11 * from.r01 + now.r12 * from.r02
-                    - now.r00 * from.r10 - now.r01 * from.r11 - now.r02 * from.r12,
-                    now.r00 * from.r00 + now.r01 * from.r01 + now.r02 * from.r02 + now.r10 * from.r10 + now.r11 * from.r11 + now.r12 * from.r12);
         }
 
         private function write(walk:Walk, stands:Boolean, out:Footing):Footing

@@ -84,6 +84,25 @@ package starlogo.queries
         }
 
         [Test]
+        public function aFilterThatAsksForAPushItselfChangesNone():void
+        {
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                _wall.moveTo(0.65, 0, 0);
+                _queries.update(_agents);
+                _options.filter = new AgentFilter();
+                _options.filter.accepts = function(agent:Agent):Boolean
+                {
+                    return _queries.walk(agentAt("cube", 1.2, 0, 0), 0, 0).pushed > 0.1;
+                };
+                _queries.walk(_walker, 0, 0, _options, _footing);
+                assertTrue(name + ": pushed " + _footing.pushed, Math.abs(_footing.pushed - 0.1) < NEAR && Math.abs(_walker.x + 0.1) < NEAR);
+                _options.filter = null;
+            }
+        }
+
+        [Test]
         public function whatIsSqueezedGoesThroughNothing():void
         {
             for each (var name:String in NAMES)

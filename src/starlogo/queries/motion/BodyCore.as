@@ -1,18 +1,18 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 
     /**
-     * The core of a body that moves, and the tolerances of the motion. The core is the body, made smaller by a slop about the middle of its extents. So
-     * it does not touch what the body only touches.
+     * The core of a body on one motion, and the tolerances of this motion. The core is the body, made smaller by a slop about the middle of its
+     * extents. So it does not touch what the body only touches.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
@@ -41,6 +41,11 @@ package starlogo.queries.motion
         // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. A sweep may touch across a wider gap.
         private static const FLAT:Number = 0.01;
 
+        private static const NO_MOTION:Vector3D = new Vector3D();
+
+        /** The whole body. Read only. */
+        public var body:MovingBody;
+
         /**
          * The slop of the motion, in patches: how far the core's nearest faces are behind the body's own. They are less far behind if the body is slim, or
          * if its least half-extent is less than two slops. A narrower core does not change the slop. Read only.
@@ -56,8 +61,6 @@ package starlogo.queries.motion
         /** Whether the body is too flat for its core to be narrower. Read only. */
         public var isFlat:Boolean = false;
 
-        private var _source:Body;
-
         // How much of its least half-extent the core should lose: a slop at first. A slim or small body loses less.
         private var _inset:Number = 0;
 
@@ -68,28 +71,25 @@ package starlogo.queries.motion
         private var _core:Body = new Body();
         private var _place:Vector3D = new Vector3D();
 
-        /** @param source the whole body. It may become another one between two motions */
-        public function BodyCore(source:Body)
-        {
-            _source = source;
-        }
+        // A smaller copy of a row's body.
+        private var _smaller:Body = new Body();
 
         /**
-         * Finds the tolerances of a motion, and begins with an inset of a slop.
+         * Becomes the core of a body on a motion, with an inset of a slop, and finds the motion's tolerances.
          *
-         * @param table has the bodies of the rows
          * @param rows the rows that may be in the way
          * @param from where the motion begins
          * @param motion the whole motion
          */
-        public function begin(table:AgentTable, rows:IntList, from:Vector3D, motion:Vector3D):void
+        public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):void
         {
-            var extent:Number = 2 * _source.largestHalf;
+            var extent:Number = body.extent;
             var largest:Number = extent;
             var cell:Number = 0;
+            this.body = body;
             for (var i:int = 0; i < rows.count; i++)
             {
-                var other:Body = table.bodyOf(rows.numbers[i]);
+                var other:Body = body.bodyOf(rows.numbers[i]);
                 if (other.form == ModelShape.GROUND)
                 {
                     cell = 2 * other.largestHalf;
@@ -104,21 +104,26 @@ package starlogo.queries.motion
             clearance = slop / 4;
             _mostInset = slop + SHALLOW * largest;
             setInset(slop);
-            isFlat = shrink * _source.leastHalf < FLAT * slop;
+            isFlat = shrink * body.source.leastHalf < FLAT * slop;
+        }
+
+        /** Becomes the core of a body that stands at a place. */
+        public function beginStanding(body:MovingBody, rows:IntList, place:Vector3D):void
+        {
+            begin(body, rows, place, NO_MOTION);
         }
 
         /**
          * Makes the core narrower for this motion, if it is free of a row then. It becomes no narrower than it has to be, up to a factor, because the
          * motion can lead the body into other rows as deep as its core is narrow.
          *
-         * @param body the body that has the core
          * @return whether the core is free of the row
          */
-        public function narrow(body:MovingBody, row:int, place:Vector3D):Boolean
+        public function narrow(row:int, place:Vector3D):Boolean
         {
             var inset:Number = _inset;
             setInset(_mostInset);
-            if (body.coreTouches(row, place))
+            if (touches(row, place))
             {
                 setInset(inset);
                 return false;
@@ -128,7 +133,7 @@ package starlogo.queries.motion
                 inset = Math.min(NARROWER * inset, _mostInset);
                 setInset(inset);
             }
-            while (inset < _mostInset && body.coreTouches(row, place));
+            while (inset < _mostInset && touches(row, place));
             return true;
         }
 
@@ -136,7 +141,7 @@ package starlogo.queries.motion
         {
             _inset = width;
             _place.x = NaN;
-            shrink = shrinkOf(_source, width);
+            shrink = shrinkOf(body.source, width);
         }
 
         /** The core when the body stands at a place. It is valid until the next call. */
@@ -144,14 +149,58 @@ package starlogo.queries.motion
         {
             if (place.x != _place.x || place.y != _place.y || place.z != _place.z)
             {
-                _core.readShrunk(_source, place, shrink);
+                _core.readShrunk(body.source, place, shrink);
                 _place.copyFrom(place);
             }
             return _core;
         }
 
-        /** The part of its size that a body loses with an inset. */
-        public static function shrinkOf(body:Body, inset:Number):Number
+        /** Whether the extents of a body, the whole one or its core, come within a slop of a row's on a motion that ends where it is. */
+        public function isNear(moved:Body, other:Body, motion:RelativeMotion):Boolean
+        {
+            if (other.form == ModelShape.GROUND)
+            {
+                return true;
+            }
+            var x:Number = motion.x / 2;
+            var y:Number = motion.y / 2;
+            var z:Number = motion.z / 2;
+            return Math.abs(moved.x - x - other.x) <= moved.halfX + other.halfX + Math.abs(x) + slop
+                && Math.abs(moved.y - y - other.y) <= moved.halfY + other.halfY + Math.abs(y) + slop
+                && Math.abs(moved.z - z - other.z) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
+        }
+
+        /** Whether the whole body touches a row when it stands at a place. */
+        public function bodyTouches(row:int, place:Vector3D):Boolean
+        {
+            return isNear(body.wholeAt(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
+        }
+
+        /** Whether the core touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
+        public function touches(row:int, place:Vector3D):Boolean
+        {
+            return bodyTouches(row, place) && body.narrowPhase.areTouching(at(place), body.bodyOf(row));
+        }
+
+        /**
+         * Whether the whole body overlaps a row that the core touches. If a concave body has something exactly between two of its sides, the core may
+         * touch that, but the body does not overlap it. So the row is made smaller instead, and must touch the body then. In the ground, a piece of
+         * the body must be deep.
+         */
+        public function bodyOverlaps(row:int, place:Vector3D):Boolean
+        {
+            var other:Body = body.bodyOf(row);
+            var whole:Body = body.wholeAt(place);
+            if (other.form == ModelShape.GROUND)
+            {
+                return body.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
+            }
+            _smaller.readShrunk(other, null, shrinkOf(other, slop));
+            return body.narrowPhase.areTouching(whole, _smaller);
+        }
+
+        // The part of its size that a body loses with an inset.
+        private static function shrinkOf(body:Body, inset:Number):Number
         {
             var taken:Number = inset / Math.max(body.leastHalf, body.largestHalf / SLIMMEST);
             return taken < MOST_SHRINK ? taken : MOST_SHRINK;

@@ -47,11 +47,11 @@ package starlogo.queries.motion
             out.planes.clear();
             out.obstacles.copyFrom(rows);
             out.impact.row = -1;
-            body.beginMotion(rows, from, motion);
-            out.isFree = !hasLength(motion) || findFirstIfFree(body, out.obstacles, from, motion, out.impact);
+            out.core.begin(body, rows, from, motion);
+            out.isFree = !hasLength(motion) || findFirstIfFree(out.core, out.obstacles, from, motion, out.impact);
             if (!out.isFree)
             {
-                _recovery.leaveOverlaps(body, out);
+                _recovery.leaveOverlaps(out);
             }
         }
 
@@ -67,7 +67,6 @@ package starlogo.queries.motion
         {
             findStart(body, rows, from, motion, start);
             out.isDeep = start.planes.count > 0;
-            out.isLifted = !start.place.equals(from);
             out.row = start.isFree ? -1 : findCrossed(start.planes, motion, out.contact);
             if (out.row >= 0)
             {
@@ -76,50 +75,49 @@ package starlogo.queries.motion
             }
             if (!start.isFree)
             {
-                findObstacle(body, start.obstacles, start.place, motion, start.impact);
+                findObstacle(start.core, start.obstacles, start.place, motion, start.impact);
             }
             out.row = start.impact.row;
             out.fraction = 1;
             if (out.row >= 0)
             {
                 out.contact.copyFrom(start.impact.contact);
-                out.fraction = findTouchTime(body, start.place, motion, start.impact);
+                out.fraction = findTouchTime(start.core, start.place, motion, start.impact);
                 setAlong(start.place, motion, start.impact.time, out.corePlace);
             }
         }
 
         /**
-         * Finds which row the core of a body meets first. Of rows with the same <code>comparedTime</code>, the first one in their order counts.
+         * Finds which row a core meets first. Of rows with the same <code>comparedTime</code>, the first one in their order counts.
          *
          * @param from where the motion begins
          * @param out receives the answer
          * @return whether anything is met
          */
-        public function findFirst(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        public function findFirst(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return findFirstOf(body, rows, from, motion, false, out);
+            return findFirstOf(core, rows, from, motion, false, out);
         }
 
         /**
-         * Finds which obstacle the core of a body meets first.
+         * Finds which obstacle a core meets first.
          *
          * @param obstacles the rows that can stop it. One-way rows that the body passes leave the list
          * @param from where the motion begins
          * @param out receives the answer
          */
-        public function findObstacle(body:MovingBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
+        public function findObstacle(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            while (findFirst(body, obstacles, from, motion, out) && body.passes(out.row, out.contact))
+            while (findFirst(core, obstacles, from, motion, out) && core.body.passes(out.row, out.contact))
             {
                 obstacles.remove(out.row);
             }
         }
 
-        /** Whether a row would stop a body on a straight motion. What the body overlaps at the beginning stops it too. */
-        public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
+        /** Whether a row would stop a core on a straight motion. What it overlaps at the beginning stops it too. */
+        public function meets(core:BodyCore, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            body.beginMotion(body.rows, from, motion);
-            return hasLength(motion) && findImpact(body, row, from, motion, false, _met);
+            return hasLength(motion) && findImpact(core, row, from, motion, false, _met);
         }
 
         /**
@@ -129,28 +127,28 @@ package starlogo.queries.motion
          *
          * @param impact how the core meets it
          */
-        public function findTouchTime(body:MovingBody, from:Vector3D, motion:Vector3D, impact:Impact):Number
+        public function findTouchTime(core:BodyCore, from:Vector3D, motion:Vector3D, impact:Impact):Number
         {
             var contact:ContactPoint = impact.contact;
-            var source:Body = body.source;
-            var shrink:Number = body.core.shrink;
+            var source:Body = core.body.source;
+            var shrink:Number = core.shrink;
             var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + source.offsetX + impact.time * motion.x - contact.x)
                     + contact.normalY * (from.y + source.offsetY + impact.time * motion.y - contact.y)
                     + contact.normalZ * (from.z + source.offsetZ + impact.time * motion.z - contact.z));
-            var expected:Number = Math.max(0, Math.min(1, impact.time + recess / impact.along));
+            var expected:Number = Math.max(0, Math.min(1, impact.time + recess / contact.along(motion)));
             if (!(recess < 0))
             {
                 return expected;
             }
-            var whole:Body = body.wholeAt(endOf(from, motion));
-            var other:Body = body.bodyOf(impact.row);
+            var whole:Body = core.body.wholeAt(endOf(from, motion));
+            var other:Body = core.body.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            body.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
+            core.body.narrowPhase.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
             return Math.abs(_relative.time - expected) <= expected - impact.time ? _relative.time : impact.time;
         }
 
-        // Sets the place at a time of a motion.
-        private static function setAlong(from:Vector3D, motion:Vector3D, time:Number, out:Vector3D):void
+        /** Sets the place at a time of a motion. */
+        public static function setAlong(from:Vector3D, motion:Vector3D, time:Number, out:Vector3D):void
         {
             out.setTo(from.x + time * motion.x, from.y + time * motion.y, from.z + time * motion.z);
         }
@@ -162,19 +160,19 @@ package starlogo.queries.motion
 
         // Finds what stops the core first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies are not decided here,
         // nor motions that a one-way obstacle may stop first. Returns whether the core certainly overlaps nothing.
-        private function findFirstIfFree(body:MovingBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        private function findFirstIfFree(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return !body.core.isFlat && (!findFirstOf(body, obstacles, from, motion, true, out) || out.time > 0 && !body.isOneWay(out.row));
+            return !core.isFlat && (!findFirstOf(core, obstacles, from, motion, true, out) || out.time > 0 && !core.body.isOneWay(out.row));
         }
 
         // See findFirst. If insides count, a row stops the core at the beginning if it is inside of the row there, or has the row inside.
-        private function findFirstOf(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
+        private function findFirstOf(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
         {
             out.row = -1;
             out.time = out.comparedTime = RelativeMotion.NEVER;
             for (var i:int = 0; i < rows.count && out.comparedTime > 0; i++)
             {
-                if (findImpact(body, rows.numbers[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
+                if (findImpact(core, rows.numbers[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
                 {
                     out.copyFrom(_met);
                 }
@@ -205,26 +203,26 @@ package starlogo.queries.motion
         // Finds when and how a row stops the core. If the first contact does not point against the motion, the core leaves there what it touches. At the same
         // time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on. A flat core may be past a
         // sheet there, so it is not swept again. Returns whether the row stops it.
-        private function findImpact(body:MovingBody, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
+        private function findImpact(core:BodyCore, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
         {
             var end:Vector3D = endOf(from, motion);
             var contact:ContactPoint = out.contact;
             _relative.endAfter(motion.x, motion.y, motion.z);
-            if (!sweepCore(body, row, from, end, countsInside, _relative, contact))
+            if (!sweepCore(core, row, from, end, countsInside, _relative, contact))
             {
                 return false;
             }
             var length:Number = motion.length;
-            var clearanceTime:Number = body.core.clearance / length;
+            var clearanceTime:Number = core.clearance / length;
             var against:Number = -SlideRest.PARALLEL_SINE * length;
             out.time = _relative.time;
-            if (out.time > 0 && !(contact.along(motion) < against) && !body.core.isFlat)
+            if (out.time > 0 && !(contact.along(motion) < against) && !core.isFlat)
             {
                 var beyond:Number = Math.min(1, out.time + clearanceTime);
                 var rest:Number = 1 - beyond;
                 setAlong(from, motion, beyond, _beyond);
                 _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-                if (!sweepCore(body, row, _beyond, end, false, _relative, contact))
+                if (!sweepCore(core, row, _beyond, end, false, _relative, contact))
                 {
                     return false;
                 }
@@ -232,38 +230,36 @@ package starlogo.queries.motion
             }
             out.row = row;
             out.comparedTime = out.time;
-            out.along = contact.along(motion);
-            out.isNormalFallback = !(out.along < against);
+            out.isNormalFallback = !(contact.along(motion) < against);
             if (out.isNormalFallback)
             {
                 contact.setNormal(-motion.x, -motion.y, -motion.z);
                 contact.normalise();
-                out.along = -length;
                 out.comparedTime = out.time > 0 ? out.time + clearanceTime : 0;
             }
             return true;
         }
 
         // Finds when and how the core first meets a row on a motion, which receives the time. Returns whether it meets the row.
-        private static function sweepCore(body:MovingBody, row:int, from:Vector3D, end:Vector3D, countsInside:Boolean, motion:RelativeMotion,
+        private static function sweepCore(core:BodyCore, row:int, from:Vector3D, end:Vector3D, countsInside:Boolean, motion:RelativeMotion,
                 out:ContactPoint):Boolean
         {
-            var core:Body = body.core.at(end);
-            var other:Body = body.bodyOf(row);
+            var moved:Body = core.at(end);
+            var other:Body = core.body.bodyOf(row);
             var isInside:Boolean = false;
             motion.time = RelativeMotion.NEVER;
-            if (body.isNear(core, other, motion))
+            if (core.isNear(moved, other, motion))
             {
-                var tests:PairTests = body.pairTestsFor(core, other);
+                var tests:PairTests = core.body.narrowPhase.pairTestsFor(moved, other);
                 if (countsInside)
                 {
-                    isInside = tests.findEntry(core, other, motion, out);
+                    isInside = tests.findEntry(moved, other, motion, out);
                 }
                 else
                 {
-                    tests.findImpact(core, other, motion, out);
+                    tests.findImpact(moved, other, motion, out);
                     // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-                    isInside = motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND && tests.areTouching(body.core.at(from), other);
+                    isInside = motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND && tests.areTouching(core.at(from), other);
                 }
             }
             if (isInside)

@@ -25,9 +25,6 @@ package starlogo.queries.motion
         /** The contact of the core at <code>time</code>. Its normal points against the motion. */
         public var contact:ContactPoint = new ContactPoint();
 
-        /** How far the motion goes along the contact's normal, less than 0. */
-        public var along:Number = 0;
-
         /** Whether no contact points against the motion. Then the normal is the opposite of the motion. */
         public var isNormalFallback:Boolean = false;
 
@@ -38,7 +35,6 @@ package starlogo.queries.motion
             time = other.time;
             comparedTime = other.comparedTime;
             contact.copyFrom(other.contact);
-            along = other.along;
             isNormalFallback = other.isNormalFallback;
         }
     }

@@ -29,9 +29,6 @@ package starlogo.queries.motion
         /** Whether it started in an overlap that it could not be lifted out of. */
         public var isDeep:Boolean = false;
 
-        /** Whether it started with a lift out of a row. */
-        public var isLifted:Boolean = false;
-
         /** Becomes a copy of another result. */
         public function copyFrom(other:MotionResult):void
         {
@@ -41,7 +38,6 @@ package starlogo.queries.motion
             row = other.row;
             contact.copyFrom(other.contact);
             isDeep = other.isDeep;
-            isLifted = other.isLifted;
         }
     }
 }

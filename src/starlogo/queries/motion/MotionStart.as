@@ -11,6 +11,9 @@ package starlogo.queries.motion
      */
     public final class MotionStart
     {
+        /** The core of the body on this motion, and the motion's tolerances. */
+        public var core:BodyCore = new BodyCore();
+
         /** The place of the body. It differs from where the motion should start if the body was lifted out of something. */
         public var place:Vector3D = new Vector3D();
 

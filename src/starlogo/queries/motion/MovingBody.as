@@ -1,8 +1,10 @@
-// This folder moves a body among the rows of a table. A MovingBody is what moves. Its BodyCore is the same body, smaller by a slop. CoreSweep finds what
-// the core meets, so the body may touch what it stands on or runs along. CoreSweep.findStart() starts every motion; OverlapRecovery frees the body there.
-// Three classes end it: TouchSweep in the touch of a row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the
-// body meets (SlideRest); WalkMover makes a walk of slides and straight motions, and Foothold says where an agent can stand. The other files are records
-// and a list. Read this file first, then CoreSweep.findStart(), TouchSweep, Slider and WalkMover.go().
+// This folder moves a body among the rows of a table. A MovingBody is what moves. Three classes say where its motions end: TouchSweep in the touch of a
+// row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the body meets (SlideRest); WalkMover makes a walk of
+// slides and straight motions. Read this file first, then BodyCore, CoreSweep.findStart(), TouchSweep, Slider and WalkMover.go().
+// Core: the body, but smaller by a slop (BodyCore). Only what the core meets stops the body, so the body may touch what it stands on or runs along.
+// Shallow overlap: one that can come from rounding in the game. A motion begins with a lift out of those (OverlapRecovery).
+// Plane: it stands for a row that the body overlaps deeply, or has met on a slide. The motion must not cross it.
+// Obstacles: the rows that can stop a motion. Rows with a plane for a deep overlap are none, nor one-way rows that the body passes.
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
@@ -18,13 +20,14 @@ package starlogo.queries.motion
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.NarrowPhase;
     import starlogo.search.pairs.PairTests;
 
     use namespace engine;
 
     /**
-     * A body that moves, and the rows near its way. It tells whether the body or its core touches a row, and how the body overlaps it, at the places that
-     * a motion tries. The classes that move it know rows only through it.
+     * A body that moves, and the rows near its way. It tells whether the body touches a row, and how it overlaps the row, at the places that a motion
+     * tries. The classes that move it know rows only through it.
      *
      * @private
      */
@@ -45,24 +48,19 @@ package starlogo.queries.motion
         /** Where it begins. Read only. */
         public var from:Vector3D = new Vector3D();
 
-        /** Its core, and the tolerances of its present motion. Read only. */
-        public var core:BodyCore;
-
         private var _seen:SeenAgents;
 
         // Finds the rows near its way.
         private var _search:SweptBoxSearch = new SweptBoxSearch();
 
-        // The body at the place of its last test, a smaller copy of a row's body, and the contact with a one-way row.
+        // The body at the place of its last test, and the contact with a one-way row.
         private var _whole:Body = new Body();
-        private var _smaller:Body = new Body();
         private var _contact:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows, and decides which of them touch */
         public function MovingBody(seen:SeenAgents)
         {
             _seen = seen;
-            core = new BodyCore(source);
         }
 
         /**
@@ -137,14 +135,9 @@ package starlogo.queries.motion
          */
         public function findRowsAlong(dx:Number, dy:Number, dz:Number, asker:Agent, filter:AgentFilter):void
         {
-            var found:Collector = _seen.ask(Collector.ALL, 1, asker, filter);
-            rows.count = 0;
-            if (hasShape)
-            {
-                _search.beginAround(_seen.treeOfExtents(), source);
-                _search.moveAlong(dx, dy, dz, 1);
-                found.listRows(_search, rows);
-            }
+            _search.beginAround(_seen.treeOfExtents(), source);
+            _search.moveAlong(dx, dy, dz, 1);
+            listFound(asker, filter);
         }
 
         /**
@@ -158,20 +151,20 @@ package starlogo.queries.motion
          */
         public function findRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
         {
+            _search.beginAround(_seen.treeOfExtents(), source);
+            _search.widen(range, up, down);
+            listFound(asker, filter);
+        }
+
+        // Lists the rows of the search. Without a shape there are none.
+        private function listFound(asker:Agent, filter:AgentFilter):void
+        {
             var found:Collector = _seen.ask(Collector.ALL, 1, asker, filter);
             rows.count = 0;
             if (hasShape)
             {
-                _search.beginAround(_seen.treeOfExtents(), source);
-                _search.widen(range, up, down);
                 found.listRows(_search, rows);
             }
-        }
-
-        /** Begins a motion, with the core and the tolerances that it needs. @param among the rows that may be in its way */
-        public function beginMotion(among:IntList, from:Vector3D, motion:Vector3D):void
-        {
-            core.begin(_seen.table, among, from, motion);
         }
 
         /** The body of a row. */
@@ -180,10 +173,10 @@ package starlogo.queries.motion
             return _seen.table.bodyOf(row);
         }
 
-        /** The tests for two bodies: see NarrowPhase. */
-        public function pairTestsFor(own:Body, other:Body):PairTests
+        /** The tests of two bodies. */
+        public function get narrowPhase():NarrowPhase
         {
-            return _seen.table.narrowPhase.pairTestsFor(own, other);
+            return _seen.table.narrowPhase;
         }
 
         /** The whole body at a place. It is valid until the next call. */
@@ -196,13 +189,7 @@ package starlogo.queries.motion
         /** Whether the whole body touches a row when it stands at a place. */
         public function touches(row:int, place:Vector3D):Boolean
         {
-            return areTouching(wholeAt(place), bodyOf(row));
-        }
-
-        /** Whether the core touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
-        public function coreTouches(row:int, place:Vector3D):Boolean
-        {
-            return touches(row, place) && _seen.table.narrowPhase.areTouching(core.at(place), bodyOf(row));
+            return narrowPhase.areTouching(wholeAt(place), bodyOf(row));
         }
 
         /** Whether a row stops only what comes from above. See Agent.isOneWay. */
@@ -215,28 +202,6 @@ package starlogo.queries.motion
         public function passes(row:int, contact:ContactPoint):Boolean
         {
             return isOneWay(row) && contact.normalZ < UPWARDS;
-        }
-
-        /** Whether the extents of a body, this or its core, come within a slop of another's on a motion that ends where it is. */
-        public function isNear(moved:Body, other:Body, motion:RelativeMotion):Boolean
-        {
-            if (other.form == ModelShape.GROUND)
-            {
-                return true;
-            }
-            var slop:Number = core.slop;
-            var x:Number = motion.x / 2;
-            var y:Number = motion.y / 2;
-            var z:Number = motion.z / 2;
-            return Math.abs(moved.x - x - other.x) <= moved.halfX + other.halfX + Math.abs(x) + slop
-                && Math.abs(moved.y - y - other.y) <= moved.halfY + other.halfY + Math.abs(y) + slop
-                && Math.abs(moved.z - z - other.z) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
-        }
-
-        // Whether the whole body, where it was placed, touches another.
-        private function areTouching(whole:Body, other:Body):Boolean
-        {
-            return isNear(whole, other, RelativeMotion.NONE) && _seen.table.narrowPhase.areTouching(whole, other);
         }
 
         /** The larger extent of the body and another. The ground's extents are those of a cell, and do not count. */
@@ -253,10 +218,11 @@ package starlogo.queries.motion
         public function findContact(row:int, place:Vector3D, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            pairTestsFor(source, other).findContactOfParts(wholeAt(place), other, RelativeMotion.NONE, out);
+            var tests:PairTests = narrowPhase.pairTestsFor(source, other);
+            tests.findContactOfParts(wholeAt(place), other, RelativeMotion.NONE, out);
             if (!isShallow(row, out))
             {
-                pairTestsFor(source, other).separate(_whole, other, RelativeMotion.NONE, out);
+                tests.separate(_whole, other, RelativeMotion.NONE, out);
             }
         }
 
@@ -264,31 +230,15 @@ package starlogo.queries.motion
         public function findSeparatingContact(row:int, place:Vector3D, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            pairTestsFor(source, other).findContactOfParts(wholeAt(place), other, RelativeMotion.NONE, out);
-            pairTestsFor(source, other).separate(_whole, other, RelativeMotion.NONE, out);
+            var tests:PairTests = narrowPhase.pairTestsFor(source, other);
+            tests.findContactOfParts(wholeAt(place), other, RelativeMotion.NONE, out);
+            tests.separate(_whole, other, RelativeMotion.NONE, out);
         }
 
         /** Whether a contact with a row is so shallow that rounding in the game can be the cause. */
         public function isShallow(row:int, contact:ContactPoint):Boolean
         {
             return contact.depth <= BodyCore.SHALLOW * extentWith(bodyOf(row));
-        }
-
-        /**
-         * Whether the whole body overlaps a row that its core touches. If a concave body has something exactly between two of its sides, its core may
-         * touch that, but the body does not overlap it. So the row is made smaller instead, and must touch the body then. In the ground, a piece of
-         * the body must be deep.
-         */
-        public function overlaps(row:int, place:Vector3D):Boolean
-        {
-            var other:Body = bodyOf(row);
-            var whole:Body = wholeAt(place);
-            if (other.form == ModelShape.GROUND)
-            {
-                return _seen.table.narrowPhase.groundTestsOf(other).isDeeper(whole, other, core.slop);
-            }
-            _smaller.readShrunk(other, null, BodyCore.shrinkOf(other, core.slop));
-            return areTouching(whole, _smaller);
         }
 
         /** Whether the body passes a row that its core touches, because the row is one-way, and the body does not rest on it. */

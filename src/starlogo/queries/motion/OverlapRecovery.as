@@ -30,6 +30,9 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
+        // The core of a body that stands, with its tolerances.
+        private var _core:BodyCore = new BodyCore();
+
         // Where the pushes begin.
         private var _before:Vector3D = new Vector3D();
 
@@ -47,26 +50,33 @@ package starlogo.queries.motion
          * @param start how the motion starts. It receives the planes of deep overlaps. Obstacles for which a plane stands are none from then on. The
          *     place changes if the body is lifted
          */
-        public function leaveOverlaps(body:MovingBody, start:MotionStart):void
+        public function leaveOverlaps(start:MotionStart):void
         {
-            if (replaceObstacles(body, start, false) && !lift(body, start))
+            if (replaceObstacles(start, false) && !lift(start))
             {
-                replaceObstacles(body, start, true);
+                replaceObstacles(start, true);
             }
-            if (body.core.isFlat && start.planes.count == 0)
+            if (start.core.isFlat && start.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                restoreClearance(body, start.obstacles, start.place);
+                pushOff(start.core, start.obstacles, start.place);
             }
         }
 
         /**
-         * Leads a body a clearance of its last motion off the rows that it touches, if there is room. A flat body is led also off those that it is close
-         * to. Rows that it overlaps deeply do not count, nor one-way rows that it passes.
+         * Leads a body that stands a clearance off the rows that it touches, if there is room. A flat body is led also off those that it is close to. Rows
+         * that it overlaps deeply do not count, nor one-way rows that it passes.
          *
          * @param place the place of the body, which changes
          */
         public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
+        {
+            _core.beginStanding(body, rows, place);
+            pushOff(_core, rows, place);
+        }
+
+        // Leads a body a clearance off the rows that it touches: see restoreClearance.
+        private function pushOff(core:BodyCore, rows:IntList, place:Vector3D):void
         {
             var isFree:Boolean = false;
             var canPush:Boolean = true;
@@ -77,7 +87,7 @@ package starlogo.queries.motion
                 isFree = true;
                 for (var i:int = 0; i < rows.count && canPush; i++)
                 {
-                    if (findPushOff(body, rows.numbers[i], place, round, _last, _contact))
+                    if (findPushOff(core, rows.numbers[i], place, round, _last, _contact))
                     {
                         isFree = false;
                         canPush = !areOpposite(_contact, _last);
@@ -93,8 +103,9 @@ package starlogo.queries.motion
         }
 
         // Lifts a body out of one obstacle after the other until its core overlaps none. Returns whether it gets free. If not, it is where it was.
-        private function lift(body:MovingBody, start:MotionStart):Boolean
+        private function lift(start:MotionStart):Boolean
         {
+            var body:MovingBody = start.core.body;
             var isFree:Boolean = false;
             var canLift:Boolean = true;
             _before.copyFrom(start.place);
@@ -105,12 +116,12 @@ package starlogo.queries.motion
                 for (var i:int = 0; i < start.obstacles.count && canLift; i++)
                 {
                     var row:int = start.obstacles.numbers[i];
-                    if (body.coreTouches(row, start.place))
+                    if (start.core.touches(row, start.place))
                     {
                         findContactInRound(body, row, start.place, round, _last, _contact);
                         isFree = false;
                         canLift = body.isShallow(row, _contact) && !areOpposite(_contact, _last);
-                        _contact.push(start.place, _contact.depth + body.core.clearance);
+                        _contact.push(start.place, _contact.depth + start.core.clearance);
                         _last.copyFrom(_contact);
                         start.lifted.add(_contact, row);
                     }
@@ -124,77 +135,75 @@ package starlogo.queries.motion
             return isFree;
         }
 
-        // Lets planes stand for obstacles that the core overlaps: only if the overlap is deep, or in any case. One-way obstacles that the body passes leave
-        // too. Returns whether obstacles are left that the core overlapped.
-        private function replaceObstacles(body:MovingBody, start:MotionStart, inAnyCase:Boolean):Boolean
+        // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. One-way obstacles that the
+        // body passes leave too. Returns whether obstacles are left that the core overlapped.
+        private function replaceObstacles(start:MotionStart, alsoShallow:Boolean):Boolean
         {
+            var body:MovingBody = start.core.body;
             var obstacles:IntList = start.obstacles;
             var isLeft:Boolean = false;
-            var kept:int = 0;
-            for (var i:int = 0; i < obstacles.count; i++)
+            var i:int = 0;
+            while (i < obstacles.count)
             {
                 var row:int = obstacles.numbers[i];
-                if (body.coreTouches(row, start.place))
+                var isOverlapped:Boolean = start.core.touches(row, start.place);
+                if (isOverlapped && (body.passesAt(row, start.place) || (findOverlap(body, row, start.place, alsoShallow, _contact) && addPlane(row, start, _contact))))
                 {
-                    if (body.passesAt(row, start.place) || replaceObstacle(body, row, start, inAnyCase, _contact))
-                    {
-                        continue;
-                    }
-                    isLeft = true;
+                    obstacles.remove(row);
                 }
-                obstacles.numbers[kept] = row;
-                kept++;
+                else
+                {
+                    isLeft ||= isOverlapped;
+                    i++;
+                }
             }
-            obstacles.count = kept;
             return isLeft;
         }
 
-        // Lets a plane stand for a row that the core overlaps, if the overlap is deep, or in any case. First the core becomes narrower, for the whole motion.
-        // If it is free of the row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether a
-        // plane stands.
-        private static function replaceObstacle(body:MovingBody, row:int, start:MotionStart, inAnyCase:Boolean, contact:ContactPoint):Boolean
+        // Finds the contact of an overlap. Returns whether it counts.
+        private static function findOverlap(body:MovingBody, row:int, place:Vector3D, alsoShallow:Boolean, out:ContactPoint):Boolean
         {
-            if (inAnyCase)
+            if (alsoShallow)
             {
-                body.findSeparatingContact(row, start.place, contact);
+                body.findSeparatingContact(row, place, out);
+                return true;
             }
-            else
-            {
-                body.findContact(row, start.place, contact);
-                if (body.isShallow(row, contact))
-                {
-                    return false;
-                }
-            }
-            var isFree:Boolean = body.core.narrow(body, row, start.place);
-            if (isFree || !body.overlaps(row, start.place))
+            body.findContact(row, place, out);
+            return !body.isShallow(row, out);
+        }
+
+        // Lets a plane stand for a row that the core overlaps, if it is needed. First the core becomes narrower, for the whole motion. If it is free of the
+        // row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether the plane stands.
+        private static function addPlane(row:int, start:MotionStart, contact:ContactPoint):Boolean
+        {
+            if (start.core.narrow(row, start.place) || !start.core.bodyOverlaps(row, start.place))
             {
                 return false;
             }
             start.planes.add(contact, row);
-            body.warnIfInside(row, contact);
+            start.core.body.warnIfInside(row, contact);
             return true;
         }
 
         // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
         // row deeply, or passes it.
-        private function findPushOff(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
+        private function findPushOff(core:BodyCore, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
         {
+            var body:MovingBody = core.body;
             // mostly it is known faster that the core touches the row than how deep the overlap is
-            if (!findTouchingPlace(body, row, place, _touching) || body.passesAt(row, _touching)
-                    || (!body.core.isFlat && body.coreTouches(row, place)))
+            if (!findTouchingPlace(core, row, place, _touching) || body.passesAt(row, _touching) || (!core.isFlat && core.touches(row, place)))
             {
                 return false;
             }
             findContactInRound(body, row, _touching, round, last, out);
-            var most:Number = SLOPS_OF_TOUCH * body.core.slop;
+            var most:Number = SLOPS_OF_TOUCH * core.slop;
             if (out.depth > most && !body.isShallow(row, out))
             {
                 return false;
             }
             _beside.copyFrom(place);
             _beside.decrementBy(_touching);
-            out.depth = Math.min(out.depth, most) + body.core.clearance - out.along(_beside);
+            out.depth = Math.min(out.depth, most) + core.clearance - out.along(_beside);
             return true;
         }
 
@@ -219,17 +228,17 @@ package starlogo.queries.motion
 
         // Finds where the body touches a row: at its place, or if it is flat, half of a clearance beside its place along an axis. Returns whether it
         // touches the row at one of these.
-        private static function findTouchingPlace(body:MovingBody, row:int, place:Vector3D, touching:Vector3D):Boolean
+        private static function findTouchingPlace(core:BodyCore, row:int, place:Vector3D, touching:Vector3D):Boolean
         {
-            if (touchesAt(body, row, place, 0, 0, 0, touching))
+            if (touchesAt(core, row, place, 0, 0, 0, touching))
             {
                 return true;
             }
-            var side:Number = -body.core.clearance / 2;
-            for (var i:int = 0; i < 2 && body.core.isFlat; i++)
+            var side:Number = -core.clearance / 2;
+            for (var i:int = 0; i < 2 && core.isFlat; i++)
             {
-                if (touchesAt(body, row, place, 0, 0, side, touching) || touchesAt(body, row, place, 0, side, 0, touching)
-                        || touchesAt(body, row, place, side, 0, 0, touching))
+                if (touchesAt(core, row, place, 0, 0, side, touching) || touchesAt(core, row, place, 0, side, 0, touching)
+                        || touchesAt(core, row, place, side, 0, 0, touching))
                 {
                     return true;
                 }
@@ -239,10 +248,10 @@ package starlogo.queries.motion
         }
 
         // Sets the touching place to a place moved by x, y and z. Returns whether the body touches a row there.
-        private static function touchesAt(body:MovingBody, row:int, place:Vector3D, x:Number, y:Number, z:Number, touching:Vector3D):Boolean
+        private static function touchesAt(core:BodyCore, row:int, place:Vector3D, x:Number, y:Number, z:Number, touching:Vector3D):Boolean
         {
             touching.setTo(place.x + x, place.y + y, place.z + z);
-            return body.touches(row, touching);
+            return core.bodyTouches(row, touching);
         }
     }
 }

@@ -39,6 +39,7 @@ package starlogo.queries.motion
          */
         public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
         {
+            var core:BodyCore = _start.core;
             var planes:ContactList = _start.planes;
             var impact:Impact = _start.impact;
             out.metWall = false;
@@ -52,36 +53,27 @@ package starlogo.queries.motion
                 _rest.beginCorner();
                 if (limits.staysLevel)
                 {
-                    standUpPlanes(planes, _rest);
+                    makePlanesUpright(planes, _rest);
                 }
                 _rest.project(planes);
-                findNext(body, out.place, _rest.motion, _start);
+                findNext(out.place, _rest.motion, _start);
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = planes.count;
             for (var contacts:int = 0; contacts < MOST_CONTACTS && impact.row >= 0; contacts++)
             {
-                if (!isInCorner(body, impact, _rest.motion))
+                if (!isInCorner(core, impact, _rest.motion))
                 {
                     _rest.beginCorner();
                     corner = planes.count;
                 }
-                var touchTime:Number = _sweep.findTouchTime(body, out.place, _rest.motion, impact);
-                _rest.advance(out.place, Math.max(touchTime + body.core.clearance / impact.along, 0));
-                noteFloor(impact, out);
-                if (impact.contact.normalZ < limits.walkableZ)
-                {
-                    out.metWall = true;
-                    standUp(impact.contact, _rest);
-                }
-                else if (limits.walkableZ > 0)
-                {
-                    _rest.climb(impact.contact);
-                }
+                var touchTime:Number = _sweep.findTouchTime(core, out.place, _rest.motion, impact);
+                _rest.advance(out.place, Math.max(touchTime + core.clearance / impact.contact.along(_rest.motion), 0));
+                takeContact(impact, limits, _rest, out);
                 var newest:int = planes.add(impact.contact, impact.row);
-                dropNeedless(body, out.place, planes, corner, newest);
+                dropNeedless(out.place, _start, corner, newest);
                 _rest.project(planes);
-                findNext(body, out.place, _rest.motion, _start);
+                findNext(out.place, _rest.motion, _start);
             }
             if (impact.row < 0)
             {
@@ -105,18 +97,17 @@ package starlogo.queries.motion
             var fraction:Number = 1;
             if (out.row >= 0)
             {
-                fraction = Math.max(out.fraction + body.core.clearance / out.contact.along(motion), 0);
+                fraction = Math.max(out.fraction + _start.core.clearance / out.contact.along(motion), 0);
             }
-            var start:Vector3D = _start.place;
-            out.place.setTo(start.x + fraction * motion.x, start.y + fraction * motion.y, start.z + fraction * motion.z);
+            CoreSweep.setAlong(_start.place, motion, fraction, out.place);
         }
 
         // Finds what stops the rest of a motion next.
-        private function findNext(body:MovingBody, place:Vector3D, rest:Vector3D, out:MotionStart):void
+        private function findNext(place:Vector3D, rest:Vector3D, out:MotionStart):void
         {
             if (rest.lengthSquared > 0)
             {
-                _sweep.findObstacle(body, out.obstacles, place, rest, out.impact);
+                _sweep.findObstacle(out.core, out.obstacles, place, rest, out.impact);
             }
             else
             {
@@ -124,19 +115,29 @@ package starlogo.queries.motion
             }
         }
 
-        // Keeps the most level surface that a slide has met.
-        private static function noteFloor(impact:Impact, out:SlideResult):void
+        // Notes what a slide meets: the most level surface is its floor. What is too steep becomes an upright wall. The rest climbs what is not.
+        private static function takeContact(impact:Impact, limits:SlideLimits, rest:SlideRest, out:SlideResult):void
         {
-            if (!impact.isNormalFallback && (out.floorRow < 0 || impact.contact.normalZ > out.floor.normalZ))
+            var contact:ContactPoint = impact.contact;
+            if (!impact.isNormalFallback && (out.floorRow < 0 || contact.normalZ > out.floor.normalZ))
             {
-                out.floor.copyFrom(impact.contact);
+                out.floor.copyFrom(contact);
                 out.floorRow = impact.row;
+            }
+            if (contact.normalZ < limits.walkableZ)
+            {
+                out.metWall = true;
+                makeUpright(contact, rest);
+            }
+            else if (limits.walkableZ > 0)
+            {
+                rest.climb(contact);
             }
         }
 
         // Turns a contact that is too steep into an upright wall. The rest of the motion becomes level, because the slope would stop a motion up
         // or down.
-        private static function standUp(contact:ContactPoint, rest:SlideRest):void
+        private static function makeUpright(contact:ContactPoint, rest:SlideRest):void
         {
             if (contact.normalX * contact.normalX + contact.normalY * contact.normalY > VERTICAL_NORMAL)
             {
@@ -147,13 +148,13 @@ package starlogo.queries.motion
         }
 
         // Turns the planes of what the body overlaps into upright walls, except of level floors and ceilings.
-        private static function standUpPlanes(planes:ContactList, rest:SlideRest):void
+        private static function makePlanesUpright(planes:ContactList, rest:SlideRest):void
         {
             for (var i:int = 0; i < planes.count; i++)
             {
                 if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.LEVEL_Z)
                 {
-                    standUp(planes.contacts[i], rest);
+                    makeUpright(planes.contacts[i], rest);
                 }
             }
         }
@@ -161,32 +162,32 @@ package starlogo.queries.motion
         // Removes planes of this corner that are not needed, but not the newest. At the edges of tiles, a contact's plane may belong to a side that the
         // next tile hides. A plane is removed if the motion meets nothing in this corner without it. The rest of the motion has to be projected again
         // afterwards.
-        private function dropNeedless(body:MovingBody, place:Vector3D, planes:ContactList, corner:int, newest:int):void
+        private function dropNeedless(place:Vector3D, start:MotionStart, corner:int, newest:int):void
         {
-            for (var i:int = planes.count - 1; i >= corner; i--)
+            for (var i:int = start.planes.count - 1; i >= corner; i--)
             {
                 if (i != newest)
                 {
-                    _rest.project(planes, i);
-                    if (_rest.motion.lengthSquared > 0 && !meetsInCorner(body, place, _rest.motion))
+                    _rest.project(start.planes, i);
+                    if (_rest.motion.lengthSquared > 0 && !meetsInCorner(start, place, _rest.motion))
                     {
-                        planes.remove(i);
+                        start.planes.remove(i);
                     }
                 }
             }
         }
 
         // Whether a motion from this corner is stopped in it.
-        private function meetsInCorner(body:MovingBody, place:Vector3D, motion:Vector3D):Boolean
+        private function meetsInCorner(start:MotionStart, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.findFirst(body, _start.obstacles, place, motion, _without) && isInCorner(body, _without, motion)
-                && !body.passes(_without.row, _without.contact);
+            return _sweep.findFirst(start.core, start.obstacles, place, motion, _without) && isInCorner(start.core, _without, motion)
+                && !start.core.body.passes(_without.row, _without.contact);
         }
 
         // Whether what a motion meets first is met in the corner where it begins.
-        private static function isInCorner(body:MovingBody, impact:Impact, motion:Vector3D):Boolean
+        private static function isInCorner(core:BodyCore, impact:Impact, motion:Vector3D):Boolean
         {
-            return impact.time * motion.length < SAME_CORNER * body.core.slop;
+            return impact.time * motion.length < SAME_CORNER * core.slop;
         }
     }
 }

@@ -50,8 +50,9 @@ package starlogo.queries.motion
          * @param motion the whole motion
          * @param common how it starts among all rows
          * @param out receives the answer. Rounding may hide the touch at its place: see <code>goIntoTouch()</code>
+         * @return whether the start among all rows may change the answer: if the row alone lifts the body, or stops it at once in a shallow overlap
          */
-        public function findTouch(body:MovingBody, row:int, motion:Vector3D, common:MotionStart, out:MotionResult):void
+        public function findTouch(body:MovingBody, row:int, motion:Vector3D, common:MotionStart, out:MotionResult):Boolean
         {
             _rows.count = 0;
             _rows.add(row);
@@ -63,17 +64,22 @@ package starlogo.queries.motion
             else if (!out.isDeep)
             {
                 out.contact.depth = 0;
-                leaveOutLift(body, motion, _start, out);
+                leaveOutLift(motion, _start, out);
             }
-            setEnd(body, motion, out.fraction, common.lifted, out.place);
-            pushBack(body, _start.lifted, out.place);
+            setEnd(body.from, motion, out.fraction, common, out.place);
+            pushBack(body.from, _start, out.place);
+            return !_start.place.equals(common.place) || (out.fraction == 0 && !out.isDeep);
         }
 
-        /** Finds where a motion of a body from <code>body.from</code> ends that no row stops. @param common how it starts among all rows */
-        public function findFreeEnd(body:MovingBody, motion:Vector3D, common:MotionStart, out:Vector3D):void
+        /**
+         * Sets where a fraction of a motion ends without lifts, but no deeper in what the body was lifted out of.
+         *
+         * @param common how the motion starts among all rows
+         */
+        public function setEnd(from:Vector3D, motion:Vector3D, fraction:Number, common:MotionStart, out:Vector3D):void
         {
-            body.beginMotion(body.rows, body.from, motion);
-            setEnd(body, motion, 1, common.lifted, out);
+            CoreSweep.setAlong(from, motion, fraction, out);
+            pushBack(from, common, out);
         }
 
         /**
@@ -122,38 +128,30 @@ package starlogo.queries.motion
         }
 
         // Takes the lift out of a time of touch: without it the body would have touched earlier.
-        private static function leaveOutLift(body:MovingBody, motion:Vector3D, start:MotionStart, out:MotionResult):void
+        private static function leaveOutLift(motion:Vector3D, start:MotionStart, out:MotionResult):void
         {
-            var from:Vector3D = body.from;
+            var from:Vector3D = start.core.body.from;
             var contact:ContactPoint = out.contact;
             var lift:Number = contact.normalX * (start.place.x - from.x) + contact.normalY * (start.place.y - from.y)
                 + contact.normalZ * (start.place.z - from.z);
-            out.fraction = Math.max(0, Math.min(1, out.fraction + lift / start.impact.along));
-            if (-out.fraction * start.impact.along < body.core.slop && body.touches(out.row, from))
+            var along:Number = contact.along(motion);
+            out.fraction = Math.max(0, Math.min(1, out.fraction + lift / along));
+            if (-out.fraction * along < start.core.slop && start.core.bodyTouches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
                 out.fraction = 0;
             }
         }
 
-        // Sets where a fraction of the motion ends without lifts, but no deeper in what the body was lifted out of.
-        private static function setEnd(body:MovingBody, motion:Vector3D, fraction:Number, lifted:ContactList, out:Vector3D):void
-        {
-            var from:Vector3D = body.from;
-            out.setTo(from.x + fraction * motion.x, from.y + fraction * motion.y, from.z + fraction * motion.z);
-            pushBack(body, lifted, out);
-        }
-
-        // Pushes a place back where a body from <code>body.from</code> is deeper in what it was lifted out of. Without this, motions that are shorter than
+        // Pushes a place back where a body is deeper than it was at the beginning in what it was lifted out of. Without this, motions that are shorter than
         // the clearance of a lift would lead deeper each time.
-        private static function pushBack(body:MovingBody, lifted:ContactList, place:Vector3D):void
+        private static function pushBack(from:Vector3D, start:MotionStart, place:Vector3D):void
         {
-            var from:Vector3D = body.from;
-            for (var i:int = 0; i < lifted.count; i++)
+            for (var i:int = 0; i < start.lifted.count; i++)
             {
-                var contact:ContactPoint = lifted.contacts[i];
+                var contact:ContactPoint = start.lifted.contacts[i];
                 var deeper:Number = contact.normalX * (from.x - place.x) + contact.normalY * (from.y - place.y) + contact.normalZ * (from.z - place.z);
-                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * body.core.slop)
+                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * start.core.slop)
                 {
                     contact.push(place, deeper);
                 }

@@ -28,23 +28,23 @@ package starlogo.queries.motion
         public var piece:Vector3D = new Vector3D();
         public var pieceLength:Number = 0;
 
-        /** How far the agent may come. */
-        public var range:Number = 0;
-
         /** The least z of the normal of a surface that is not too steep to stand on. */
         public var walkableZ:Number = 1;
 
         /** The agent stands on ground that is at most this far below it. */
         public var closeDepth:Number = 0;
 
-        /** How a platform carries the agent: the motion, and the turn in degrees. */
+        /** The row of the platform that carries the agent; -1 if none does. */
+        public var platform:int = -1;
+
+        /** How the platform carries the agent: the motion, and the turn in degrees. */
         public var carry:Vector3D = new Vector3D();
         public var turn:Number = 0;
 
-        /** Where the present piece begins. The WalkMover sets it. */
+        /** Where the present piece begins. */
         public var start:Vector3D = new Vector3D();
 
-        /** Where the agent is now. WalkQueries sets where the walk begins. */
+        /** Where the agent is now. */
         public var place:Vector3D = new Vector3D();
 
         /** How far the agent was pushed out of what it overlapped, and then the part of the motion that it has made. See Footing. */

@@ -2,13 +2,10 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.agents.PlatformLink;
     import starlogo.convex.ContactPoint;
-    import starlogo.data.IntList;
-    import starlogo.engine;
     import starlogo.queries.SeenAgents;
-    import starlogo.search.ModelShape;
-
-    use namespace engine;
+    import starlogo.queries.WalkOptions;
 
     /**
      * Goes a Walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops
@@ -27,10 +24,8 @@ package starlogo.queries.motion
         // A fall, with the slide after it, is undone if it leads less far down. A part of the extent.
         private static const REST:Number = 1e-8;
 
-        // A walk begins with this many pushes at most.
-        private static const MOST_PUSHES:int = 8;
-
-        private var _sweep:CoreSweep = new CoreSweep();
+        private var _platforms:PlatformCarry;
+        private var _push:OverlapPush = new OverlapPush();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _slider:Slider = new Slider();
         private var _foothold:Foothold;
@@ -44,20 +39,13 @@ package starlogo.queries.motion
         private var _tried:SlideResult = new SlideResult();
         private var _straight:MotionResult = new MotionResult();
 
-        // The rows without the platform, and where the platform carries the agent.
-        private var _others:IntList = new IntList();
-        private var _carried:Vector3D = new Vector3D();
-
         // Where a fall has come.
         private var _fallen:Vector3D = new Vector3D();
-
-        // The contact of an overlap, and of the deepest one.
-        private var _overlap:ContactPoint = new ContactPoint();
-        private var _deepest:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows */
         public function WalkMover(seen:SeenAgents)
         {
+            _platforms = new PlatformCarry(seen);
             _foothold = new Foothold(seen);
         }
 
@@ -65,22 +53,26 @@ package starlogo.queries.motion
          * Goes a walk. A platform carries the agent first. Then it is pushed out of what it overlaps, goes the pieces of its way, and falls if it does not
          * stand.
          *
-         * @param walk where it begins. It receives where it ends, how far the agent was pushed, and which part of the motion it has made
-         * @param platform the row that carries the agent; -1 if none does
+         * @param link what the agent stood on after its last walk
+         * @param walk has the agent, the options and the way. It receives where it ends, how far the agent was pushed, and which part of the motion it
+         *     has made
          * @return whether the agent stands at the end
          */
-        public function go(walk:Walk, platform:int):Boolean
+        public function go(link:PlatformLink, walk:Walk):Boolean
         {
+            if (walk.options.carried && link.isValid)
+            {
+                _platforms.find(link, walk);
+            }
+            walk.body.readAgent(walk.agent, walk.turn);
             walk.place.copyFrom(walk.body.from);
             walk.closeDepth = CLOSE * walk.body.extent;
             findNear(walk, 0);
-            if (platform >= 0)
+            if (walk.platform >= 0)
             {
-                carry(walk, platform);
+                _platforms.carry(walk);
             }
-            var stands:Boolean = recover(walk);
-            stands = goPieces(walk, stands);
-            stands ||= walk.body.hasShape && fall(walk);
+            var stands:Boolean = goPieces(walk, recover(walk)) || walk.body.hasShape && fall(walk);
             _recovery.restoreClearance(walk.body, walk.body.rows, walk.place);
             return stands;
         }
@@ -88,37 +80,12 @@ package starlogo.queries.motion
         // Finds the rows near a walk, and up to a distance from it.
         private static function findNear(walk:Walk, distance:Number):void
         {
-            // the range has the way in it, whatever its direction
-            walk.body.findRowsWithin(walk.range + distance, walk.pieces * walk.options.stepHeight,
-                    walk.pieces * walk.options.snap + walk.options.fall, walk.agent, walk.options.filter);
-        }
-
-        // Carries the agent with a platform. The agent slides along others that are in its way, but not into the platform. The platform has moved already,
-        // so only the rest of its way, which the agent misses, can lead into it.
-        private function carry(walk:Walk, platform:int):void
-        {
-            _others.copyFrom(walk.body.rows, platform);
-            _carried.copyFrom(walk.place);
-            _carried.incrementBy(walk.carry);
-            _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);
-            if (_slid.fraction < 1 && leadsInto(walk, platform, _carried, _slid.place))
-            {
-                _slider.goStraight(walk.body, _others, walk.place, walk.carry, _straight);
-                if (!leadsInto(walk, platform, _carried, _straight.place))
-                {
-                    walk.place.copyFrom(_straight.place);
-                    return;
-                }
-            }
-            walk.place.copyFrom(_slid.place);
-        }
-
-        // Whether the way from a place to another leads into a row.
-        private function leadsInto(walk:Walk, row:int, from:Vector3D, to:Vector3D):Boolean
-        {
-            _motion.copyFrom(to);
-            _motion.decrementBy(from);
-            return _sweep.meets(walk.body, row, from, _motion);
+            var options:WalkOptions = walk.options;
+            // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
+            var range:Number = walk.pieces * walk.pieceLength / walk.walkableZ + Math.min(options.fall, walk.body.source.placement.size) / 2
+                + walk.carry.length;
+            walk.body.findRowsWithin(range + distance, walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.agent,
+                    options.filter);
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
@@ -132,72 +99,15 @@ package starlogo.queries.motion
                 return stands;
             }
             walk.place.copyFrom(walk.start);
-            pushOut(walk);
-            _motion.copyFrom(walk.place);
-            _motion.decrementBy(walk.start);
-            walk.pushed = _motion.length;
+            var depth:Number = _push.findDepth(walk.body, walk.place);
+            if (depth > 0)
+            {
+                findNear(walk, depth);
+                _push.pushOut(walk.body, depth, walk.place);
+            }
+            walk.pushed = Vector3D.distance(walk.place, walk.start);
             walk.start.copyFrom(walk.place);
             return goDown(walk, walk.closeDepth, _straight);
-        }
-
-        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. All pushes together are as
-        // long as the depths of all overlaps at the beginning.
-        private function pushOut(walk:Walk):void
-        {
-            var left:Number = findDeepest(walk, _deepest);
-            if (left > 0)
-            {
-                findNear(walk, left);
-            }
-            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _deepest.depth > 0; i++)
-            {
-                var length:Number = Math.min(left, _deepest.depth);
-                left -= length;
-                _motion.setTo(0, 0, 0);
-                _deepest.push(_motion, length);
-                _slider.slide(walk.body, walk.body.rows, walk.place, _motion, SlideLimits.NONE, _slid);
-                walk.place.copyFrom(_slid.place);
-                findDeepest(walk, _deepest);
-            }
-        }
-
-        // Finds the deepest overlap of the agent where it is; its depth is 0 if there is none. Returns the sum of the depths of all.
-        private function findDeepest(walk:Walk, out:ContactPoint):Number
-        {
-            var sum:Number = 0;
-            out.depth = 0;
-            for (var i:int = 0; i < walk.body.rows.count; i++)
-            {
-                if (findOverlap(walk, walk.body.rows.numbers[i], _overlap))
-                {
-                    sum += _overlap.depth;
-                    if (_overlap.depth > out.depth)
-                    {
-                        out.copyFrom(_overlap);
-                    }
-                }
-            }
-            return sum;
-        }
-
-        // Finds how the agent overlaps a row where it is. A push along the contact's normal by its depth leads a clearance out of the row. Returns whether the
-        // overlap counts: not if it is shallow, or with a one-way row.
-        private static function findOverlap(walk:Walk, row:int, out:ContactPoint):Boolean
-        {
-            var body:MovingBody = walk.body;
-            if (body.isOneWay(row) || !body.coreTouches(row, walk.place))
-            {
-                return false;
-            }
-            body.findSeparatingContact(row, walk.place, out);
-            if (body.isShallow(row, out) || !body.overlaps(row, walk.place))
-            {
-                return false;
-            }
-            body.warnIfInside(row, out);
-            out.depth += body.core.clearance;
-            // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-            return body.bodyOf(row).form != ModelShape.TREE || out.depth <= body.source.halfAlong(out);
         }
 
         // Goes all pieces: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
@@ -308,8 +218,7 @@ package starlogo.queries.motion
                 var depth:Number = Math.min(left, piece);
                 if (_fallen.z - depth < -Agent.LARGEST_COORDINATE)
                 {
-                    // A short way down from where the fall began is the last motion. Its tolerances are those of restoreClearance().
-                    return goDown(walk, walk.closeDepth, _straight);
+                    return false;
                 }
                 goUpright(walk, _fallen, -depth, _straight);
                 left -= _straight.fraction * depth;

@@ -7,7 +7,6 @@ package starlogo.queries.motion
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.data.IntList;
-    import starlogo.search.Body;
 
     public class BodyCoreTest
     {
@@ -26,10 +25,10 @@ package starlogo.queries.motion
 
         private static function isFlat(structure:BoundingStructure):Boolean
         {
-            var body:Body = new Body();
-            var core:BodyCore = new BodyCore(body);
+            var body:MovingBody = new MovingBody(null);
+            var core:BodyCore = new BodyCore();
             body.readStructure(structure);
-            core.begin(null, new IntList(), new Vector3D(), new Vector3D(0, 0, -1));
+            core.begin(body, new IntList(), new Vector3D(), new Vector3D(0, 0, -1));
             return core.isFlat;
         }
 

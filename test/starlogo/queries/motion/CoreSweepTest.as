@@ -27,6 +27,7 @@ package starlogo.queries.motion
             var seen:SeenAgents = new SeenAgents(EachCollider.make("combinations, exact", landOf(SolidModels.all())));
             var body:MovingBody = new MovingBody(seen);
             var sweep:CoreSweep = new CoreSweep();
+            var core:BodyCore = new BodyCore();
             var from:Vector3D = new Vector3D();
             var motion:Vector3D = new Vector3D();
             var row:IntList = new IntList();
@@ -49,16 +50,16 @@ package starlogo.queries.motion
                 from.setTo(agents[0].x, agents[0].y, agents[0].z);
                 motion.setTo(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
                 body.findRowsAlong(motion.x, motion.y, motion.z, agents[0], null);
-                body.beginMotion(body.rows, from, motion);
+                core.begin(body, body.rows, from, motion);
                 var found:Impact = new Impact();
-                sweep.findFirst(body, body.rows, from, motion, found);
+                sweep.findFirst(core, body.rows, from, motion, found);
                 var expected:Impact = new Impact();
                 for (k = 0; k < body.rows.count; k++)
                 {
                     var alone:Impact = new Impact();
                     row.count = 0;
                     row.add(body.rows.numbers[k]);
-                    if (new CoreSweep().findFirst(body, row, from, motion, alone) && alone.comparedTime < expected.comparedTime)
+                    if (new CoreSweep().findFirst(core, row, from, motion, alone) && alone.comparedTime < expected.comparedTime)
                     {
                         expected = alone;
                     }

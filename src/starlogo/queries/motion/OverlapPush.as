@@ -1,0 +1,97 @@
+package starlogo.queries.motion
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.engine;
+    import starlogo.search.ModelShape;
+
+    use namespace engine;
+
+    /**
+     * Pushes a body out of what it overlaps deeply, where a walk begins. The deepest overlap comes first. A push is a slide, so it leads through nothing
+     * else. All pushes together are as long as the depths of all overlaps at the beginning.
+     *
+     * @private
+     */
+    public final class OverlapPush
+    {
+        private static const MOST_PUSHES:int = 8;
+
+        private var _slider:Slider = new Slider();
+        private var _slid:SlideResult = new SlideResult();
+
+        // The core of the body where it stands.
+        private var _core:BodyCore = new BodyCore();
+
+        // A push, the contact of the deepest overlap, and that of another one.
+        private var _motion:Vector3D = new Vector3D();
+        private var _deepest:ContactPoint = new ContactPoint();
+        private var _overlap:ContactPoint = new ContactPoint();
+
+        /** The sum of the depths of all overlaps of a body at a place. */
+        public function findDepth(body:MovingBody, place:Vector3D):Number
+        {
+            return findDeepest(body, place, _deepest);
+        }
+
+        /**
+         * Pushes a body out of what it overlaps.
+         *
+         * @param most how far at most
+         * @param place the place of the body, which changes
+         */
+        public function pushOut(body:MovingBody, most:Number, place:Vector3D):void
+        {
+            var left:Number = most;
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && findDeepest(body, place, _deepest) > 0; i++)
+            {
+                var length:Number = Math.min(left, _deepest.depth);
+                left -= length;
+                _motion.setTo(0, 0, 0);
+                _deepest.push(_motion, length);
+                _slider.slide(body, body.rows, place, _motion, SlideLimits.NONE, _slid);
+                place.copyFrom(_slid.place);
+            }
+        }
+
+        // Finds the deepest overlap of a body at a place. Returns the sum of the depths of all.
+        private function findDeepest(body:MovingBody, place:Vector3D, out:ContactPoint):Number
+        {
+            var sum:Number = 0;
+            out.depth = 0;
+            _core.beginStanding(body, body.rows, place);
+            for (var i:int = 0; i < body.rows.count; i++)
+            {
+                if (findOverlap(_core, body.rows.numbers[i], place, _overlap))
+                {
+                    sum += _overlap.depth;
+                    if (_overlap.depth > out.depth)
+                    {
+                        out.copyFrom(_overlap);
+                    }
+                }
+            }
+            return sum;
+        }
+
+        // Finds how a body overlaps a row. A push along the contact's normal by its depth leads a clearance out of the row. Returns whether the overlap counts:
+        // not if it is shallow, or with a one-way row.
+        private static function findOverlap(core:BodyCore, row:int, place:Vector3D, out:ContactPoint):Boolean
+        {
+            var body:MovingBody = core.body;
+            if (body.isOneWay(row) || !core.touches(row, place))
+            {
+                return false;
+            }
+            body.findSeparatingContact(row, place, out);
+            if (body.isShallow(row, out) || !core.bodyOverlaps(row, place))
+            {
+                return false;
+            }
+            body.warnIfInside(row, out);
+            out.depth += core.clearance;
+            // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
+            return body.bodyOf(row).form != ModelShape.TREE || out.depth <= body.source.halfAlong(out);
+        }
+    }
+}

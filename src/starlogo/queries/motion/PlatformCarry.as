@@ -1,0 +1,120 @@
+package starlogo.queries.motion
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.PlatformLink;
+    import starlogo.data.IntList;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Trigonometry;
+    import starlogo.queries.SeenAgents;
+
+    use namespace engine;
+
+    /**
+     * Carries an agent that walks by its platform: the agent that it stood on after its last walk. The agent moves and turns as the platform has done
+     * since then.
+     *
+     * @private
+     */
+    public final class PlatformCarry
+    {
+        private var _seen:SeenAgents;
+        private var _sweep:CoreSweep = new CoreSweep();
+        private var _slider:Slider = new Slider();
+
+        // The rows without the platform, and where the platform carries the agent.
+        private var _others:IntList = new IntList();
+        private var _carried:Vector3D = new Vector3D();
+
+        // A way from there, and the core on it.
+        private var _motion:Vector3D = new Vector3D();
+        private var _core:BodyCore = new BodyCore();
+
+        // How the agent goes with the platform.
+        private var _slid:SlideResult = new SlideResult();
+        private var _straight:MotionResult = new MotionResult();
+
+        /** @param seen has the rows */
+        public function PlatformCarry(seen:SeenAgents)
+        {
+            _seen = seen;
+        }
+
+        /**
+         * Finds whether an agent's platform carries it: whether it has moved since the last walk, and the filter does not exclude it.
+         *
+         * @param link what the agent stood on after its last walk
+         * @param walk not carried yet. It receives the platform's row, and how the platform carries the agent
+         */
+        public function find(link:PlatformLink, walk:Walk):void
+        {
+            var row:int = _seen.rowOf(link.platform);
+            if (row >= 0 && _seen.table.shapes[row] != null)
+            {
+                walk.turn = findMotion(link, _seen.table.bodyOf(row).placement, walk.carry);
+                if ((walk.turn != 0 || walk.carry.length > 0) && _seen.ask(1, 0, walk.agent, walk.options.filter).admits(row))
+                {
+                    walk.platform = row;
+                    return;
+                }
+                walk.carry.setTo(0, 0, 0);
+                walk.turn = 0;
+            }
+        }
+
+        // Finds how a platform carries an agent. @param now where the platform is now @param motion receives the motion. Returns the turn about the z axis
+        private static function findMotion(link:PlatformLink, now:Placement, motion:Vector3D):Number
+        {
+            var from:Placement = link.platformPlace;
+            var offsetX:Number = link.place.x - from.x;
+            var offsetY:Number = link.place.y - from.y;
+            var offsetZ:Number = link.place.z - from.z;
+            motion.setTo(now.x - from.x, now.y - from.y, now.z - from.z);
+            if (from.size == now.size && from.hasRotationOf(now))
+            {
+                return 0;
+            }
+            var scale:Number = now.size / from.size;
+            var alongX:Number = scale * (from.r00 * offsetX + from.r10 * offsetY + from.r20 * offsetZ);
+            var alongY:Number = scale * (from.r01 * offsetX + from.r11 * offsetY + from.r21 * offsetZ);
+            var alongZ:Number = scale * (from.r02 * offsetX + from.r12 * offsetY + from.r22 * offsetZ);
+            motion.x += now.r00 * alongX + now.r01 * alongY + now.r02 * alongZ - offsetX;
+            motion.y += now.r10 * alongX + now.r11 * alongY + now.r12 * alongZ - offsetY;
+            motion.z += now.r20 * alongX + now.r21 * alongY + now.r22 * alongZ - offsetZ;
+            return Trigonometry.arctangent(now.r10 * from.r00 + now.r11 * from.r01 + now.r12 * from.r02
+                    - now.r00 * from.r10 - now.r01 * from.r11 - now.r02 * from.r12,
+                    now.r00 * from.r00 + now.r01 * from.r01 + now.r02 * from.r02 + now.r10 * from.r10 + now.r11 * from.r11 + now.r12 * from.r12);
+        }
+
+        /**
+         * Carries the agent of a walk with its platform. The agent slides along others that are in its way, but not into the platform. The platform has
+         * moved already, so only the rest of its way, which the agent misses, can lead into it.
+         */
+        public function carry(walk:Walk):void
+        {
+            _others.copyFrom(walk.body.rows, walk.platform);
+            _carried.copyFrom(walk.place);
+            _carried.incrementBy(walk.carry);
+            _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);
+            if (_slid.fraction < 1 && isInPlatform(walk, _slid.place))
+            {
+                _slider.goStraight(walk.body, _others, walk.place, walk.carry, _straight);
+                if (!isInPlatform(walk, _straight.place))
+                {
+                    walk.place.copyFrom(_straight.place);
+                    return;
+                }
+            }
+            walk.place.copyFrom(_slid.place);
+        }
+
+        // Whether the way to a place, from where the platform carries the agent, leads into the platform.
+        private function isInPlatform(walk:Walk, place:Vector3D):Boolean
+        {
+            _motion.copyFrom(place);
+            _motion.decrementBy(_carried);
+            _core.begin(walk.body, walk.body.rows, _carried, _motion);
+            return _sweep.meets(_core, walk.platform, _carried, _motion);
+        }
+    }
+}

@@ -35,22 +35,22 @@ export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Mode
 /** What is taken for an AgentFilter: one, or a literal with some of its properties. */
 export interface AgentFilterInit<A extends Agent = Agent> {
 	/** Only agents of these breeds count. If the list is empty, no agent counts. */
-	readonly breeds?: readonly string[] | null | undefined;
+	breeds?: readonly string[] | null | undefined;
 	/** Agents of these breeds do not count. */
-	readonly exceptBreeds?: readonly string[] | null | undefined;
+	exceptBreeds?: readonly string[] | null | undefined;
 	/** These agents do not count. Null among them is nobody. */
-	readonly except?: readonly (Agent | null | undefined)[] | null | undefined;
+	except?: readonly (Agent | null | undefined)[] | null | undefined;
 	/** Returns true if an agent counts. It is called last, for as few agents as the answer needs: see {@link AgentFilter.accepts}. */
-	readonly accepts?: { accept(agent: A): boolean }["accept"] | null | undefined;
+	accepts?: { accept(agent: A): boolean }["accept"] | null | undefined;
 }
 
 /** What is taken for WalkOptions: an object of this class, or a literal with some of its properties. */
 export type WalkOptionsInit<A extends Agent = Agent> = {
-	readonly [K in keyof WalkOptions]?: (K extends "filter" ? AgentFilterInit<A> | null : WalkOptions[K]) | undefined;
+	[K in keyof WalkOptions]?: (K extends "filter" ? AgentFilterInit<A> | null : WalkOptions[K]) | undefined;
 };
 
-/** The agents of a game, for their class or for the classes of its breeds: `{ heroes: Hero; coins: Coin }`. */
-export type AgentsOf<B> = B extends Agent ? B : Extract<B[keyof B], Agent>;
+/** The agents of a game, for their class or for the classes of its breeds: `{ heroes: Hero; coins: Coin }`. Of `object` nothing is known. */
+export type AgentsOf<B> = B extends Agent ? B : [keyof B] extends [never] ? Agent : Extract<B[keyof B], Agent>;
 
 /** The names that handlers take for breeds: those that have classes and the engine's own, or any if it is not known which there are. */
 export type BreedOf<B> = B extends Agent ? string : (keyof B & string) | "*" | "*terrain" | "*edge";

@@ -141,6 +141,10 @@ export class Checks {
 				const isRead = !isWritten(docOfParameter(name, member.doc)) && !type.qname.startsWith("flash.");
 				return [`${isNullable ? `if (${name} != null) ` : ""}${isRead ? `${name} = ` : ""}$point(${where}, ${name});`];
 			}
+			case "AgentPredicate": {
+				const filter = this.#reference("starlogo.queries.AgentFilter");
+				return [`if (${name} != null && !${this.#typeTest(parameter.type, name)}) ${name} = $options(${where}, ${name}, new ${filter}(), ${JSON.stringify(article("AgentFilter"))});`];
+			}
 			case "AgentFilter":
 			case "WalkOptions": {
 				const options = this.#reference(`starlogo.queries.${parameter.type}`);
@@ -227,7 +231,6 @@ function optionsOf({ name }) {
 /** Where a literal is likely to be passed, the text says how such an object is made. */
 function article(name) {
 	if (name === "AgentFilter") return 'an AgentFilter, or a literal such as { breeds: ["sheep"] }';
-	if (name === "AgentPredicate") return 'an AgentFilter, for example new AgentFilter({ breeds: ["sheep"] })';
 	if (name === "WalkOptions") return "WalkOptions, or a literal such as { stepHeight: 0.3 }";
 	if (name === "BoundingStructure") return "this package's Sphere, Capsule, Box or Hull";
 	if (name === "CollisionSystem") return "a CollisionSystem, for example new TightestFitCollider(greatLand)";

@@ -37,6 +37,9 @@ const LISTED = /"\w+"(?:, "\w+")* or "\w+"/;
 /** What the documentation says of a list that belongs to the engine. */
 const OF_ENGINE = /\bdo not change it\b|\bread only\b/i;
 
+/** What the documentation says of a field that its type says is there. */
+const NULL_IF_EMPTY = /\bnull only in an empty hit\b/;
+
 /** What the documentation says of a handler. Its types are the two agents', which may be of different classes. */
 const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
 
@@ -168,6 +171,7 @@ class Writer {
 				return `${visible}\t${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
 			}
 			default:
+				if (member.result === "AgentPredicate") return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: AgentFilterInit<A> | ${result});`;
 				if (member.kind === "var" && /^Vector\.<(?!Number|u?int)/.test(member.result) && !member.isStatic) {
 					// what is set may be a list that its owner does not change
 					return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: readonly ${result});`;
@@ -206,16 +210,11 @@ class Writer {
 	#resultType({ kind, result }, said) {
 		// what takes a filter takes a literal too
 		if (kind === "var" && result === "AgentFilter") return "AgentFilterInit";
-		// what a question returns has met an agent
-		const [, list, hit] = /^(Vector\.<)?(RayHit|ShapeHit)>?$/.exec(kind === "method" ? result : "") ?? [];
-		if (hit) {
-			return `(${this.#type(hit)} & { agent: ${this.#agent} })${list ? "[]" : ""}`;
-		}
 		return result === "Vector.<String>" && /\bnull for a\b/.test(said) ? "(string | null)[]" : this.#type(result);
 	}
 
 	#mayBeNull(member) {
-		if (member.initial === "null") return true;
+		if (member.initial === "null") return !NULL_IF_EMPTY.test(member.doc);
 		if (member.kind === "const" || /^(Number|int|uint|Boolean|void|\*|Object)$/.test(member.result)) return false;
 		const said = member.kind === "method" ? /@return([\s\S]*?)(?:\n@|$)/.exec(member.doc)?.[1] ?? member.doc.split("\n@")[0] : member.doc.split("\n@")[0];
 		return /\bnull\b/i.test(said);

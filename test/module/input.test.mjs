@@ -12,7 +12,7 @@ const folder = path.join(root, "bin/module");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
 const engine = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 const {
-	Agent, AgentFilter, AgentPlaces, AgentQueries, AgentRays, AgentWalks, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, SeenAgents, Sphere, WalkOptions,
+	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, AgentRays, AgentWalks, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, SeenAgents, Sphere, WalkOptions,
 	TightestFitCollider, Vector3D, sphereSphere,
 } = engine;
 
@@ -379,6 +379,22 @@ test("a literal serves as a filter", () => {
 	refused(() => queries.near(wolf, 1, { tags: ["sheep"] }), "AgentQueries.near: filter.tags is no option; there are ", "breeds", "exceptBreeds", "except", "accepts");
 	refused(() => queries.near(wolf, 1, { breeds: "sheep" }), 'AgentFilter.breeds must be an array of strings, not "sheep"');
 	for (const wrong of [3, "sheep", ["sheep"], wolf]) refused(() => queries.near(wolf, 1, wrong), 'AgentQueries.near: filter must be an AgentFilter, or a literal such as { breeds: ["sheep"] }, not ');
+	const collision = new Collision(new BinCollider());
+	const met = [];
+	collision.onCollision("*", "*", (a, b) => met.push(a, b));
+	collision.filter = { exceptBreeds: ["sheep"] };
+	collision.update([floor, sheep]);
+	assert.deepEqual(met, []);
+	assert.deepEqual(collision.filter.exceptBreeds, ["sheep"]);
+	const lambs = new (class extends AgentPredicate { admits = () => true; })();
+	for (const filter of [AgentFilter.ofBreeds("floors", "sheep"), lambs, null]) {
+		collision.filter = filter;
+		collision.update([floor, sheep]);
+		assert.equal(collision.filter, filter);
+	}
+	assert.equal(met.length, 12);
+	refused(() => (collision.filter = { breed: ["sheep"] }), "Collision.filter.breed is no option; ", "there are breeds");
+	for (const wrong of [3, "sheep", ["sheep"], wolf]) refused(() => (collision.filter = wrong), 'Collision.filter must be an AgentFilter, or a literal such as { breeds: ["sheep"] }, not ');
 });
 
 test("null is refused by the call that gets it", () => {

@@ -138,13 +138,15 @@ class Labels {
 	names = [];
 	#known = new Map();
 
-	/** Labels the next triangle. */
-	add(thing, name) {
+	/** Labels the next triangles. */
+	add(thing, name, count) {
+		if (count === 0) return;
 		if (!this.#known.has(thing)) {
 			this.#known.set(thing, this.names.length);
 			this.names.push(String(name ?? ""));
 		}
-		this.numbers.push(this.#known.get(thing));
+		const number = this.#known.get(thing);
+		for (let i = 0; i < count; i++) this.numbers.push(number);
 	}
 }
 
@@ -164,7 +166,7 @@ class Surface {
 	#mesh = null;
 	#points;
 	#corners;
-	#materials;
+	#runs;
 
 	constructor(name, isYUp) {
 		this.#name = name;
@@ -178,7 +180,7 @@ class Surface {
 			return;
 		}
 		if (mesh !== this.#mesh) this.#read(mesh);
-		this.#add(mesh, this.#points, this.#corners, this.#materials, place);
+		this.#add(mesh, this.#points, this.#corners, this.#runs, place);
 	}
 
 	/** Adds all instances of a BatchedMesh, visible or not. Each draws a part of the mesh's geometry. */
@@ -189,8 +191,7 @@ class Surface {
 			const { start, count, vertexStart, vertexCount } = mesh.getGeometryRangeAt(id);
 			const points = pointsOf(mesh, attributes.position, vertexStart, vertexCount);
 			const corners = Array.from({ length: count }, (_, i) => (index ? index.getX(start + i) : start + i) - vertexStart);
-			for (const corner of corners) if (!(corner >= 0 && corner < vertexCount)) throw this.#error(mesh, `a triangle of geometry ${id} names vertex ${corner}, the last one is ${vertexCount - 1}`);
-			return { points, corners, materials: new Array(Math.ceil(corners.length / 3)).fill(mesh.material) };
+			return { points, corners, runs: [{ material: mesh.material, count: Math.ceil(corners.length / 3) }] };
 		};
 		let left = mesh.instanceCount;
 		for (let i = 0; left > 0 && i < mesh.maxInstanceCount; i++) {
@@ -198,37 +199,50 @@ class Surface {
 			if (id < 0) continue;
 			left--;
 			if (!shapes.has(id)) shapes.set(id, shapeOf(id));
-			const { points, corners, materials } = shapes.get(id);
-			this.#add(mesh, points, corners, materials, mesh.getMatrixAt(i, new Matrix4()).premultiply(place));
+			const { points, corners, runs } = shapes.get(id);
+			this.#add(mesh, points, corners, runs, mesh.getMatrixAt(i, new Matrix4()).premultiply(place));
 		}
 	}
 
-	/** Adds triangles of a mesh: its points, three corners for each triangle, and the material of each triangle. */
-	#add(mesh, points, corners, materials, place) {
+	/** Adds triangles of a mesh: its points, three corners for each triangle, and runs of triangles with one material. */
+	#add(mesh, points, corners, runs, place) {
 		const part = [];
 		this.parts.push({ count: points.length / 3, vertices: part });
 		// scaled to 0, as hidden instances often are
 		if (place.getMaxScaleOnAxis() === 0) return;
-		const [second, third] = place.determinant() < 0 ? [2, 1] : [1, 2];
-		const { triangles, vertices } = this;
+		const numbers = new Int32Array(points.length / 3).fill(-1);
+		this.#addPoints(mesh, points, corners, place, numbers, part);
+		this.#addTriangles(corners, numbers, place.determinant() < 0);
+		this.meshes.add(mesh, titleOf(mesh), corners.length / 3);
+		for (const { material, count } of runs) this.materials.add(material, material?.name, count);
+	}
+
+	/**
+	 * Numbers the points of corners: by the numbers of the surface's vertices, among which new positions come.
+	 *
+	 * @param numbers takes them; -1 for a point that has none yet
+	 * @param part takes the points whose positions are new
+	 */
+	#addPoints(mesh, points, corners, place, numbers, part) {
+		const { vertices } = this;
 		const known = this.#known;
 		const isYUp = this.#isYUp;
-		const numbers = new Int32Array(points.length / 3).fill(-1);
 		const at = new Vector3();
-		const numberOf = (i) => {
+		for (let i = 0; i < corners.length; i++) {
+			const corner = corners[i];
+			if (numbers[corner] >= 0) continue;
+			if (!(corner in numbers)) throw this.#error(mesh, `a triangle names vertex ${corner}, the last one is ${numbers.length - 1}`);
 			const { length } = vertices;
-			at.set(points[3 * i], points[3 * i + 1], points[3 * i + 2]).applyMatrix4(place);
-			numbers[i] = isYUp ? known.indexOf(at.x, -at.z, at.y) : known.indexOf(at.x, at.y, at.z);
-			if (vertices.length > length) part.push(i);
-			return numbers[i];
-		};
-		for (let i = 0; i < corners.length; i += 3) {
-			const [a, b, c] = [corners[i], corners[i + second], corners[i + third]];
-			triangles.push(numbers[a] < 0 ? numberOf(a) : numbers[a], numbers[b] < 0 ? numberOf(b) : numbers[b], numbers[c] < 0 ? numberOf(c) : numbers[c]);
-			this.meshes.add(mesh, titleOf(mesh));
-			const material = materials[i / 3];
-			this.materials.add(material, material?.name);
+			at.set(points[3 * corner], points[3 * corner + 1], points[3 * corner + 2]).applyMatrix4(place);
+			numbers[corner] = isYUp ? known.indexOf(at.x, -at.z, at.y) : known.indexOf(at.x, at.y, at.z);
+			if (vertices.length > length) part.push(corner);
 		}
+	}
+
+	#addTriangles(corners, numbers, isMirrored) {
+		const { triangles } = this;
+		const [second, third] = isMirrored ? [2, 1] : [1, 2];
+		for (let i = 0; i < corners.length; i += 3) triangles.push(numbers[corners[i]], numbers[corners[i + second]], numbers[corners[i + third]]);
 	}
 
 	#read(mesh) {
@@ -236,10 +250,7 @@ class Surface {
 		const position = geometry.getAttribute("position");
 		const count = countOf(mesh);
 		this.#mesh = mesh;
-		({ corners: this.#corners, materials: this.#materials } = count === 0 ? { corners: [], materials: [] } : drawnTriangles(geometry, mesh.material));
-		for (let i = 0; i < this.#corners.length; i++) {
-			if (!(this.#corners[i] < count)) throw this.#error(mesh, `a triangle names vertex ${this.#corners[i]}, the last one is ${count - 1}`);
-		}
+		({ corners: this.#corners, runs: this.#runs } = count === 0 ? { corners: [], runs: [] } : drawnTriangles(geometry, mesh.material));
 		this.#points = count === 0 ? [] : pointsOf(mesh, position);
 	}
 
@@ -281,26 +292,26 @@ function geometryOf(mesh, instance) {
 }
 
 /**
- * The triangles that are drawn, with three corners and a material each: those in the draw range and, with several materials, in the groups
- * that have one.
+ * The triangles that are drawn, with three corners each, in runs with one material: those in the draw range and, with several materials, in the
+ * groups that have one.
  */
 function drawnTriangles({ index, attributes, drawRange, groups }, material) {
 	const total = index ? index.count : attributes.position.count;
 	const hasGroups = Array.isArray(material);
 	const drawn = hasGroups ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total, materialIndex: 0 }];
-	const materials = [];
+	const runs = [];
 	const taken = new Uint8Array(total);
-	const corners = new Float64Array(3 * total);
-	let length = 0;
+	const corners = [];
 	for (const { start, count, materialIndex } of drawn) {
 		const end = Math.min(total, start + count, drawRange.start + drawRange.count);
+		const before = corners.length;
 		for (let i = Math.max(start, drawRange.start); i + 2 < end; i += 3) {
 			if (taken[i]++) continue;
-			materials.push(hasGroups ? material[materialIndex] : material);
-			for (let k = i; k < i + 3; k++) corners[length++] = index ? index.getX(k) : k;
+			for (let k = i; k < i + 3; k++) corners.push(index ? index.array[k] : k);
 		}
+		runs.push({ material: hasGroups ? material[materialIndex] : material, count: (corners.length - before) / 3 });
 	}
-	return { corners: corners.subarray(0, length), materials };
+	return { corners, runs };
 }
 
 /** Gives positions indices. Equal positions get one index, because exporters repeat them for normals and textures. */

@@ -160,20 +160,17 @@ export function $point(target, name, value) {
 	return value instanceof Vector3D ? value : new Vector3D(value.x, value.y, value.z);
 }
 
+/** What the elements of a list have to be. */
+const $KINDS = { Number: "a number", int: "an integer from -2147483648 to 2147483647", uint: "an integer from 0 to 4294967295" };
+
 /** The numbers for a Vector argument of a public method: an array, or a copy of a typed array as an array. */
 export function $numbers(target, name, list, type, isNullable) {
 	if (isNullable && (list === null || list === undefined)) return null;
 	if (ArrayBuffer.isView(list) && !(list instanceof DataView)) return $numbers(target, name, Array.from(list), type, false);
 	if (!Array.isArray(list)) $refuse(target, name, list, "an array of numbers");
-	const least = type === "int" ? -2147483648 : 0;
-	const most = type === "int" ? 2147483647 : 4294967295;
 	for (let i = 0; i < list.length; i++) {
 		const value = list[i];
-		if (type === "Number") {
-			if (typeof value !== "number") $refuse(target, `${name}[${i}]`, value, "a number");
-		} else if (!(Number.isInteger(value) && value >= least && value <= most)) {
-			$refuse(target, `${name}[${i}]`, value, `an integer from ${least} to ${most}`);
-		}
+		if (typeof value !== "number" || type !== "Number" && value !== (type === "int" ? value | 0 : value >>> 0)) $refuse(target, `${name}[${i}]`, value, $KINDS[type]);
 	}
 	return list;
 }

@@ -6,7 +6,7 @@ package starlogo.queries
     /** What a ray or a cast meets: the agent, the point, and the triangle there. The base class of RayHit and ShapeHit. */
     public class CastHit
     {
-        /** The agent that is met. */
+        /** The agent that is met. It is null only in an empty hit. */
         public var agent:Agent = null;
 
         /** The point in the world where it is met. If a ray's origin is inside the agent, it is the origin. */

@@ -37,11 +37,11 @@ package starlogo.queries
             narrowPhase = new NarrowPhase(this);
         }
 
-        /** Builds the tree of a model, and prepares its triangles. It replaces what has its name. */
-        public function addModel(model:Model):void
+        /** Builds the tree of a model, and prepares its triangles if it shall. It replaces what has its name. */
+        public function addModel(model:Model, preparesExact:Boolean):void
         {
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-            tree.beginBuilding(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, true);
+            tree.beginBuilding(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, preparesExact);
             tree.finishBuilding();
             _models.entryToWrite(model.name).replace(model, null, tree);
         }

@@ -26,6 +26,12 @@ package starlogo.queries
      */
     public final class LevelShapes extends QuerySource
     {
+        /**
+         * Whether the triangles of a model, and what is inside of them, are prepared when the model is added. This takes two to five times as long
+         * as building its tree. Otherwise they are prepared all at once when they are first needed.
+         */
+        public var prepareExact:Boolean = false;
+
         /** @private */
         engine var choice:LevelChoice = new LevelChoice();
 
@@ -35,8 +41,7 @@ package starlogo.queries
         }
 
         /**
-         * Adds a model. It replaces a model or a structure of the same name. Its tree is built, and its triangles are prepared, at
-         * once.
+         * Adds a model. It replaces a model or a structure of the same name. Its tree is built at once.
          *
          * @param model its name is the shape's name for agents
          * @throws ArgumentError if it is null
@@ -44,7 +49,7 @@ package starlogo.queries
         public function addModel(model:Model):void
         {
             requireGiven("model", model);
-            choice.addModel(model);
+            choice.addModel(model, prepareExact);
         }
 
         /**

@@ -4,6 +4,7 @@ package starlogo.queries
     import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
@@ -16,12 +17,15 @@ package starlogo.queries
     import starlogo.collision.BinCollider;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.Contact;
+    import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.terrain.Terrain;
     import support.agentAt;
     import support.assertThrows;
     import support.landOf;
+
+    use namespace engine;
 
     /** The classes with only some questions answer as an AgentQueries does. */
     public class SeenAgentsTest
@@ -261,6 +265,25 @@ package starlogo.queries
                     assertEquals(heights[i], 9 - Math.round(1e9 * rays.cast(new Vector3D(9 * i, 0, 9), new Vector3D(0, 0, -1)).distance) / 1e9);
                 }
             }
+        }
+
+        [Test]
+        public function aLevelIsPreparedForWhatIsAskedAlone():void
+        {
+            var level:LevelShapes = new LevelShapes();
+            var seen:SeenAgents = new SeenAgents(level);
+            var box:Agent = new Agent(BuiltInModel.cube().name);
+            level.exact = true;
+            level.addModel(BuiltInModel.cube());
+            seen.update(new <Agent>[box]);
+            assertEquals(9, new AgentRays(seen).cast(new Vector3D(0, 0, 10), new Vector3D(0, 0, -1)).distance);
+            assertFalse(seen.bodyOf(box).shape.hierarchy.isExactPrepared);
+            assertEquals(0, new AgentRays(seen).cast(new Vector3D(0, 0, 0.5), new Vector3D(0, 0, -1)).distance);
+            assertTrue(seen.bodyOf(box).shape.hierarchy.isExactPrepared);
+            level.prepareExact = true;
+            level.addModel(BuiltInModel.cube());
+            seen.update(new <Agent>[box]);
+            assertTrue(seen.bodyOf(box).shape.hierarchy.isExactPrepared);
         }
 
         [Test]

@@ -481,9 +481,9 @@ package starlogo.agents
 
         /**
          * The bounding structure that the agent collides as: TIGHTEST, or the smallest SPHERE, BOX or CAPSULE (thesis §7.3), or a HULL. It
-         * counts in the TightestFitCollider, and in the CombinationCollider if the agent is not hierarchical. May change between frames. If
-         * the structure was not kept when the model was added (loadAllBoundingStructures, loadHulls), it is computed when a collider first
-         * needs it. This takes as long as adding the model.
+         * counts in the TightestFitCollider, and in the CombinationCollider if the agent is not hierarchical. May change between frames. A
+         * hull that was not found when the model was added (loadHulls) is computed when a collider first needs it. This takes as long as
+         * adding the model.
          *
          * @throws ArgumentError if you set it to anything else
          */

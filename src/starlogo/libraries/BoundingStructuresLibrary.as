@@ -206,13 +206,13 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest structure of a kind for a shape. If there is none, the fitters find it now, once. From then on clients may read a
-         * hull, and what the shape's <code>keepsAll</code> lets them read.
+         * The smallest structure of a kind for a shape. A hull that was not found with the others is found now. From then on clients may read
+         * it.
          *
          * @param name the shape's name
          * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL. In place of a hull it may be a sphere
          * @param vertices the vertices of the shape's model
-         * @throws ArgumentError if the library has nothing of this name, or no fitter in the list finds this kind
+         * @throws ArgumentError if the library has nothing of this name, or none of the fitters has found this kind
          * @private
          */
         engine function ofKind(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
@@ -225,12 +225,6 @@ package starlogo.libraries
                     shape.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)));
                 }
                 return shape.hullOrSphere;
-            }
-            if (shape.smallest[kind] == null)
-            {
-                var builder:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, null, false);
-                finish(builder);
-                shape.addMissing(builder.structures);
             }
             if (shape.smallest[kind] == null)
             {

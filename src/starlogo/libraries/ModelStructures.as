@@ -76,14 +76,5 @@ package starlogo.libraries
             var sphere:BoundingStructure = smallest[BoundingStructure.SPHERE];
             hullOrSphere = found != null && sphere != null && sphere.volume <= found.volume ? sphere : found;
         }
-
-        /** Adds others' spheres, capsules and boxes of the kinds that are missing here. */
-        public function addMissing(other:ModelStructures):void
-        {
-            for (var kind:int = 0; kind < smallest.length; kind++)
-            {
-                smallest[kind] ||= other.smallest[kind];
-            }
-        }
     }
 }

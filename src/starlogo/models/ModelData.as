@@ -3,8 +3,8 @@ package starlogo.models
     import starlogo.models.cooked.CookedFile;
 
     /**
-     * What a model is made of. The reader of a format fills it with what the file says, a ModelBuilder brings that to the model's place and
-     * scale, and the Model keeps it.
+     * What a model is made of, as a record. First come the settings, then the content, then where it is from. The caller and the reader of a format
+     * fill it. A ModelBuilder brings the vertices to the model's place and scale. Then the Model keeps it.
      *
      * @private
      */
@@ -13,7 +13,19 @@ package starlogo.models
         /** The model's name. */
         public var name:String;
 
-        /** x, y, z of each vertex. */
+        /** The scaling: Model.FOOTPRINT, VOLUME or AS_GIVEN. A cooked file says it; otherwise the caller does. */
+        public var scaling:String = null;
+
+        /** Turns, scales and moves the model; null for none. The caller's, or the scale that the file's unit asks for. */
+        public var transform:ModelTransform = null;
+
+        /** The axis that points up in the vertices, before they are turned to z up: "x", "y" or "z". With a transform it is "z". */
+        public var upAxis:String = "z";
+
+        /** How much of the file is read, from 0 to 1. */
+        public var readShare:Number = 0;
+
+        /** x, y, z of each vertex: as in the file, and then as in the model. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
         /** Three vertex indices for each triangle. The ModelBuilder replaces an empty list by null. */
@@ -25,15 +37,6 @@ package starlogo.models
         /** The mesh of each triangle. */
         public var meshes:TriangleLabels = new TriangleLabels(new Vector.<String>());
 
-        /** The scaling: Model.FOOTPRINT, VOLUME or AS_GIVEN. */
-        public var scaling:String = null;
-
-        /** Turns, scales and moves the model; null for none. */
-        public var transform:ModelTransform = null;
-
-        /** The axis that points up in the vertices, before they are turned to z up: "x", "y" or "z". With a transform it is "z". */
-        public var upAxis:String = "z";
-
         /**
          * The model's place and scale in its source. The ModelBuilder sets it. If a cooked file has set it before, the vertices are in
          * their places already.
@@ -42,9 +45,6 @@ package starlogo.models
 
         /** The cooked file with the results for the model; null for none. */
         public var cooked:CookedFile = null;
-
-        /** How much of the file is read, from 0 to 1. */
-        public var readShare:Number = 0;
 
         /** Data without vertices. */
         public function ModelData(name:String)

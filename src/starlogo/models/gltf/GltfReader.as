@@ -12,7 +12,7 @@ package starlogo.models.gltf
      * Reads a glTF file. GltfModel says which parts.
      *
      * <p>A GltfFile has the JSON, whose objects are GltfJsons, and the buffers. A GltfScene finds the nodes with meshes, and where they are. For each
-     * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model.</p>
+     * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model. A GltfSkin moves vertices by its joints.</p>
      *
      * @private
      */

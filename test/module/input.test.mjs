@@ -781,6 +781,13 @@ test("JSON and tools see what an object is like, and nothing of what is inside",
 	assert.ok(String(util.inspect({ deep: { deeper: { agent } } })).includes("[Agent]"));
 });
 
+test("an error event that nothing hears says so", () => {
+	const script = 'import { GreatLand, ModelLoader } from "./starlogo-collision.js"; new ModelLoader(new GreatLand()).load("bear", "http://localhost:1/bear.obj");';
+	const { stderr, status } = spawnSync(process.execPath, ["--input-type=module", "-e", script], { cwd: folder, encoding: "utf8" });
+	assert.equal(status, 1);
+	assert.match(stderr, /Error: model "bear": its file can't be fetched: .*\. Nothing listens to the event "error"/);
+});
+
 test("an error that nothing catches shows a line, not the whole file", () => {
 	const script = 'import { Agent } from "./starlogo-collision.js"; new Agent("cube").x = "3";';
 	const { stderr, status } = spawnSync(process.execPath, ["--input-type=module", "-e", script], { cwd: folder, encoding: "utf8" });

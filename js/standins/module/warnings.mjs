@@ -298,7 +298,7 @@ export function $warnOfSender(agent, origin) {
 
 /** Warns of a built-in model that takes the place of one of other lengths, because neither has got a name. */
 export function $warnOfReplaced(receiver, model) {
-	if (Object.getPrototypeOf(model ?? {}).constructor?.name !== "BuiltInModel" || model.name !== "box" && model.name !== "capsule") return;
+	if (Object.getPrototypeOf(model ?? {})?.constructor?.name !== "BuiltInModel" || model.name !== "box" && model.name !== "capsule") return;
 	const models = $replaced.get(receiver) ?? {};
 	const before = models[model.name];
 	$replaced.set(receiver, { ...models, [model.name]: model });

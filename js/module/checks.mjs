@@ -26,21 +26,21 @@ const ANSWERED = new Set(["ByteArray", "String"]);
 
 /** What methods call first while a game is developed. addModel looks at its object's properties, because settings are often made just before. */
 const WARNINGS = new Map([
-	["starlogo.GreatLand.addModel", ["$warnOfUnknownProperties(this, true);"]],
-	...["addModel", "addStructure"].map((name) => [`starlogo.queries.LevelShapes.${name}`, ["$warnOfUnknownProperties(this, true);"]]),
+	...["GreatLand", "queries.LevelShapes"].map((name) => [`starlogo.${name}.addModel`, ["$warnOfUnknownProperties(this, true);", "$warnOfReplaced(this, model);"]]),
+	["starlogo.queries.LevelShapes.addStructure", ["$warnOfUnknownProperties(this, true);"]],
 	["starlogo.collision.Collision.update", ["$warnOfTime(\"Collision.update\", arguments);", "$warnOfSilence(this, agents);", "$warnOfNewAgents(this, agents);", "if ($walks.size > 0) $warnOfStops(this);", "$warnOfLaterProperties(this, agents);"]],
 	...["onCollision", "onCollisionStart", "onCollisionEnd"].map((name) => [`starlogo.collision.Collision.${name}`, ["$warnOfAddition(this, breed, otherBreed);"]]),
 	["starlogo.collision.Collision.removeHandler", ["$warnOfRemoval(this, breed, otherBreed, handler);"]],
 	["starlogo.queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],
 	["starlogo.queries.AgentQueries.update", ["$warnOfTime(\"AgentQueries.update\", arguments);", "$warnOfLaterProperties(this, agents);"]],
-	["starlogo.queries.SeenAgents.update", ["$warnOfStale(this, agents, null);"]],
+	["starlogo.queries.SeenAgents.update", ["$warnOfNoFrames(this);", "$warnOfStale(this, agents, null);"]],
 	["starlogo.queries.SeenAgents.refresh", ["$warnOfStale(this, null, agent);"]],
 	...["AgentQueries", "AgentWalks"].map((name) => [`starlogo.queries.${name}.walk`, ["$warnOfFall(agent, dx, dy);", "$warnOfWalk(this, agent, dx, dy, options);"]]),
 	["starlogo.queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
 ]);
 
 /** Classes whose settings are set after the constructor. Those of agents are too, but a subclass may pass all that it gets on to `super()`. */
-const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.Collision|queries\.LevelShapes)$/;
+const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.(?:Collision|Contact)|queries\.(?:Footing|LevelShapes|RayHit|ShapeHit))$/;
 
 /** Classes whose methods with a filter are questions about a SeenAgents. */
 const ASKING = /^starlogo\.queries\.Agent(?:Places|Queries|Rays)$/;
@@ -167,7 +167,7 @@ export class Checks {
 		switch (wanted) {
 			case "Number":
 				if (takesInfinity({ name, value }, member, type) || type.qname.startsWith("flash.")) return ["$aNumber", `typeof ${name} !== "number"`, "a number"];
-				return ["$aFiniteNumber", `typeof ${name} !== "number" || ${name} - ${name} !== 0`, "a number"];
+				return ["$aFiniteNumber", `typeof ${name} !== "number" || ${name} - ${name} !== 0`, member.name === "color" ? "0xRRGGBB, a number" : "a number"];
 			case "int":
 				if (name === "offset") return ["$anOffset", `typeof ${name} !== "number" || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
 				return ["$anInt", `typeof ${name} !== "number" || ${name} !== (${name} | 0)`, "a whole number"];
@@ -233,6 +233,8 @@ function article(name) {
 	if (name === "AgentFilter") return 'an AgentFilter, or a literal such as { breeds: ["sheep"] }';
 	if (name === "WalkOptions") return "WalkOptions, or a literal such as { stepHeight: 0.3 }";
 	if (name === "BoundingStructure") return "this package's Sphere, Capsule, Box or Hull";
+	if (name === "ModelReceiver") return "a GreatLand, or another ModelReceiver";
+	if (name === "WorldBounds") return "a WorldBounds, for example new WorldBounds(-50, -50, 0, 50, 50, 50)";
 	if (name === "CollisionSystem") return "a CollisionSystem, for example new TightestFitCollider(greatLand)";
 	return `${/^[AEIOU]/.test(name) ? "an" : "a"} ${name}`;
 }

@@ -20,6 +20,7 @@ export const EXTERNALS = {
 	"starlogo.data.warn": "$warn",
 	"starlogo.agents.warnOfBreeds": "$warnOfBreeds",
 	"starlogo.queries.motion.warnOfInside": "$warnOfInside",
+	"starlogo.queries.warnOfSender": "$warnOfSender",
 	"starlogo.data.warnOfUnknownProperties": "$warnOfUnknownProperties",
 	"starlogo.handlers.mayTakeContact": "mayTakeContact",
 	"starlogo.handlers.requireParameters": "$warnOfHandler",

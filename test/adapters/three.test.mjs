@@ -583,6 +583,11 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		};
 		assert.deepEqual([0, 10, 20, 30, 40].map(below), [["floor", "stone"], ["several", "glass"], ["crates", "glass"], ["crates", "glass"], ["", ""]]);
 		assert.deepEqual(modelFromObject("model", group).meshNames, model.meshNames);
+		// a box has a group for each side: the draw range leaves out all but the first two
+		const sides = new THREE.Mesh(new THREE.BoxGeometry(), [stone, glass, unnamed, unnamed, unnamed, unnamed]);
+		sides.geometry.setDrawRange(0, 9);
+		const drawn = modelFromObject("sides", sides);
+		assert.deepEqual([drawn.materialNames, drawn.materials], [["stone", "glass"], [0, 0, 1]]);
 		const { meshNames, materialNames } = modelFromObject("box", new THREE.BoxGeometry());
 		assert.deepEqual([meshNames, materialNames], [null, null]);
 	});

@@ -65,7 +65,7 @@ test("a bundle has what is used and no more", () => {
 	const limits = [
 		[["Vector3D"], 2],
 		[["Agent", "Collision", "BinCollider"], 37],
-		[["Agent", "Collision", "TightestFitCollider", "GreatLand", "BuiltInModel"], 84],
+		[["Agent", "Collision", "TightestFitCollider", "GreatLand", "BuiltInModel"], 84.6],
 	];
 	const sizes = limits.map(([names, limit]) => {
 		const size = weigh(bundle(names)) / KB;
@@ -252,7 +252,7 @@ test("a class with a part of AgentQueries declares the same results", () => {
 	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
 	const resultsOf = (name) => new Map([...text.match(new RegExp(`^export class ${name}<[^]*?^}`, "m"))[0].matchAll(/^\t(\w+)(?:<.*?>)?\(.*\): (.*);$/gm)].map(([, method, result]) => [method, result]));
 	const expected = resultsOf("AgentQueries");
-	assert.equal(expected.get("cast"), "(RayHit<A> & { agent: A }) | null");
+	assert.equal(expected.get("cast"), "RayHit<A> | null");
 	for (const part of ["AgentPlaces", "AgentRays", "AgentWalks"]) {
 		const results = [...resultsOf(part)].filter(([method]) => expected.has(method));
 		assert.ok(results.length > 2, part);

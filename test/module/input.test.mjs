@@ -408,6 +408,9 @@ test("null is refused by the call that gets it", () => {
 	refused(() => queries.canSee(one, null), "AgentQueries.canSee: b must be an Agent, not null");
 	refused(() => queries.castShape(null, 1, 0, 0), "AgentQueries.castShape: structure must be this package's Sphere, Capsule, Box or Hull, not null");
 	refused(() => land.addModel(null), "GreatLand.addModel: model must be a Model, not null");
+	refused(() => new ModelLoader({}), "new ModelLoader: receiver must be a GreatLand, or another ModelReceiver, not a plain object");
+	refused(() => (new Collision(new BinCollider()).bounds = {}), "Collision.bounds must be a WorldBounds, for example new WorldBounds(-50, -50, 0, 50, 50, 50), not a plain object");
+	refused(() => (one.color = "red"), 'color must be 0xRRGGBB, a number, not "red"');
 	refused(() => new TightestFitCollider(), "new TightestFitCollider: greatLand must be a GreatLand, not undefined");
 	refused(() => new Collision(land), "collisionSystem must be a CollisionSystem, for example new TightestFitCollider(greatLand), not an object of class GreatLand");
 	for (const type of [AgentQueries, SeenAgents]) refused(() => new type(land), "such as new TightestFitCollider(greatLand), not an object of class GreatLand");
@@ -776,6 +779,13 @@ test("JSON and tools see what an object is like, and nothing of what is inside",
 	assert.match(util.inspect(new Hero("cube")), /^Hero \{[\s\S]*life: 3/);
 	assert.match(util.format("%s", agent), /^agent \d+/);
 	assert.ok(String(util.inspect({ deep: { deeper: { agent } } })).includes("[Agent]"));
+});
+
+test("an error event that nothing hears says so", () => {
+	const script = 'import { GreatLand, ModelLoader } from "./starlogo-collision.js"; new ModelLoader(new GreatLand()).load("bear", "http://localhost:1/bear.obj");';
+	const { stderr, status } = spawnSync(process.execPath, ["--input-type=module", "-e", script], { cwd: folder, encoding: "utf8" });
+	assert.equal(status, 1);
+	assert.match(stderr, /Error: model "bear": its file can't be fetched: .*\. Nothing listens to the event "error"/);
 });
 
 test("an error that nothing catches shows a line, not the whole file", () => {

@@ -413,12 +413,14 @@ test("while a game is developed, angles in radians are warned of, once, and angl
 });
 
 test("while a game is developed, settings for a constructor that takes none are warned of", () => {
-	const program = (module) => `import { Agent, AgentFilter, BinCollider, Collision, GreatLand, LevelShapes, WalkOptions } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+	const program = (module) => `import { Agent, AgentFilter, BinCollider, Collision, Contact, Footing, GreatLand, LevelShapes, RayHit, ShapeHit, WalkOptions } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
 		console.warn = (text) => said.push(text);
 		new GreatLand(), new AgentFilter(), AgentFilter.ofBreeds("heroes"), new WalkOptions(), new LevelShapes(), new Collision(new BinCollider());
 		new GreatLand({ loadHulls: true }), new LevelShapes(true);
 		new AgentFilter({ breeds: ["heroes"] }), new WalkOptions({ stepHeight: 1 });
+		new Footing(), new RayHit(), new ShapeHit(), new Contact();
+		new Footing({ stands: true }), new RayHit({}), new ShapeHit({}), new Contact({});
 		new Collision(new BinCollider(), { terrain: null });
 		class Wolf extends Agent { constructor(...all) { super(...all); this.all = all; } }
 		new Agent("sphere"), new Agent("sphere", "wolves"), new Wolf("sphere", "wolves", 3), new Agent("sphere", "wolves", { sweeps: true });
@@ -426,7 +428,7 @@ test("while a game is developed, settings for a constructor that takes none are 
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const none = (name, such) => `starlogo-collision: new ${name} takes no arguments, and does nothing with those that it got: settings${such} are set after it`;
 	assert.deepEqual(run("starlogo-collision.js"), [none("GreatLand", " such as loadHulls"),
-		none("LevelShapes", ""), "starlogo-collision: new Collision takes 1 argument, and does nothing with the others: settings such as terrain are set after it",
+		none("LevelShapes", ""), none("Footing", " such as stands"), none("RayHit", ""), none("ShapeHit", ""), none("Contact", ""), "starlogo-collision: new Collision takes 1 argument, and does nothing with the others: settings such as terrain are set after it",
 		"starlogo-collision: new Agent takes 2 arguments, and does nothing with the others: settings such as sweeps are set after it"]);
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
@@ -487,6 +489,58 @@ test("while a game is developed, what is made anew in each frame, traits that do
 		/collideAs of agent .* in a HierarchicalCollider/, /Collision\.update takes the list alone: the engine knows no time/, /accepts returns nothing/, /walks 3 patches in each frame/, /accepts is an async function/, /exakt is no property of LevelShapes/, /questions see agent \d+ \(breed "sheep"/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	for (const pattern of expected) assert.ok(said.some((text) => pattern.test(text)), `${pattern}: ${said.join("\n")}`);
+	assert.deepEqual(run("starlogo-collision.min.js"), []);
+});
+
+test("while a game is developed, rays that begin in their sender, models that replace others and grounds that are missing are warned of, once", () => {
+	const program = (module) => `import { Agent, AgentQueries, AgentRays, BinCollider, BuiltInModel, Collision, GreatLand, LevelShapes, SeenAgents, Terrain, WorldBounds } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const game = new Collision(new BinCollider());
+		const queries = new AgentQueries(game);
+		const [hero, foe] = [new Agent("sphere", "heroes"), new Agent("sphere", "foes")];
+		const update = () => queries.update([hero, foe]);
+		for (let i = 0; i < 400; i++) update();
+		game.onCollision("heroes", "edge", () => 0);
+		game.onCollision("heroes", Collision.EDGE, () => 0);
+		game.onCollision(Collision.TERRAIN, "heroes", () => 0);
+		if (said.length > 0) throw new Error(said.join());
+		for (let i = 0; i < 2; i++) update();
+		foe.moveTo(50, 0, 0);
+		const seen = new SeenAgents(game);
+		const rays = new AgentRays(seen);
+		const ahead = { x: 1, y: 0, z: 0 };
+		const fire = (from) => {
+			hero.x += 0.25;
+			for (const each of [queries, seen]) each.update([hero, foe]);
+			return rays.cast(from, ahead).distance;
+		};
+		// close to another, or where it stands, is no mistake
+		for (let i = 0; i < 60; i++) if (fire({ x: hero.x + 0.01 * (i % 20), y: 0, z: 0.5 }) > 0) throw new Error("it is inside");
+		for (let i = 0; i < 60; i++) seen.update([hero, foe]), rays.cast({ x: hero.x, y: 0, z: 0.5 }, ahead);
+		if (said.length > 1) throw new Error(said.join());
+		for (let i = 0; i < 60; i++) fire({ x: hero.x + 0.25, y: 0, z: 0.5 });
+		for (let i = 0; i < 400; i++) game.update([hero, foe]);
+		const whole = new Collision(new BinCollider());
+		whole.terrain = new Terrain(4, 4);
+		whole.bounds = new WorldBounds(-9, -9, -9, 9, 9, 9);
+		whole.onCollision("foes", Collision.EDGE, () => 0);
+		whole.onCollision("foes", Collision.TERRAIN, () => 0);
+		foe.moveTo(0, 0, 5);
+		for (let i = 0; i < 400; i++) whole.update([foe]);
+		for (const receiver of [new GreatLand(), new LevelShapes()]) {
+			for (const lengths of [[1, 2, 3], [1, 2, 3], [4, 2, 3], [5, 2, 3]]) receiver.addModel(BuiltInModel.box(...lengths));
+			for (const name of ["low", "high", "low"]) receiver.addModel(BuiltInModel.capsule(0.3, 1 + name.length, name));
+			receiver.addModel(BuiltInModel.cube());
+			receiver.addModel(BuiltInModel.cube());
+		}
+		console.log(JSON.stringify(said));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const said = run("starlogo-collision.js");
+	const expected = [/questions were updated 300 times, and their Collision never/, /30 rays began inside of agent \d+ \(breed "heroes", shape "sphere"\), .* \{ except: \[agent\] \}/, /no agent is of the breed "edge"; is Collision\.EDGE meant/,
+		/in 300 frames no handler was called, and handlers for Collision\.TERRAIN need the Collision's terrain, which is null/, /handlers for Collision\.EDGE need the Collision's bounds/, /no agent is of the breed "edge"\. The/, /a box of other lengths takes the place of the first.*BuiltInModel\.box\(\) takes a name last/];
+	assert.equal(said.length, expected.length, said.join("\n"));
+	expected.forEach((pattern, i) => assert.match(said[i], pattern));
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
 
@@ -606,7 +660,7 @@ test("while a game is developed, handlers that are not there to be removed, and 
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const { said, removed } = run("starlogo-collision.js");
 	assert.deepEqual(removed, [false, false, true, false, 'AgentFilter.except[0] must be an Agent, not "sheep"']);
-	const expected = [/no agent is of the breed "terrain"; is "\*terrain" meant\?/,
+	const expected = [/no agent is of the breed "terrain"; is Collision\.TERRAIN meant\?/,
 		/removeHandler removes nothing for "wolfs" and "sheep": the function eat is one for "wolves" and "sheep", "wolves" and "terrain"/,
 		/removeHandler removes nothing for "wolves" and "sheep": the function bound eat was never added: .* bind\(\)/];
 	assert.equal(said.length, expected.length, said.join("\n"));

@@ -17,7 +17,7 @@ export function uncaught(error) {
 
 /** The error for an error event without a listener. */
 export function unheard(type, text) {
-	return new Error(text);
+	return new Error(`${text}. Nothing listens to the event ${JSON.stringify(type)}`);
 }
 
 /** The list of frame listeners. Frames are sent as long as it is not empty. */

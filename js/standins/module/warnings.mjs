@@ -12,6 +12,7 @@ const $MOST_COLLISIONS = 8;
 const $MANY_ANGLES = 30;
 const $END = 4; // CollisionHandler.END
 const $WORLD_BREEDS = ["*terrain", "*edge"]; // Collision.TERRAIN and EDGE
+const $WORLD_NAMES = { "*terrain": "Collision.TERRAIN", "*edge": "Collision.EDGE" };
 const $STRUCTURE = "structure"; // what a cast structure is called: see Body.readStructure
 const $warned = /* @__PURE__ */ new Set();
 const $checkedBreeds = /* @__PURE__ */ new Map();
@@ -25,9 +26,12 @@ const $stops = /* @__PURE__ */ new Map();
 const $breedsOf = /* @__PURE__ */ new WeakMap();
 const $additions = /* @__PURE__ */ new WeakMap();
 const $lists = /* @__PURE__ */ new WeakMap();
+const $replaced = /* @__PURE__ */ new WeakMap();
 const $angles = { count: 0, least: 0, most: 0 };
 let $anglesToSee = 20000;
 let $frames = 0;
+let $updatesBefore = 0;
+let $sender = { agent: null, dx: 0, dy: 0, dz: 0, x: 0, y: 0, rays: 0 };
 let $asked = null;
 let $askedFrame = 0;
 let $lookedAt = 0;
@@ -122,7 +126,7 @@ export function $warnOfBreeds(names, agents) {
 		const meant = called.find((breed) => $areSimilar(name, breed));
 		const shaped = agents.find((agent) => agent?.shape === name);
 		if (meant === undefined && shaped) $warn(`no agent is of the breed ${JSON.stringify(name)}, which is the shape of ${shaped}: new Agent(${JSON.stringify(name)}, "BREED") gives it a breed`);
-		if (meant !== undefined) $warn(`no agent is of the breed ${JSON.stringify(name)}; is ${JSON.stringify(meant)} meant?`);
+		if (meant !== undefined) $warn(`no agent is of the breed ${JSON.stringify(name)}; is ${$WORLD_NAMES[meant] ?? JSON.stringify(meant)} meant?`);
 	}
 }
 
@@ -151,7 +155,7 @@ export function $warnOfInside(agents, index, shape, place, below, depth, isTree)
 	}
 	const remedy = below > 0.01 * place.size && !isCast
 		? `Its lowest point is ${$rounded(below)} below its place: a model that is AS_GIVEN keeps its origin. If its place is on the ground, move it up by ${$rounded(below)}, or give it a model whose origin is its lowest point.`
-		: "What is inside of a closed model collides; without exact, what is inside of a box of its tree. A room needs exact, and an opening or thick walls.";
+		: "What is inside of a closed model collides; without exact, what is inside of a box of its tree. A room needs exact, and an opening or thick walls. A level that lies on its side needs another up axis.";
 	$warn(`${name} begins a motion at (${[place.x, place.y, place.z].map($rounded).join(", ")}), ${$rounded(depth)} deep inside of ${level}, which does not stop it. ${remedy} See docs/questions.md in the package, "floats in a room"`, `inside ${level.shape} ${shape}`);
 }
 
@@ -239,6 +243,9 @@ export function $warnOfSilence(collision, agents) {
 	if (frames < $LONG_SILENCE || !Array.isArray(agents)) return;
 	const breeds = [...new Set(agents.map((agent) => agent?.breed))];
 	const missing = collision.breedsWithoutAgents;
+	["terrain", "bounds"].forEach((setting, breed) => {
+		if (collision._handlers.interests.$isNamed(breed) && collision[setting] === null) $warn(`in ${frames} frames no handler was called, and handlers for ${Object.values($WORLD_NAMES)[breed]} need the Collision's ${setting}, which is null`);
+	});
 	if (missing.length > 0 && breeds.length > 0) $warn(`in ${frames} frames no handler was called, and no agent is of the breed ${missing.map((name) => JSON.stringify(name)).join(" or ")}. The agents' breeds are ${breeds.slice(0, 5).map((name) => JSON.stringify(name)).join(", ")}`);
 }
 
@@ -268,6 +275,34 @@ export function $warnOfStale(queries, agents, mover) {
 	last.placesThen ??= last.agents.slice(0, 100).filter((agent) => agent).map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z }));
 	const moved = last.placesThen.find(({ agent, x, y, z }) => !last.movers.has(agent) && (agent.x !== x || agent.y !== y || agent.z !== z));
 	if (moved) $warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${$frames - last.frameThen} frames ago: call it once a frame, or refresh(agent)`, "stale");
+}
+
+/** Warns of a forgotten collision.update(): questions about a Collision with handlers are updated hundreds of times, and no Collision is. */
+export function $warnOfNoFrames(queries) {
+	if ($frames > 0 || ++$updatesBefore < $LONG_SILENCE) return;
+	if (queries._source._handlers?._lists.length > 0) $warn(`questions were updated ${$LONG_SILENCE} times, and their Collision never, so no handler runs: call collision.update(agents) once a frame, too`);
+}
+
+/**
+ * Warns of rays that begin inside of the agent that sends them: many begin in an agent that moves, all at the same place beside the agent's own. It
+ * compares with the ray before, which began in an agent.
+ */
+export function $warnOfSender(agent, origin) {
+	const before = $sender;
+	const [dx, dy, dz] = [origin.x - agent.x, origin.y - agent.y, origin.z - agent.z];
+	const isBeside = agent === before.agent && Math.abs(dx - before.dx) + Math.abs(dy - before.dy) + Math.abs(dz - before.dz) < 1e-9 * agent.size;
+	if (isBeside && agent.x === before.x && agent.y === before.y) return;
+	$sender = { agent, dx, dy, dz, x: agent.x, y: agent.y, rays: isBeside ? before.rays + 1 : 1 };
+	if ($sender.rays === $MANY_FRAMES) $warn(`${$MANY_FRAMES} rays began inside of ${agent}, and met it at distance 0, wherever it was. If it sends them, leave it out: cast(origin, direction, maxDistance, { except: [agent] })`, "sender");
+}
+
+/** Warns of a built-in model that takes the place of one of other lengths, because neither has got a name. */
+export function $warnOfReplaced(receiver, model) {
+	if (Object.getPrototypeOf(model ?? {})?.constructor?.name !== "BuiltInModel" || model.name !== "box" && model.name !== "capsule") return;
+	const models = $replaced.get(receiver) ?? {};
+	const before = models[model.name];
+	$replaced.set(receiver, { ...models, [model.name]: model });
+	if (before && before.vertices.join() !== model.vertices.join()) $warn(`a ${model.name} of other lengths takes the place of the first, because both are called "${model.name}": BuiltInModel.${model.name}() takes a name last`);
 }
 
 /** Warns of arguments that a constructor does not take: `new CombinationCollider(greatLand, { exact: true })`, `new GreatLand({ loadHulls: true })`. */

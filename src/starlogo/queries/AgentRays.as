@@ -85,7 +85,16 @@ package starlogo.queries
             var found:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
             var hits:Hits = nestedHits();
             collect(found, hits);
-            return hits.end(found) == 0 ? null : write(hits, 0, hit || new RayHit());
+            if (hits.end(found) == 0)
+            {
+                return null;
+            }
+            var first:RayHit = write(hits, 0, hit || new RayHit());
+            if (first.distance == 0)
+            {
+                warnOfSender(first.agent, origin);
+            }
+            return first;
         }
 
         /**

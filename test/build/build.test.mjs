@@ -209,7 +209,7 @@ test('a name that is no option is refused, with the nearest, and so is an option
 	assert.deepEqual(check('test=', 'full', 'full=', 'node', 'single', 'ant.logger.defaults'), [0, '']);
 	assert.deepEqual(check('test'), [64, 'antw: -Dtest needs a value: -Dtest=...\n']);
 	// folders that the build empties
-	for (const own of ['changed', 'module', 'bin', 'swc', 'dist', 'stamps', 'samples', 'generated']) assert.match(check(`${own}=`)[1], new RegExp(`^antw: there is no option -D${own}\\b`));
+	for (const own of ['transpiled', 'module', 'bin', 'swc', 'dist', 'stamps', 'samples', 'generated']) assert.match(check(`${own}=`)[1], new RegExp(`^antw: there is no option -D${own}\\b`));
 	assert.doesNotMatch(check('modul=')[1], /-Dmodule/);
 	assert.deepEqual(check('--no-target', 'clienttest'), [64, 'antw: there is no target clienttest; there is client-test\n']);
 	// every option that a page names is one

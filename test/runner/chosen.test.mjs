@@ -228,6 +228,7 @@ test('all of a choice can be left to Node: classes and tests by their names, a p
 	const page = list('terrain.md');
 	assert.deepEqual([page.node, page.pages], [undefined, 'docs/terrain.md']);
 	assert.equal(list('terms.md'), null);
+	assert.notEqual(list('@changed'), null);
 	assert.equal(list('noSuchTest'), null);
 	rmSync(out, { recursive: true });
 });

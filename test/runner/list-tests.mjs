@@ -12,22 +12,27 @@
  *                      lists it; allocations, the tests of allocations among those picked; none, if the SWF has no test; node, if Node runs some; pages, those
  *                      of the pages named that have samples in JavaScript; away3d, how many tests need Away3D, of those named and those of a named adapter
  *
+ * The pattern @changed stands for the files that differ from the last commit.
+ *
  * Of tests that Node runs in place of Ruffle, a SWF has only those that the pattern names itself. With --full Ruffle runs all, and Node goes on with none
  * farther off. Files that would be the same keep their times.
  */
+import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
+import { root } from '../structure/sources.mjs';
 import { choose, fartherTests, inNodeAlone, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from './chosen.mjs';
 import { NOT_HERE } from './not-here.mjs';
 
 const simpleName = (name) => name.split('.').pop();
 
-const { values: { test: pattern, samples, full: isFull }, positionals: [out, machine] } = parseArgs({
+const { values: { test: given, samples, full: isFull }, positionals: [out, machine] } = parseArgs({
 	allowPositionals: true,
 	options: { test: { type: 'string', default: '' }, samples: { type: 'string', default: '' }, full: { type: 'boolean', default: false } },
 });
 const isNode = machine === 'node';
+const pattern = given === '@changed' ? changedFiles() : given;
 
 /** Whether Node runs what takes Ruffle long, and goes on with tests farther off. */
 const isShared = !isFull && (isNode || machine === 'ruffle');
@@ -42,11 +47,11 @@ const needsAway3d = (name) => /^(starlogo\.away3d|docs)\.Away3d/.test(name);
 const classes = new Map([...all].filter(([name]) => needsAway3d(name) === (machine === 'away3d')));
 
 const elsewhere = isShared ? inNodeAlone() : new Set();
-const choice = pattern === '' ? { tests: new Map([...classes.keys()].map((name) => [name, null])), used: new Set(), farther: new Set(), named: [], pages: [], said: [] } : choose(pattern, classes, sources);
+const choice = given === '' ? { tests: new Map([...classes.keys()].map((name) => [name, null])), used: new Set(), farther: new Set(), named: [], pages: [], said: [] } : choose(pattern, classes, sources);
 const { tests, used, farther, named } = choice;
 const ofPages = testsOfPages(choice.pages);
-const ofAdapters = pattern === '' || machine === 'away3d' || isNode || named.some((name) => !name.startsWith('starlogo.away3d.')) ? [] : [...choose(pattern, all, sources).tests].filter(([name]) => needsAway3d(name));
-if (tests.size + ofAdapters.length + (isNode ? ofPages : choice.pages).length === 0) {
+const ofAdapters = given === '' || machine === 'away3d' || isNode || named.some((name) => !name.startsWith('starlogo.away3d.')) ? [] : [...choose(pattern, all, sources).tests].filter(([name]) => needsAway3d(name));
+if (tests.size + ofAdapters.length + (isNode ? ofPages : choice.pages).length === 0 && given !== '@changed') {
 	const ofClass = testsBefore(pattern, classes).slice(0, 100);
 	const near = ofClass.length > 0 ? ofClass : pattern.split(',').flatMap((part) => nearestNames(part.trim(), all, sources));
 	// antw says such a line last, and not the status of this program
@@ -54,7 +59,7 @@ if (tests.size + ofAdapters.length + (isNode ? ofPages : choice.pages).length ==
 	process.exit(1);
 }
 const inSwf = isNode ? new Map() : withoutElsewhere();
-const order = pattern === '' ? [] : [...tests.keys()].filter((name) => !isShared || !farther.has(name)).flatMap(leftToNode);
+const order = given === '' ? [] : [...tests.keys()].filter((name) => !isShared || !farther.has(name)).flatMap(leftToNode);
 const then = isShared ? fartherTests(choice, classes, sources).filter(([name]) => !inSwf.has(name)).map(([name, test]) => `${simpleName(name)}.${test}`) : [];
 const beside = isShared ? testsBeside(named) : [];
 for (const line of choice.said) console.log(line);
@@ -76,17 +81,28 @@ ${names.map((name) => `    import ${name};`).join('\n')}
 }
 `);
 write('choice.json', JSON.stringify({ order, beside, then, of: named }));
-const picked = pattern === '' ? [] : [...inSwf].flatMap(([name, list]) => list?.map((test) => `${name}.${test}`) ?? [name]);
+const picked = given === '' ? [] : [...inSwf].flatMap(([name, list]) => list?.map((test) => `${name}.${test}`) ?? [name]);
 const properties = {
 	picked: picked.join(','),
 	elsewhere: [...elsewhere].join(','),
-	allocations: (pattern === '' ? names : picked).filter((name) => /AllocationTest\b/.test(name)).join(','),
+	allocations: (given === '' ? names : picked).filter((name) => /AllocationTest\b/.test(name)).join(','),
 	none: inSwf.size === 0,
 	node: order.length + then.length + beside.length > 0,
 	pages: ofPages.length > 0 && choice.pages.join(','),
 	away3d: ofAdapters.length > 0 && ofAdapters.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0),
 };
 write('tests.properties', Object.entries(properties).filter(([, value]) => value !== false).map(([name, value]) => `${name}=${value}\n`).join(''));
+
+/** The sources, test classes and pages that differ from the last commit, with commas between. Says so of other files, which have no tests of their own. */
+function changedFiles() {
+	const git = (...words) => execFileSync('git', words, { cwd: root, encoding: 'utf8' }).split('\n').filter((file) => file !== '' && existsSync(path.join(root, file)));
+	const files = [...git('diff', '--name-only', 'HEAD'), ...git('ls-files', '--others', '--exclude-standard')];
+	const hasTests = (file) => /^(src|test)\/.*\.as$|\.md$/.test(file);
+	const others = files.filter((file) => !hasTests(file));
+	console.log(`changed since the last commit: ${files.filter(hasTests).join(', ') || 'no source and no page'}`);
+	if (others.length > 0) console.log(`changed, but ./antw test alone has their tests: ${others.join(', ')}`);
+	return files.filter(hasTests).join(',');
+}
 
 /** The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther on. */
 function withoutElsewhere() {

@@ -41,7 +41,7 @@ mount(tests, options.mount);
 console.warn = () => {};
 if (options.coverage) writeFileSync(options.coverage, `${JSON.stringify({ test: "", ms: 0, lines: linesRun() })}\n`);
 
-/** Seconds of a processor, for all that is run, after which none of --then begins any more. */
+/** Seconds of a processor, for all that is run, after which no test farther off begins. */
 const ENOUGH_S = 40;
 
 /** Seconds of a processor after which a test is taken for one that does not end, if the variable NO_END_S gives no others. */
@@ -68,7 +68,8 @@ process.on("uncaughtException", (error) => {
 });
 
 const simpleName = ({ name }) => name.split(".").pop();
-const { order = tests.CLASSES.map(simpleName), beside = [], then = [], of = [] } = options.choice ? JSON.parse(readFileSync(options.choice, "utf8")) : {};
+const { order, beside, then, of } = { beside: [], then: [], of: [], ...options.choice && JSON.parse(readFileSync(options.choice, "utf8")) };
+const classes = order ? inOrder(order) : tests.CLASSES.map((each) => ({ ...each, isRun: () => true }));
 const farther = inOrder(then);
 
 /** Some classes and tests, by the class's name. A class whose tests follow one another is begun once. */
@@ -83,7 +84,7 @@ function inOrder(names) {
 	return found.map((each) => ({ ...each, isRun: (name) => each.wanted.includes(null) || each.wanted.includes(name) }));
 }
 
-for (const each of inOrder(order)) await runClass(each, () => true);
+for (const each of classes) await runClass(each, () => true);
 for (const file of beside) if (!isOver()) runBeside(file);
 await runFarther();
 

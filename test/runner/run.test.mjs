@@ -90,7 +90,7 @@ test("what is farther off and has begun is ended once a test has failed in the p
 	const counts = path.join(folder, "counts.txt");
 	const program = path.join(folder, "watched.mjs");
 	writeFileSync(program, `import { watch } from ${JSON.stringify(path.join(here, "watch.mjs"))}; watch(60, ${JSON.stringify(counts)}, ${JSON.stringify(until)})("ATest.hasNoEnd", 5, 0, 2, 1); for (;;);`);
-	const { stdout, signal } = spawnSync(process.execPath, [program], { timeout: 60000, encoding: "utf8" });
+	const { stdout, signal } = spawnSync(process.execPath, [program], { timeout: 600000, encoding: "utf8" });
 	assert.equal(stdout, "ATest.hasNoEnd and the tests after it did not run: one failed\n");
 	assert.equal(signal, "SIGKILL");
 	assert.equal(readFileSync(counts, "utf8"), "5 passed, 0 failed, 2 skipped\n");

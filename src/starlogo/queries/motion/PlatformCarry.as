@@ -26,7 +26,7 @@ package starlogo.queries.motion
         private var _others:IntList = new IntList();
         private var _carried:Vector3D = new Vector3D();
 
-        // A way from there, and the core on it.
+        // The way from there to where it comes, and the core on this way.
         private var _motion:Vector3D = new Vector3D();
         private var _core:BodyCore = new BodyCore();
 

@@ -65,14 +65,14 @@ package starlogo.queries.motion
             var found:Collector = _seen.ask(wanted, Infinity, null, null);
             _common.place.copyFrom(body.from);
             _common.lifted.clear();
-            if (addTouches(body, motion, _common, found, hits, first))
+            if (addTouches(body, motion, found, hits, first))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
                 _sweep.findStart(body, body.rows, body.from, motion, _common);
                 if (!_common.place.equals(body.from))
                 {
                     found = _seen.ask(wanted, Infinity, null, null);
-                    addTouches(body, motion, _common, found, hits, first);
+                    addTouches(body, motion, found, hits, first);
                 }
             }
             if (first.row < 0)
@@ -83,7 +83,7 @@ package starlogo.queries.motion
         }
 
         // Adds the rows that stop the body. Returns whether the start among all rows may change the answer.
-        private function addTouches(body:MovingBody, motion:Vector3D, common:MotionStart, found:Collector, hits:Hits, first:MotionResult):Boolean
+        private function addTouches(body:MovingBody, motion:Vector3D, found:Collector, hits:Hits, first:MotionResult):Boolean
         {
             var mayLift:Boolean = false;
             hits.begin();
@@ -93,7 +93,7 @@ package starlogo.queries.motion
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.numbers[i];
-                mayLift = findTouch(body, row, motion, common, _touch) || mayLift;
+                mayLift = findTouch(body, row, motion, _common, _touch) || mayLift;
                 if (_touch.row >= 0)
                 {
                     found.add(row, _touch.fraction);

@@ -7,7 +7,6 @@ package starlogo.queries
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.queries.motion.MotionResult;
-    import starlogo.queries.motion.MotionStart;
     import starlogo.queries.motion.MovingBody;
     import starlogo.queries.motion.OverlapRecovery;
     import starlogo.queries.motion.SlideLimits;
@@ -34,17 +33,15 @@ package starlogo.queries
 
         private var _slider:Slider = new Slider();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
-        private var _touches:TouchSweep = new TouchSweep();
+        private var _touches:TouchSweep;
         private var _hits:Hits;
         private var _spare:SpareHits = new SpareHits(ShapeHit);
 
         // By the nesting of a question (SeenAgents.nesting): its body.
         private var _bodies:Vector.<MovingBody> = new Vector.<MovingBody>();
 
-        // A motion, how it starts among all rows near the way, how it ends at one of them and at the first, and how a slide ends.
+        // A motion, how it ends at the first row that stops it, and how a slide ends.
         private var _motion:Vector3D = new Vector3D();
-        private var _common:MotionStart = new MotionStart();
-        private var _touch:MotionResult = new MotionResult();
         private var _first:MotionResult = new MotionResult();
         private var _slid:SlideResult = new SlideResult();
 
@@ -52,6 +49,7 @@ package starlogo.queries
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
+            _touches = new TouchSweep(seen);
             _hits = new Hits(seen);
         }
 
@@ -94,15 +92,11 @@ package starlogo.queries
             _seen.requireMovable(agent, "moveUntilTouch");
             var body:MovingBody = nestedBody();
             body.readAgent(agent);
-            findStops(body, agent, dx, dy, dz, filter, 1, _motion, _common, _first);
+            findStops(body, agent, dx, dy, dz, filter, 1, _motion, _first);
             var isMet:Boolean = _first.row >= 0;
             if (isMet)
             {
                 _touches.goIntoTouch(body, _first);
-            }
-            else
-            {
-                _touches.setEnd(body.from, _motion, 1, _common, _first.place);
             }
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
@@ -167,13 +161,13 @@ package starlogo.queries
 
         private function cast(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return findStops(body, asker, dx, dy, dz, filter, 1, _motion, _common, _first) == 0 ? null : write(0, hit || new ShapeHit());
+            return findStops(body, asker, dx, dy, dz, filter, 1, _motion, _first) == 0 ? null : write(0, hit || new ShapeHit());
         }
 
         private function castAll(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            _spare.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, _motion, _common, _first));
+            _spare.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, _motion, _first));
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);
@@ -181,56 +175,15 @@ package starlogo.queries
             return hits;
         }
 
-        // Finds the rows that stop the body on a straight way, each as if the others were not there. The asker is null if a structure is cast. The motion,
-        // how it starts and its end at the first row are written once the filter has been asked, because its accepts may ask other questions. Returns how
-        // many hits the answer has.
+        // Finds the rows that stop a body on a straight way, each as if the others were not there. The asker is null if a structure is cast. The motion and
+        // its end at the first row are written once the filter has been asked, because its accepts may ask other questions. Returns how many hits there are.
         private function findStops(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, wanted:int, motion:Vector3D,
-                common:MotionStart, first:MotionResult):int
+                first:MotionResult):int
         {
             requireMotion(dx, dy, dz, asker);
             body.findRowsAlong(dx, dy, dz, asker, filter);
             motion.setTo(dx, dy, dz);
-            common.place.copyFrom(body.from);
-            common.lifted.clear();
-            var found:Collector = _seen.ask(wanted, Infinity, null, null);
-            if (addHits(body, motion, common, found, first))
-            {
-                // a floor may be many rows: what is lifted out of one of them does not run into the next
-                _touches.findCommonStart(body, motion, common);
-                if (!common.place.equals(body.from))
-                {
-                    found = _seen.ask(wanted, Infinity, null, null);
-                    addHits(body, motion, common, found, first);
-                }
-            }
-            return _hits.end(found);
-        }
-
-        // Finds the rows that stop the body if it starts where all rows together lift it. Returns whether a common lift could change the answer: whether a
-        // row alone lifts the body, or stops it at once.
-        private function addHits(body:MovingBody, motion:Vector3D, common:MotionStart, found:Collector, first:MotionResult):Boolean
-        {
-            var touch:MotionResult = _touch;
-            var mayLift:Boolean = false;
-            _hits.begin();
-            first.row = -1;
-            first.fraction = 1;
-            // what stops the body at once does not end the loop, because a row behind it may lift the body
-            for (var i:int = 0; i < body.rows.count; i++)
-            {
-                var row:int = body.rows.numbers[i];
-                mayLift = _touches.findTouch(body, row, motion, common, touch) || mayLift;
-                if (touch.row >= 0)
-                {
-                    found.add(row, touch.fraction);
-                    _hits.add(row, touch.fraction).copyFrom(touch.contact);
-                    if (first.row < 0 || touch.fraction < first.fraction)
-                    {
-                        first.copyFrom(touch);
-                    }
-                }
-            }
-            return mayLift;
+            return _hits.end(_touches.findTouches(body, motion, wanted, _hits, first));
         }
 
         // Writes how the body touches a row of the answer.

@@ -140,7 +140,8 @@ package starlogo.queries.motion
             {
                 return expected;
             }
-            var whole:Body = core.body.wholeAt(endOf(from, motion));
+            setAlong(from, motion, 1, _end);
+            var whole:Body = core.body.wholeAt(_end);
             var other:Body = core.body.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
             core.body.narrowPhase.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
@@ -205,10 +206,10 @@ package starlogo.queries.motion
         // sheet there, so it is not swept again. Returns whether the row stops it.
         private function findImpact(core:BodyCore, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
         {
-            var end:Vector3D = endOf(from, motion);
             var contact:ContactPoint = out.contact;
+            setAlong(from, motion, 1, _end);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            if (!sweepCore(core, row, from, end, countsInside, _relative, contact))
+            if (!sweepCore(core, row, from, _end, countsInside, _relative, contact))
             {
                 return false;
             }
@@ -222,7 +223,7 @@ package starlogo.queries.motion
                 var rest:Number = 1 - beyond;
                 setAlong(from, motion, beyond, _beyond);
                 _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-                if (!sweepCore(core, row, _beyond, end, false, _relative, contact))
+                if (!sweepCore(core, row, _beyond, _end, false, _relative, contact))
                 {
                     return false;
                 }
@@ -268,14 +269,6 @@ package starlogo.queries.motion
                 out.setNormal(0, 0, 0);
             }
             return motion.time != RelativeMotion.NEVER;
-        }
-
-        // Where a motion ends. It is valid until the next call.
-        private function endOf(from:Vector3D, motion:Vector3D):Vector3D
-        {
-            _end.copyFrom(from);
-            _end.incrementBy(motion);
-            return _end;
         }
     }
 }

@@ -135,9 +135,14 @@ package starlogo.queries.motion
          */
         public function findRowsAlong(dx:Number, dy:Number, dz:Number, asker:Agent, filter:AgentFilter):void
         {
-            _search.beginAround(_seen.treeOfExtents(), source);
-            _search.moveAlong(dx, dy, dz, 1);
-            listFound(asker, filter);
+            var found:Collector = _seen.ask(Collector.ALL, 1, asker, filter);
+            rows.count = 0;
+            if (hasShape)
+            {
+                _search.beginAround(_seen.treeOfExtents(), source);
+                _search.moveAlong(dx, dy, dz, 1);
+                found.listRows(_search, rows);
+            }
         }
 
         /**
@@ -151,18 +156,12 @@ package starlogo.queries.motion
          */
         public function findRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
         {
-            _search.beginAround(_seen.treeOfExtents(), source);
-            _search.widen(range, up, down);
-            listFound(asker, filter);
-        }
-
-        // Lists the rows of the search. Without a shape there are none.
-        private function listFound(asker:Agent, filter:AgentFilter):void
-        {
             var found:Collector = _seen.ask(Collector.ALL, 1, asker, filter);
             rows.count = 0;
             if (hasShape)
             {
+                _search.beginAround(_seen.treeOfExtents(), source);
+                _search.widen(range, up, down);
                 found.listRows(_search, rows);
             }
         }

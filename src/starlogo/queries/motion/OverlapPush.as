@@ -28,12 +28,6 @@ package starlogo.queries.motion
         private var _deepest:ContactPoint = new ContactPoint();
         private var _overlap:ContactPoint = new ContactPoint();
 
-        /** The sum of the depths of all overlaps of a body at a place. */
-        public function findDepth(body:MovingBody, place:Vector3D):Number
-        {
-            return findDeepest(body, place, _deepest);
-        }
-
         /**
          * Pushes a body out of what it overlaps.
          *
@@ -43,7 +37,7 @@ package starlogo.queries.motion
         public function pushOut(body:MovingBody, most:Number, place:Vector3D):void
         {
             var left:Number = most;
-            for (var i:int = 0; i < MOST_PUSHES && left > 0 && findDeepest(body, place, _deepest) > 0; i++)
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && findDepth(body, place) > 0; i++)
             {
                 var length:Number = Math.min(left, _deepest.depth);
                 left -= length;
@@ -54,20 +48,20 @@ package starlogo.queries.motion
             }
         }
 
-        // Finds the deepest overlap of a body at a place. Returns the sum of the depths of all.
-        private function findDeepest(body:MovingBody, place:Vector3D, out:ContactPoint):Number
+        /** The sum of the depths of all overlaps of a body at a place. The deepest one is kept for a push. */
+        public function findDepth(body:MovingBody, place:Vector3D):Number
         {
             var sum:Number = 0;
-            out.depth = 0;
+            _deepest.depth = 0;
             _core.beginStanding(body, body.rows, place);
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 if (findOverlap(_core, body.rows.numbers[i], place, _overlap))
                 {
                     sum += _overlap.depth;
-                    if (_overlap.depth > out.depth)
+                    if (_overlap.depth > _deepest.depth)
                     {
-                        out.copyFrom(_overlap);
+                        _deepest.copyFrom(_overlap);
                     }
                 }
             }

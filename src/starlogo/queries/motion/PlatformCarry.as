@@ -26,7 +26,7 @@ package starlogo.queries.motion
         private var _others:IntList = new IntList();
         private var _carried:Vector3D = new Vector3D();
 
-        // A way from there, and the core on it.
+        // The way from there to where it comes, and the core on this way.
         private var _motion:Vector3D = new Vector3D();
         private var _core:BodyCore = new BodyCore();
 
@@ -96,16 +96,16 @@ package starlogo.queries.motion
             _carried.copyFrom(walk.place);
             _carried.incrementBy(walk.carry);
             _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);
-            if (_slid.fraction < 1 && isInPlatform(walk, _slid.place))
+            var place:Vector3D = _slid.place;
+            if (_slid.fraction < 1 && isInPlatform(walk, place))
             {
                 _slider.goStraight(walk.body, _others, walk.place, walk.carry, _straight);
                 if (!isInPlatform(walk, _straight.place))
                 {
-                    walk.place.copyFrom(_straight.place);
-                    return;
+                    place = _straight.place;
                 }
             }
-            walk.place.copyFrom(_slid.place);
+            walk.place.copyFrom(place);
         }
 
         // Whether the way to a place, from where the platform carries the agent, leads into the platform.

@@ -3,10 +3,16 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.data.IntList;
+    import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.queries.SeenAgents;
+    import starlogo.queries.rays.Hits;
+    import starlogo.queries.trees.Collector;
+
+    use namespace engine;
 
     /**
-     * Finds where a straight motion of a body first touches a row, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
+     * Finds where a straight motion of a body first touches rows, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
      * it only touches, leaves or runs along does not stop it, because the core of the body is swept (CoreSweep).
      *
      * <p>The motion is tested from where a lift out of all rows together has led the body (CoreSweep.findStart). A row alone may lift it farther. But the
@@ -25,23 +31,80 @@ package starlogo.queries.motion
         // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core would meet it.
         private static const SLOPS_TO_LEAVE:Number = 2;
 
+        private var _seen:SeenAgents;
         private var _sweep:CoreSweep = new CoreSweep();
 
-        // The row of a question as a list, and how its motion starts.
+        // How a motion starts among all rows.
+        private var _common:MotionStart = new MotionStart();
+
+        // A row alone as a list, how the motion starts with it, and the answer.
         private var _rows:IntList = new IntList();
         private var _start:MotionStart = new MotionStart();
+        private var _touch:MotionResult = new MotionResult();
 
         // The way from the computed end of a motion to where the core touches.
         private var _toCore:Vector3D = new Vector3D();
 
-        /**
-         * Finds how a motion of a body from <code>body.from</code> starts among all rows near its way.
-         *
-         * @param out receives the answer. Its place is <code>body.from</code> if nothing lifts the body
-         */
-        public function findCommonStart(body:MovingBody, motion:Vector3D, out:MotionStart):void
+        /** @param seen the agents that the motions are among */
+        public function TouchSweep(seen:SeenAgents)
         {
-            _sweep.findStart(body, body.rows, body.from, motion, out);
+            _seen = seen;
+        }
+
+        /**
+         * Finds the rows near the way of a body from <code>body.from</code> that stop a motion, each as if the others were not there.
+         *
+         * @param motion the whole motion
+         * @param wanted how many of the first ones are wanted, or Collector.ALL
+         * @param hits receives how the body touches each row
+         * @param first receives the answer for the first row, or the free end of the motion
+         * @return what has the rows
+         */
+        public function findTouches(body:MovingBody, motion:Vector3D, wanted:int, hits:Hits, first:MotionResult):Collector
+        {
+            var found:Collector = _seen.ask(wanted, Infinity, null, null);
+            _common.place.copyFrom(body.from);
+            _common.lifted.clear();
+            if (addTouches(body, motion, found, hits, first))
+            {
+                // a floor may be many rows: what is lifted out of one of them does not run into the next
+                _sweep.findStart(body, body.rows, body.from, motion, _common);
+                if (!_common.place.equals(body.from))
+                {
+                    found = _seen.ask(wanted, Infinity, null, null);
+                    addTouches(body, motion, found, hits, first);
+                }
+            }
+            if (first.row < 0)
+            {
+                setEnd(body.from, motion, 1, _common, first.place);
+            }
+            return found;
+        }
+
+        // Adds the rows that stop the body. Returns whether the start among all rows may change the answer.
+        private function addTouches(body:MovingBody, motion:Vector3D, found:Collector, hits:Hits, first:MotionResult):Boolean
+        {
+            var mayLift:Boolean = false;
+            hits.begin();
+            first.row = -1;
+            first.fraction = 1;
+            // what stops the body at once does not end the loop, because a row behind it may lift the body
+            for (var i:int = 0; i < body.rows.count; i++)
+            {
+                var row:int = body.rows.numbers[i];
+                mayLift = findTouch(body, row, motion, _common, _touch) || mayLift;
+                if (_touch.row >= 0)
+                {
+                    found.add(row, _touch.fraction);
+                    hits.add(row, _touch.fraction).copyFrom(_touch.contact);
+                    if (first.row < 0 || _touch.fraction < first.fraction)
+                    {
+                        first.copyFrom(_touch);
+                    }
+                }
+            }
+            return mayLift;
         }
 
         /**
@@ -72,23 +135,12 @@ package starlogo.queries.motion
         }
 
         /**
-         * Sets where a fraction of a motion ends without lifts, but no deeper in what the body was lifted out of.
-         *
-         * @param common how the motion starts among all rows
-         */
-        public function setEnd(from:Vector3D, motion:Vector3D, fraction:Number, common:MotionStart, out:Vector3D):void
-        {
-            CoreSweep.setAlong(from, motion, fraction, out);
-            pushBack(from, common, out);
-        }
-
-        /**
          * Moves the end of a motion into the touch, on the side that the body comes from. Beyond a row without thickness the two would not touch, and
          * the body could not come back. So it tries several places, the outermost first: half of the gap across which the two still touch before the
          * contact. Rounding may hide the touch on a long way, and at an edge that the body meets at a flat angle. Then the touch is found between the
          * computed end and where the core touches the row, which may be much farther on: at a flat angle along the side of a tile.
          *
-         * @param touch an answer of <code>findTouch()</code> for this body, which a row stops. Its place changes
+         * @param touch an answer for this body, which a row stops. Its place changes
          */
         public function goIntoTouch(body:MovingBody, touch:MotionResult):void
         {
@@ -141,6 +193,13 @@ package starlogo.queries.motion
                 // otherwise each motion against a wall would lead a little deeper
                 out.fraction = 0;
             }
+        }
+
+        // Sets where a fraction of a motion ends without lifts, but no deeper in what the body was lifted out of among all rows.
+        private static function setEnd(from:Vector3D, motion:Vector3D, fraction:Number, common:MotionStart, out:Vector3D):void
+        {
+            CoreSweep.setAlong(from, motion, fraction, out);
+            pushBack(from, common, out);
         }
 
         // Pushes a place back where a body is deeper than it was at the beginning in what it was lifted out of. Without this, motions that are shorter than

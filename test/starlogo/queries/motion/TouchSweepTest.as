@@ -37,7 +37,7 @@ package starlogo.queries.motion
         private var _model:Model = BuiltInModel.sphere();
         private var _seen:SeenAgents = new SeenAgents(EachCollider.make("triangles", landOf(_model)));
         private var _body:MovingBody = new MovingBody(_seen);
-        private var _sweep:TouchSweep = new TouchSweep();
+        private var _sweep:TouchSweep = new TouchSweep(_seen);
         private var _result:MotionResult = new MotionResult();
         private var _corners:Vector.<Number> = new Vector.<Number>();
         private var _wrong:Complaints = new Complaints();

@@ -8,8 +8,10 @@ package starlogo.search.penetration
      * somewhere on the upper half of the sphere around it whose radius is the longer way. The search tries places that are spread over this half. From a
      * free one, a sweep down finds how high the body has to be there. Then the radius is that of the shorter way. Pits that are hardly wider than the
      * body may have no such place, so places above pushes are tried too.
+     *
+     * @private
      */
-    internal final class PlacesAbove
+    public final class PlacesAbove
     {
         // How many places are tried.
         private static const PLACES:int = 176;
@@ -19,8 +21,6 @@ package starlogo.search.penetration
         private static const TURN_Y:Number = 0.6754902942615238;
 
         private var _pair:DisplacedPair;
-        private var _pushOut:PushOut;
-        private var _directions:DirectionSearch;
 
         // The shortest way out so far, and the displacement that is tried.
         private var _shortest:ContactPoint = new ContactPoint();
@@ -30,31 +30,27 @@ package starlogo.search.penetration
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _met:ContactPoint = new ContactPoint();
 
-        /**
-         * @param pair has begun when a method is called. Its second body is the ground
-         * @param pushOut has tried pushes of the two
-         * @param directions finds the end of the shortest way
-         */
-        public function PlacesAbove(pair:DisplacedPair, pushOut:PushOut, directions:DirectionSearch)
+        /** @param pair has begun when a method is called. Its second body is the ground */
+        public function PlacesAbove(pair:DisplacedPair)
         {
             _pair = pair;
-            _pushOut = pushOut;
-            _directions = directions;
         }
 
         /**
          * Shortens a way out.
          *
+         * @param pushOut has tried pushes of the two
+         * @param directions finds the end of the shortest way
          * @param out the normal and the depth lead the first body out; receives those of a shorter way if one is found
          */
-        public function shorten(out:ContactPoint):void
+        internal function shorten(pushOut:PushOut, directions:DirectionSearch, out:ContactPoint):void
         {
             var x:Number = 1;
             var y:Number = 0;
             _shortest.copyFrom(out);
-            for (var push:int = 0; push < _pushOut.blockedEnd; push += 2)
+            for (var push:int = 0; push < pushOut.blockedEnd; push += 2)
             {
-                tryAbove(_pushOut.blocked[push], _pushOut.blocked[int(push + 1)]);
+                tryAbove(pushOut.blocked[push], pushOut.blocked[int(push + 1)]);
             }
             for (var i:int = 0; i < PLACES; i++)
             {
@@ -66,7 +62,7 @@ package starlogo.search.penetration
             }
             if (_shortest.depth < out.depth)
             {
-                _directions.findAlong(_shortest, out);
+                directions.findAlong(_shortest, out);
             }
         }
 

@@ -56,7 +56,7 @@ package starlogo.solid
                     }
                     var surface:SurfaceTopology = surfaceOf(vertices, triangles);
                     assertEquals(model.name + ", " + rounding, "-1", surface.shellStates.join());
-                    assertEquals(1, surface.partNumberEnd);
+                    assertEquals(1, surface.partCount);
                     assertTrue("seam: " + surface.widestSeam, surface.widestSeam > rounding / 2 && surface.widestSeam <= 4 * rounding);
                 }
             }
@@ -78,7 +78,7 @@ package starlogo.solid
             {
                 triangles.push(24 + cube.triangles[i]);
             }
-            assertEquals(2, surfaceOf(vertices, triangles).partNumberEnd);
+            assertEquals(2, surfaceOf(vertices, triangles).partCount);
             assertTrue(surfaceOf(vertices, triangles).hasClosedShell);
             assertEquals(0, surfaceOf(vertices, triangles).widestSeam);
             // without a triangle of the small one
@@ -101,20 +101,20 @@ package starlogo.solid
                 }
             }
             var surface:SurfaceTopology = surfaceOf(vertices, triangles);
-            assertEquals(1, surface.partNumberEnd);
+            assertEquals(1, surface.partCount);
             assertFalse(surface.hasClosedShell);
             // in a plane across the direction along which an earlier engine sorted vertices
             for (i = 0; i < vertices.length; i += 3)
             {
                 vertices[i] = -(0.2717819 * vertices[i + 1] + 0.7972148 * vertices[i + 2]) / 0.5390711;
             }
-            assertEquals(1, surfaceOf(vertices, triangles).partNumberEnd);
+            assertEquals(1, surfaceOf(vertices, triangles).partCount);
             // all in one place
             for (i = 0; i < vertices.length; i++)
             {
                 vertices[i] = 1;
             }
-            assertEquals(1, surfaceOf(vertices, triangles).partNumberEnd);
+            assertEquals(1, surfaceOf(vertices, triangles).partCount);
         }
 
         [Test]
@@ -145,7 +145,7 @@ package starlogo.solid
             }
             var surface:SurfaceTopology = surfaceOf(vertices, triangles);
             assertEquals("-1", surface.shellStates.join());
-            assertEquals(1, surface.partNumberEnd);
+            assertEquals(1, surface.partCount);
             for each (i in turnedIn(surface))
             {
                 isTurned[i] = !isTurned[i];

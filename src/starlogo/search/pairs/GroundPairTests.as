@@ -17,6 +17,7 @@ package starlogo.search.pairs
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.DisplacedPair;
     import starlogo.search.penetration.ExitSearch;
+    import starlogo.search.penetration.PlacesAbove;
     import starlogo.search.TreeLimits;
 
     use namespace engine;
@@ -45,7 +46,8 @@ package starlogo.search.pairs
         public function GroundPairTests(limits:TreeLimits)
         {
             _limits = limits;
-            _separation = new ExitSearch(new DisplacedPair(this), true);
+            var pair:DisplacedPair = new DisplacedPair(this);
+            _separation = new ExitSearch(pair, new PlacesAbove(pair));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */

@@ -60,7 +60,7 @@ package starlogo.search.pairs
             _counts = counts;
             _trees = new TwoTrees(counts);
             _treeAndStructure = new TreeAndStructure(counts);
-            _separation = new ExitSearch(new DisplacedPair(this), false);
+            _separation = new ExitSearch(new DisplacedPair(this), null);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */

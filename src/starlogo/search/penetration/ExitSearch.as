@@ -24,7 +24,7 @@ package starlogo.search.penetration
         private var _pushOut:PushOut;
 
         // Null if the second body is not the ground.
-        private var _placesAbove:PlacesAbove = null;
+        private var _placesAbove:PlacesAbove;
 
         // The contact of the two, another contact to begin with, and the displacement that is tried.
         private var _first:ContactPoint = new ContactPoint();
@@ -33,17 +33,14 @@ package starlogo.search.penetration
 
         /**
          * @param pair the two bodies are those of its last beginning
-         * @param isGround whether the second body is the ground
+         * @param placesAbove of the pair; null if the second body is not the ground
          */
-        public function ExitSearch(pair:DisplacedPair, isGround:Boolean)
+        public function ExitSearch(pair:DisplacedPair, placesAbove:PlacesAbove)
         {
             _pair = pair;
             _directions = new DirectionSearch(pair);
             _pushOut = new PushOut(pair, _directions);
-            if (isGround)
-            {
-                _placesAbove = new PlacesAbove(pair, _pushOut, _directions);
-            }
+            _placesAbove = placesAbove;
         }
 
         /**
@@ -81,7 +78,7 @@ package starlogo.search.penetration
                 tryOutOfCovers(out);
                 if (_placesAbove != null)
                 {
-                    _placesAbove.shorten(out);
+                    _placesAbove.shorten(_pushOut, _directions, out);
                 }
             }
         }

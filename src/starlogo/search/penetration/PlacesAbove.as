@@ -6,21 +6,28 @@ package starlogo.search.penetration
     /**
      * Shortens a way out of the ground. All places above a free one are free. So if a way out is shorter than another one, the body is also free
      * somewhere on the upper half of the sphere around it whose radius is the longer way. The search tries places that are spread over this half. From a
-     * free one, a sweep down finds how high the body has to be there. Then the radius is that of the shorter way. Pits that are hardly wider than the
-     * body may have no such place, so places above pushes are tried too.
+     * free one, a sweep down finds how high the body has to be there, and from there it slides back towards its own place. Then the radius is that of
+     * the shorter way. Pits that are hardly wider than the body may have no such place, so places above pushes are tried too.
+     *
+     * @private
      */
-    internal final class PlacesAbove
+    public final class PlacesAbove
     {
         // How many places are tried.
-        private static const PLACES:int = 176;
+        private static const PLACES:int = 160;
 
         // The cosine and the sine of the golden angle, the angle between two places after each other.
         private static const TURN_X:Number = -0.7373688780783197;
         private static const TURN_Y:Number = 0.6754902942615238;
 
+        // The most planes that the body slides along.
+        private static const MOST_PLANES:int = 6;
+
         private var _pair:DisplacedPair;
-        private var _pushOut:PushOut;
-        private var _directions:DirectionSearch;
+
+        // The planes that the body slides along, and the place where it slides to.
+        private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
+        private var _target:ShortestExit = new ShortestExit();
 
         // The shortest way out so far, and the displacement that is tried.
         private var _shortest:ContactPoint = new ContactPoint();
@@ -30,31 +37,27 @@ package starlogo.search.penetration
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _met:ContactPoint = new ContactPoint();
 
-        /**
-         * @param pair has begun when a method is called. Its second body is the ground
-         * @param pushOut has tried pushes of the two
-         * @param directions finds the end of the shortest way
-         */
-        public function PlacesAbove(pair:DisplacedPair, pushOut:PushOut, directions:DirectionSearch)
+        /** @param pair has begun when a method is called. Its second body is the ground */
+        public function PlacesAbove(pair:DisplacedPair)
         {
             _pair = pair;
-            _pushOut = pushOut;
-            _directions = directions;
         }
 
         /**
          * Shortens a way out.
          *
+         * @param pushOut has tried pushes of the two
+         * @param directions finds the end of the shortest way
          * @param out the normal and the depth lead the first body out; receives those of a shorter way if one is found
          */
-        public function shorten(out:ContactPoint):void
+        internal function shorten(pushOut:PushOut, directions:DirectionSearch, out:ContactPoint):void
         {
             var x:Number = 1;
             var y:Number = 0;
             _shortest.copyFrom(out);
-            for (var push:int = 0; push < _pushOut.blockedEnd; push += 2)
+            for (var push:int = 0; push < pushOut.blockedEnd; push += 2)
             {
-                tryAbove(_pushOut.blocked[push], _pushOut.blocked[int(push + 1)]);
+                tryAbove(pushOut.blocked[push], pushOut.blocked[int(push + 1)]);
             }
             for (var i:int = 0; i < PLACES; i++)
             {
@@ -66,7 +69,7 @@ package starlogo.search.penetration
             }
             if (_shortest.depth < out.depth)
             {
-                _directions.findAlong(_shortest, out);
+                directions.findAlong(_shortest, out);
             }
         }
 
@@ -90,25 +93,61 @@ package starlogo.search.penetration
                 // halfway between the place and the one farther; and a little higher, because a way along the ground leads away from it slowly
                 var share:Number = (1 + fartherFactor) / (2 * fartherFactor);
                 var lowest:Number = high * (1 - Math.min(_sweep.time, 1)) + _pair.tolerance;
-                takeIfFree(fartherX * share, fartherY * share, lowest);
+                if (takeIfFree(fartherX * share, fartherY * share, lowest, _pair.tolerance))
+                {
+                    slideBack(fartherX * share, fartherY * share, lowest);
+                }
             }
         }
 
-        // Takes the way to a place if it is shorter than the others and the first body is free a little beyond it.
-        private function takeIfFree(x:Number, y:Number, z:Number):void
+        // Takes the way to a place if it is shorter than the others and the first body is free a distance beyond it. Returns whether it is taken.
+        private function takeIfFree(x:Number, y:Number, z:Number, beyond:Number):Boolean
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             if (!(length > 0 && length < _shortest.depth))
             {
-                return;
+                return false;
             }
             _tried.setDirection(x / length, y / length, z / length);
-            _tried.distance = length + _pair.tolerance;
-            if (!_pair.testAt(_tried))
+            _tried.distance = length + beyond;
+            if (_pair.testAt(_tried))
             {
-                _shortest.setNormal(_tried.x, _tried.y, _tried.z);
-                _shortest.depth = length;
+                return false;
             }
+            _shortest.setNormal(_tried.x, _tried.y, _tried.z);
+            _shortest.depth = length;
+            return true;
+        }
+
+        // Slides the first body from a free place back towards its own. What it meets are planes that it slides along. Takes the way to where it ends, if
+        // the body is free as far beyond as after a push, because it may have slid into a gap.
+        private function slideBack(x:Number, y:Number, z:Number):void
+        {
+            _planes.begin();
+            _planes.solve(1, 0, _target);
+            for (var i:int = 0; i < MOST_PLANES && _target.length < _shortest.depth; i++)
+            {
+                _tried.setDirection(_target.displacement.x, _target.displacement.y, _target.displacement.z);
+                _tried.distance = 1;
+                _pair.displace(_tried);
+                _sweep.endAfter(_target.displacement.x - x, _target.displacement.y - y, _target.displacement.z - z);
+                _pair.findImpact(_sweep, _met);
+                var time:Number = Math.min(_sweep.time, 1);
+                x += time * _sweep.x;
+                y += time * _sweep.y;
+                z += time * _sweep.z;
+                if (_sweep.time > 1)
+                {
+                    break;
+                }
+                // a little off the plane, so that the slide along it does not meet it
+                x += 2 * _pair.tolerance * _met.normalX;
+                y += 2 * _pair.tolerance * _met.normalY;
+                z += 2 * _pair.tolerance * _met.normalZ;
+                _planes.add(_met.normalX, _met.normalY, _met.normalZ, x * _met.normalX + y * _met.normalY + z * _met.normalZ - _pair.tolerance);
+                _planes.solve(3, 0, _target);
+            }
+            takeIfFree(x, y, z, _pair.room);
         }
 
         // Sweeps the first body down from a height, at a place moved by x and y from its own. Returns whether it is free at that height. If it is,

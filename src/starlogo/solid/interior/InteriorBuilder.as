@@ -61,7 +61,7 @@ package starlogo.solid.interior
 
         private function beginParts():void
         {
-            _parts = new OutermostPoints(mesh.corners, surface.partNumberEnd);
+            _parts = new OutermostPoints(mesh.corners, surface.partCount);
         }
 
         private function addToParts(first:int, end:int):void

@@ -22,11 +22,11 @@ package starlogo.solid.interior
         // The number of parts, the number of shells, and the widest seam.
         private static const HEAD_LENGTH:int = 16;
 
-        /** Greater than any part's number. */
-        public var partNumberEnd:int = 0;
+        /** The number of parts. */
+        public var partCount:int = 0;
 
         /**
-         * For each triangle, in the model's order, the number of its part. Triangles that share vertices are one part, and so are parts that overlap.
+         * For each triangle, in the model's order, the number of its part. Triangles that share vertices are one part.
          */
         public var parts:Vector.<int>;
 
@@ -101,23 +101,23 @@ package starlogo.solid.interior
                 return null;
             }
             var surface:SurfaceTopology = new SurfaceTopology(triangleCount);
-            surface.partNumberEnd = bytes.readInt();
+            surface.partCount = bytes.readInt();
             var shells:int = bytes.readInt();
             surface.widestSeam = bytes.readDouble();
-            if (!(shells >= 0 && shells <= triangleCount && surface.partNumberEnd <= triangleCount
+            if (!(shells >= 0 && shells <= triangleCount && surface.partCount <= triangleCount
                         && surface.widestSeam >= 0 && surface.widestSeam < Infinity))
             {
                 return null;
             }
             surface.shellStates.length = shells;
-            return readRuns(bytes, surface.shellStates, OPEN, shells - 1) && readRuns(bytes, surface.parts, 0, surface.partNumberEnd - 1)
+            return readRuns(bytes, surface.shellStates, OPEN, shells - 1) && readRuns(bytes, surface.parts, 0, surface.partCount - 1)
                 && readRuns(bytes, surface.signedShells, -shells, shells) ? surface : null;
         }
 
         /** Writes the surface: the numbers of parts and shells, the widest seam, and runs of equal numbers of the lists. */
         public function writeTo(out:ByteArray):void
         {
-            out.writeInt(partNumberEnd);
+            out.writeInt(partCount);
             out.writeInt(shellStates.length);
             out.writeDouble(widestSeam);
             writeRuns(out, shellStates);

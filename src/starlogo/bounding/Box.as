@@ -4,6 +4,7 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
+    import starlogo.geometry.compareVectors;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
 
@@ -194,6 +195,24 @@ package starlogo.bounding
             sHalves.y = halfY;
             sHalves.z = halfZ;
             out.setBox(center, axisX, axisY, axisZ, sHalves);
+        }
+
+        /** @private */
+        override engine function isAfter(other:BoundingStructure):Boolean
+        {
+            var box:Box = other as Box;
+            var order:int = compareVectors(center, box.center);
+            order = order != 0 ? order : compareVectors(axisX, box.axisX);
+            order = order != 0 ? order : compareVectors(axisY, box.axisY);
+            if (order != 0)
+            {
+                return order > 0;
+            }
+            if (halfX != box.halfX)
+            {
+                return halfX > box.halfX;
+            }
+            return halfY != box.halfY ? halfY > box.halfY : halfZ > box.halfZ;
         }
 
         /** @private */

@@ -16,30 +16,25 @@ package starlogo.intersection.ray
     {
         var center:Vector3D = sphere.center;
         var radius:Number = sphere.radius * ray.touchingFactor;
-        var x:Number = center.x - ray.x;
-        var y:Number = center.y - ray.y;
-        var z:Number = center.z - ray.z;
-        include "lineThroughBall.inc";
-        if (!(halfSquared >= 0))
+        if (!crossBall(ray, center, radius, -1, out))
         {
             return false;
         }
-        var half:Number = Math.sqrt(halfSquared);
-        var near:Number = closest - half;
+        var near:Number = out.distance;
+        if (!(near > ray.from))
+        {
+            // the ray begins inside of the sphere or beyond it
+            crossBall(ray, center, radius, 1, out);
+            var far:Number = out.distance;
+            out.begin(ray);
+            return ray.from <= far && ray.from <= ray.to;
+        }
         out.begin(ray);
-        if (near > ray.from)
+        out.distance = near;
+        if (sphere.radius > 0)
         {
-            out.distance = near;
-            if (sphere.radius > 0)
-            {
-                out.setOutwards(ray.x + near * ray.directionX - center.x, ray.y + near * ray.directionY - center.y, ray.z + near * ray.directionZ - center.z);
-            }
+            out.setOutwards(ray.x + near * ray.directionX - center.x, ray.y + near * ray.directionY - center.y, ray.z + near * ray.directionZ - center.z);
         }
-        else if (!(ray.from <= closest + half))
-        {
-            // it begins beyond the sphere
-            return false;
-        }
-        return out.distance <= ray.to;
+        return near <= ray.to;
     }
 }

@@ -363,6 +363,40 @@ package starlogo.bounding
         }
 
         [Test]
+        public function hullsOfAllSizesAndDimensionsContainTheSame():void
+        {
+            for each (var size:Number in [1e-69, 1e-60, 1e-30, 1, 1e30, 1e60, 1e69])
+            {
+                assertContainsOnly(size, PointSets.box(1, 1, 1));
+                assertContainsOnly(size, new <Number>[-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
+                assertContainsOnly(size, new <Number>[-1, 0, -1, 0, 0, 1, 1, 0, -1]);
+                assertContainsOnly(size, new <Number>[-1, -1, -1, 1, 1, 1]);
+                assertContainsOnly(size, new <Number>[0, 0, 0]);
+            }
+        }
+
+        // The hull contains its corners and its centre, and nothing at 3 times the size.
+        private static function assertContainsOnly(size:Number, points:Vector.<Number>):void
+        {
+            for (var i:int = 0; i < points.length; i++)
+            {
+                points[i] *= size;
+            }
+            var hull:Hull = new Hull(points);
+            assertTrue(hull + ", its centre", hull.contains(hull.center));
+            for (i = 0; i < points.length; i += 3)
+            {
+                assertTrue(hull + ", corner " + i / 3, hull.contains(new Vector3D(points[i], points[i + 1], points[i + 2])));
+            }
+            for each (var far:Number in [-3 * size, 3 * size])
+            {
+                assertFalse(hull + ", x " + far, hull.contains(new Vector3D(far, 0, 0)));
+                assertFalse(hull + ", y " + far, hull.contains(new Vector3D(0, far, 0)));
+                assertFalse(hull + ", z " + far, hull.contains(new Vector3D(0, 0, far)));
+            }
+        }
+
+        [Test]
         public function refusesWhatMakesNoHull():void
         {
             assertThrows(ArgumentError, "null", create, Hull, null);

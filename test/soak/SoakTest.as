@@ -11,8 +11,8 @@ package soak
         private static const CHECK_EVERY:int = 20;
 
         // Whatever changes an answer, an order or a bit of a contact changes both hashes. Then write them anew: they are the same for each machine.
-        private static const HASH:String = "565d3373";
-        private static const HASH_OF_THE_FIRST:String = "6041c9e5";
+        private static const HASH:String = "23b82eef";
+        private static const HASH_OF_THE_FIRST:String = "161a97b5";
         private static const FRAMES_HASHED:int = 200;
         private static const FIRST_FRAMES:int = 48;
 

@@ -201,18 +201,9 @@ package starlogo.bounding
         override engine function isAfter(other:BoundingStructure):Boolean
         {
             var box:Box = other as Box;
-            var order:int = compareVectors(center, box.center);
-            order = order != 0 ? order : compareVectors(axisX, box.axisX);
-            order = order != 0 ? order : compareVectors(axisY, box.axisY);
-            if (order != 0)
-            {
-                return order > 0;
-            }
-            if (halfX != box.halfX)
-            {
-                return halfX > box.halfX;
-            }
-            return halfY != box.halfY ? halfY > box.halfY : halfZ > box.halfZ;
+            var order:int = compareVectors(center, box.center) || compareVectors(axisX, box.axisX) || compareVectors(axisY, box.axisY);
+            return order > 0 || order == 0 && (halfX > box.halfX
+                    || halfX == box.halfX && (halfY > box.halfY || halfY == box.halfY && halfZ > box.halfZ));
         }
 
         /** @private */

@@ -91,9 +91,8 @@ package starlogo.bounding
         override engine function isAfter(other:BoundingStructure):Boolean
         {
             var capsule:Capsule = other as Capsule;
-            var order:int = compareVectors(start, capsule.start);
-            order = order != 0 ? order : compareVectors(end, capsule.end);
-            return order != 0 ? order > 0 : radius > capsule.radius;
+            var order:int = compareVectors(start, capsule.start) || compareVectors(end, capsule.end);
+            return order > 0 || order == 0 && radius > capsule.radius;
         }
 
         /** @private */

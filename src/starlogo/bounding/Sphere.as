@@ -121,7 +121,7 @@ package starlogo.bounding
         {
             var sphere:Sphere = other as Sphere;
             var order:int = compareVectors(center, sphere.center);
-            return order != 0 ? order > 0 : radius > sphere.radius;
+            return order > 0 || order == 0 && radius > sphere.radius;
         }
 
         /** @private */

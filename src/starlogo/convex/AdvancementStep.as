@@ -17,9 +17,6 @@ package starlogo.convex
         /** Whether the shapes touch, with all margins: see Touching. */
         public var isTouching:Boolean = false;
 
-        /** Whether the shapes touch without margins. Then no more step is needed. */
-        public var isClosed:Boolean = false;
-
         /** The number of steps before this one. A sweep sets it to 0 at its first step. */
         public var count:int = 0;
 

@@ -64,7 +64,6 @@ package starlogo.convex
             var step:AdvancementStep = _step;
             var radii:Number = cores.first.radius + cores.second.radius;
             step.isTouching = witness.distance <= cores.maxDistance && !(witness.separation > cores.maxDistance);
-            step.isClosed = witness.distance <= radii;
             if (!step.isTouching && !(witness.separation > radii))
             {
                 refine(cores);

@@ -25,20 +25,16 @@ package starlogo.convex
         var wasTouching:Boolean = step.lastTouch != RelativeMotion.NEVER;
         if (step.isTouching)
         {
-            if (wasTouching || step.isClosed || motion.time == 0)
+            if (wasTouching || motion.time == 0)
             {
                 return false;
             }
             step.lastTouch = motion.time;
         }
-        else if (wasTouching)
+        var next:Number = motion.time + step.gap / step.speed;
+        if (wasTouching || !(step.speed > 0 && next > motion.time && next <= motion.latest))
         {
-            motion.time = step.lastTouch;
-            return false;
-        }
-        var next:Number = step.speed > 0 ? motion.time + step.gap / step.speed : RelativeMotion.NEVER;
-        if (!(next > motion.time && next <= motion.latest))
-        {
+            // the step after a touch has led out of it, or there is none in time
             motion.time = step.lastTouch;
             return false;
         }

@@ -37,17 +37,12 @@ package starlogo.intersection
         public static function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
             var kindA:int = a.kind;
-            var kindB:int = b.kind;
-            if (kindA > kindB)
+            if (kindA > b.kind)
             {
-                var first:BoundingStructure = b;
-                b = a;
-                a = first;
-                kindA = a.kind;
-                kindB = b.kind;
+                return areTouching(b, a);
             }
             // The tests are short, and calls take long in Adobe's VM. So no kernel stands between.
-            switch (kindB)
+            switch (b.kind)
             {
                 case BoundingStructure.SPHERE:
                     return sphereSphere(a as Sphere, b as Sphere);

@@ -50,8 +50,6 @@ package starlogo.intersection
                     _convex.findTime(first, second, motion);
                     return;
                 }
-                // a gap as short as rounding has no direction for another step
-                step.isClosed = length <= radii || length <= margins;
                 step.gap = length - radii;
                 step.speed = gap.closing / length;
             }

@@ -65,12 +65,7 @@ package starlogo.intersection
         pair.x = x;
         pair.y = y;
         pair.z = z;
-        pair.aX = halfX;
-        pair.aY = halfY;
-        pair.aZ = halfZ;
-        pair.bX = bX;
-        pair.bY = bY;
-        pair.bZ = bZ;
+        pair.setHalves(a, b);
         pair.axes.setTo(a, b);
         if (!BoxSeparation.overlapAlongFaces(pair))
         {

@@ -151,12 +151,7 @@ package starlogo.intersection.boxes
             pair.motionZ = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
             pair.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             pair.axes.setTo(a, b);
-            pair.aX = a.halfX;
-            pair.aY = a.halfY;
-            pair.aZ = a.halfZ;
-            pair.bX = b.halfX;
-            pair.bY = b.halfY;
-            pair.bZ = b.halfZ;
+            pair.setHalves(a, b);
             pair.margin = motion.margin;
             pair.latest = motion.latest;
         }

@@ -28,12 +28,10 @@ package starlogo.convex
             }
             cores.moveTo(motion);
             _distance.find(cores, _witness);
-            measure(cores);
-            while (advance(_step, motion))
+            while (advance(measure(cores), motion))
             {
                 cores.moveTo(motion);
                 _distance.findAgain(cores, _witness);
-                measure(cores);
             }
         }
 
@@ -56,9 +54,9 @@ package starlogo.convex
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
         }
 
-        // Writes the step, from the distance at the motion's time. areTouching() stops at the first direction along which the gap is too wide. The
+        // Returns the step, from the distance at the motion's time. areTouching() stops at the first direction along which the gap is too wide. The
         // distance may be less than that gap by rounding, so the gap counts here too.
-        private function measure(cores:CorePair):void
+        private function measure(cores:CorePair):AdvancementStep
         {
             var witness:CoreWitness = _witness;
             var step:AdvancementStep = _step;
@@ -70,6 +68,7 @@ package starlogo.convex
             }
             step.gap = witness.separation - radii;
             step.speed = -(witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
+            return step;
         }
 
         // Replaces the direction that keeps the cores apart, if no gap is left along it. A short line between two points is too imprecise where an edge

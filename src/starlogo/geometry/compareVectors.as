@@ -18,6 +18,10 @@ package starlogo.geometry
         {
             return a.y < b.y ? -1 : 1;
         }
-        return a.z < b.z ? -1 : a.z > b.z ? 1 : 0;
+        if (a.z != b.z)
+        {
+            return a.z < b.z ? -1 : 1;
+        }
+        return 0;
     }
 }

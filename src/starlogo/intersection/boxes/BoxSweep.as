@@ -74,8 +74,7 @@ package starlogo.intersection.boxes
         // Sets the pair's time to when the boxes first touch, if they do.
         private function writeTime(areTouching:Boolean, pair:BoxPair):void
         {
-            var times:ContactInterval = _times;
-            pair.time = areTouching ? (times.touch < times.last ? times.touch : times.last) : RelativeMotion.NEVER;
+            pair.time = areTouching ? Math.min(_times.touch, _times.last) : RelativeMotion.NEVER;
         }
 
         // Narrows the interval by the faces of both. Returns whether anything is left.

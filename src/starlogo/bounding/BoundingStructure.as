@@ -292,6 +292,18 @@ package starlogo.bounding
         }
 
         /**
+         * Whether this structure comes after another one of the same kind: by their places, or in the same place by their other numbers. Tests of two
+         * structures take them in this order, so they give the same answer for (a, b) and (b, a), rounding included. Those of the kind HULL have no order
+         * here, because the package convex puts its shapes in an order itself.
+         *
+         * @private
+         */
+        engine function isAfter(other:BoundingStructure):Boolean
+        {
+            return false;
+        }
+
+        /**
          * All numbers of the structure, in a list of their own.
          *
          * @private

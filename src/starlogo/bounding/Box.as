@@ -4,6 +4,7 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
+    import starlogo.geometry.compareVectors;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
 
@@ -194,6 +195,15 @@ package starlogo.bounding
             sHalves.y = halfY;
             sHalves.z = halfZ;
             out.setBox(center, axisX, axisY, axisZ, sHalves);
+        }
+
+        /** @private */
+        override engine function isAfter(other:BoundingStructure):Boolean
+        {
+            var box:Box = other as Box;
+            var order:int = compareVectors(center, box.center) || compareVectors(axisX, box.axisX) || compareVectors(axisY, box.axisY);
+            return order > 0 || order == 0 && (halfX > box.halfX
+                    || halfX == box.halfX && (halfY > box.halfY || halfY == box.halfY && halfZ > box.halfZ));
         }
 
         /** @private */

@@ -3,6 +3,7 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
+    import starlogo.geometry.compareVectors;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
 
@@ -84,6 +85,14 @@ package starlogo.bounding
             placement.place(end, placed.end);
             placed.radius = radius * placement.size;
             return placed;
+        }
+
+        /** @private */
+        override engine function isAfter(other:BoundingStructure):Boolean
+        {
+            var capsule:Capsule = other as Capsule;
+            var order:int = compareVectors(start, capsule.start) || compareVectors(end, capsule.end);
+            return order > 0 || order == 0 && radius > capsule.radius;
         }
 
         /** @private */

@@ -68,6 +68,15 @@ package starlogo.bounding
                 z += points[a] * points[b + 1] - points[a + 1] * points[b];
             }
             addThroughMiddle(x, y, z, out);
+            if (out.length == 0)
+            {
+                // rounding has left no area
+                return;
+            }
+            // the unit normal, because products of three lengths have squares that are infinite or 0
+            x = out[0];
+            y = out[1];
+            z = out[2];
             for (i = 0; i < edges.length; i += 4)
             {
                 a = edges[i];

@@ -23,6 +23,10 @@ package starlogo.bounding
     {
         private static const POINT:Vector.<Number> = new <Number>[0, 0, 0];
 
+        // Structures may be larger than what ConvexHull takes. So it gets the corners divided by this number: 2^40, which loses no
+        // digits.
+        private static const HULL_SCALE:Number = 1099511627776;
+
         /** A point inside of the hull: the mean of the points of which it was made. */
         public var center:Vector3D = new Vector3D();
 
@@ -63,8 +67,8 @@ package starlogo.bounding
          * @param points x, y, z of each, in patches; neither kept nor changed. A point that is outside of the hull of the others by less
          *     than 2e-7 of the points' extent may be left out
          * @throws ArgumentError if the points are null or empty, if the number of coordinates is not a multiple of 3, or if a coordinate is
-         *     not finite or beyond 1e60
-         * @throws RangeError if the hull is smaller than the limits of structures
+         *     not finite
+         * @throws RangeError if the hull is beyond the limits of structures
          */
         public function Hull(points:Vector.<Number>)
         {
@@ -74,9 +78,6 @@ package starlogo.bounding
             {
                 throw new ArgumentError(problem);
             }
-            var bounds:VertexBounds = VertexBounds.of(points);
-            VertexBounds.requireWithin(bounds.largest);
-            checkSize(bounds.extent, "a hull");
             var count:int = points.length / 3;
             for (var i:int = 0; i < points.length; i += 3)
             {
@@ -91,6 +92,7 @@ package starlogo.bounding
                 relative[i + 1] = points[i + 1] - center.y;
                 relative[i + 2] = points[i + 2] - center.z;
             }
+            check(relative);
             setCorners(relative);
         }
 
@@ -150,7 +152,7 @@ package starlogo.bounding
             var x:Number = point.x - center.x;
             var y:Number = point.y - center.y;
             var z:Number = point.z - center.z;
-            var limit:Number = radius + slack(measureRadius(), center);
+            var limit:Number = radius + slack(radiusOf(points), center);
             var planes:Vector.<Number> = halfSpaces;
             for (var i:int = 0; i < planes.length; i += 4)
             {
@@ -166,10 +168,8 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function clone():BoundingStructure
         {
-            checkVector(center, "the centre of a hull");
+            check(points);
             checkLength(radius, "the radius around a hull's corners");
-            checkLength(measureRadius(), "the radius of a hull");
-            checkSize(VertexBounds.of(points).extent, "a hull");
             return place(Placement.IDENTITY, new Hull(POINT));
         }
 
@@ -226,7 +226,7 @@ package starlogo.bounding
         {
             // The tolerance depends on the model's radius about the middle of its extents. That radius is at most the square root of 3 times
             // the radius about any other point.
-            widen(4 * Tolerances.SURFACES * measureRadius());
+            widen(4 * Tolerances.SURFACES * radiusOf(points));
         }
 
         /** @private */
@@ -314,41 +314,53 @@ package starlogo.bounding
         /** @private Scales the corners about the centre. The radius stays. */
         engine function scaleCorners(factor:Number):void
         {
-            var scaled:Vector.<Number> = new Vector.<Number>(points.length);
-            for (var i:int = 0; i < points.length; i++)
-            {
-                scaled[i] = points[i] * factor;
-            }
-            setCorners(scaled);
+            setCorners(scaled(points, factor));
         }
 
-        // Returns the largest distance of a corner from the centre.
-        private function measureRadius():Number
+        // Checks the centre and corners relative to it.
+        private function check(corners:Vector.<Number>):void
+        {
+            checkVector(center, "the centre of a hull");
+            checkLength(radiusOf(corners), "the radius of a hull");
+            checkSize(VertexBounds.of(corners).extent, "a hull");
+        }
+
+        // The largest distance of a corner from the centre.
+        private static function radiusOf(corners:Vector.<Number>):Number
         {
             var most:Number = 0;
-            for (var i:int = 0; i < points.length; i += 3)
+            for (var i:int = 0; i < corners.length; i += 3)
             {
-                var square:Number = points[i] * points[i] + points[i + 1] * points[i + 1] + points[i + 2] * points[i + 2];
+                var square:Number = corners[i] * corners[i] + corners[i + 1] * corners[i + 1] + corners[i + 2] * corners[i + 2];
                 most = square > most ? square : most;
             }
             return Math.sqrt(most);
+        }
+
+        private static function scaled(corners:Vector.<Number>, factor:Number):Vector.<Number>
+        {
+            var result:Vector.<Number> = new Vector.<Number>(corners.length);
+            for (var i:int = 0; i < corners.length; i++)
+            {
+                result[i] = corners[i] * factor;
+            }
+            return result;
         }
 
         // Sets the corners, and finds the faces, the edges and the box, after the centre and the radius have been set. Corners that a ConvexHull drops are
         // dropped until it keeps all. So a hull of the corners of another one is the same hull.
         private function setCorners(corners:Vector.<Number>):void
         {
-            var hull:ConvexHull = new ConvexHull(corners);
-            while (hull.points.length < corners.length)
+            var hull:ConvexHull = new ConvexHull(scaled(corners, 1 / HULL_SCALE));
+            while (hull.points.length < hull.vertices.length)
             {
-                corners = hull.points;
-                hull = new ConvexHull(corners);
+                hull = new ConvexHull(hull.points);
             }
-            points = corners;
+            points = scaled(hull.points, HULL_SCALE);
             setTopology(HullTopology.of(hull));
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
             boxAroundInto(Placement.IDENTITY, extents);
-            var by:Number = (Tolerances.OUTER - 1) * measureRadius();
+            var by:Number = (Tolerances.OUTER - 1) * radiusOf(points);
             _boxMiddle[0] = extents[0] - center.x;
             _boxMiddle[1] = extents[1] - center.y;
             _boxMiddle[2] = extents[2] - center.z;

@@ -3,6 +3,7 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
+    import starlogo.geometry.compareVectors;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
 
@@ -113,6 +114,14 @@ package starlogo.bounding
         {
             out.setPoint(center);
             out.radius = radius;
+        }
+
+        /** @private */
+        override engine function isAfter(other:BoundingStructure):Boolean
+        {
+            var sphere:Sphere = other as Sphere;
+            var order:int = compareVectors(center, sphere.center);
+            return order > 0 || order == 0 && radius > sphere.radius;
         }
 
         /** @private */

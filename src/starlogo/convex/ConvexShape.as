@@ -15,7 +15,7 @@ package starlogo.convex
      */
     public final class ConvexShape
     {
-        /** The count of the numbers of a point, a segment and a triangle: see end. */
+        /** The count of the numbers of a point, a segment and a triangle: see end. A hull may have as few. */
         public static const POINT:int = 3;
         public static const SEGMENT:int = 6;
         public static const TRIANGLE:int = 9;
@@ -67,10 +67,10 @@ package starlogo.convex
         /** Whether the core is a box. */
         public var isBox:Boolean = false;
 
-        /** Whether the edges are those of a box or a segment: perpendicular to each other, from the first point on. */
+        /** Whether the core is a box or a segment. Then its edges are perpendicular to each other, from the first point on. */
         public function get areEdgesPerpendicular():Boolean
         {
-            return isBox || edges === SEGMENT_EDGES;
+            return isBox || end == SEGMENT;
         }
 
         // The list of points for all shapes but hulls.

@@ -2,18 +2,12 @@ package starlogo.convex
 {
     import starlogo.geometry.Tolerances;
 
-    /**
-     * Finds when a moving shape first touches another one, by conservative advancement. The distance is a convex function of the time. So Newton's
-     * method from the left never steps over its first zero (van den Bergen, "Ray casting against general convex objects with application to
-     * continuous collision detection", 2004). A step ends when no gap is left along the line between the closest points. Should rounding need more
-     * than 80 steps, the time is that of the last step: the shapes do not touch before, and their gap is at most rounding.
-     */
+    /** Finds when a moving shape first touches another one, step by step: see advance(). CoreDistance finds the gap of each step. */
     internal final class ConvexSweep
     {
-        private static const MOST_STEPS:int = 80;
-
         private var _distance:CoreDistance = new CoreDistance();
         private var _overlap:CoreOverlap = new CoreOverlap();
+        private var _step:AdvancementStep = new AdvancementStep();
         private var _witness:CoreWitness = new CoreWitness();
         private var _exact:CoreWitness = new CoreWitness();
         private var _balls:CoreGap = new CoreGap();
@@ -27,40 +21,24 @@ package starlogo.convex
         public function findTime(cores:CorePair, motion:RelativeMotion):void
         {
             begin(cores, motion);
-            // The last time at which the shapes touch, but only across the gap for rounding. Then one more step leads to where they touch without it,
-            // and counts if they still touch there.
-            var lastTouch:Number = RelativeMotion.NEVER;
-            for (var step:int = 0; step < MOST_STEPS && motion.time <= motion.latest; step++)
+            if (!(motion.time <= motion.latest))
             {
-                measure(cores, motion, step > 0);
-                if (isTouch(cores))
-                {
-                    if (lastTouch != RelativeMotion.NEVER || motion.time == 0 || _witness.distance <= cores.first.radius + cores.second.radius)
-                    {
-                        return;
-                    }
-                    lastTouch = motion.time;
-                }
-                else if (lastTouch != RelativeMotion.NEVER)
-                {
-                    break;
-                }
-                else
-                {
-                    refine(cores);
-                }
-                advance(cores, motion);
+                motion.time = RelativeMotion.NEVER;
+                return;
             }
-            // The step after a touch has led out of it, or there is none in time. If all steps are used up, the time is that of the last one.
-            if (lastTouch != RelativeMotion.NEVER || !(motion.time <= motion.latest))
+            cores.moveTo(motion);
+            _distance.find(cores, _witness);
+            while (advance(measure(cores), motion))
             {
-                motion.time = lastTouch;
+                cores.moveTo(motion);
+                _distance.findAgain(cores, _witness);
             }
         }
 
         // Begins at the motion's earliest time, or when balls around the two first meet if that is later.
         private function begin(cores:CorePair, motion:RelativeMotion):void
         {
+            _step.count = 0;
             motion.time = 0;
             cores.setMotion(motion);
             cores.maxDistance += motion.margin;
@@ -76,50 +54,32 @@ package starlogo.convex
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
         }
 
-        // Finds the distance at the motion's time.
-        private function measure(cores:CorePair, motion:RelativeMotion, isAgain:Boolean):void
+        // Returns the step, from the distance at the motion's time. areTouching() stops at the first direction along which the gap is too wide. The
+        // distance may be less than that gap by rounding, so the gap counts here too.
+        private function measure(cores:CorePair):AdvancementStep
         {
-            cores.moveTo(motion);
-            if (isAgain)
+            var witness:CoreWitness = _witness;
+            var step:AdvancementStep = _step;
+            var radii:Number = cores.first.radius + cores.second.radius;
+            step.isTouching = witness.distance <= cores.maxDistance && !(witness.separation > cores.maxDistance);
+            if (!step.isTouching && !(witness.separation > radii))
             {
-                _distance.findAgain(cores, _witness);
+                refine(cores);
             }
-            else
-            {
-                _distance.find(cores, _witness);
-            }
-        }
-
-        // Whether the shapes touch. areTouching() stops at the first direction along which the gap is too wide. The distance may be less than that gap
-        // by rounding, so the gap counts here too.
-        private function isTouch(cores:CorePair):Boolean
-        {
-            return _witness.distance <= cores.maxDistance && !(_witness.separation > cores.maxDistance);
+            step.gap = witness.separation - radii;
+            step.speed = -(witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
+            return step;
         }
 
         // Replaces the direction that keeps the cores apart, if no gap is left along it. A short line between two points is too imprecise where an edge
         // or a face is nearly perpendicular to it. The normals of faces and pairs of edges are precise.
         private function refine(cores:CorePair):void
         {
-            var witness:CoreWitness = _witness;
-            if (witness.separation > cores.first.radius + cores.second.radius)
-            {
-                return;
-            }
             _overlap.find(cores, _exact);
-            if (_exact.separation > witness.separation)
+            if (_exact.separation > _witness.separation)
             {
-                witness.setAxis(_exact.normalX, _exact.normalY, _exact.normalZ, _exact.separation);
+                _witness.setAxis(_exact.normalX, _exact.normalY, _exact.normalZ, _exact.separation);
             }
-        }
-
-        // Moves the motion's time on to when no gap is left along the direction that keeps the cores apart; to NEVER if that is not later.
-        private function advance(cores:CorePair, motion:RelativeMotion):void
-        {
-            var witness:CoreWitness = _witness;
-            var speed:Number = -(witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
-            var next:Number = motion.time + (witness.separation - (cores.first.radius + cores.second.radius)) / speed;
-            motion.time = speed > 0 && next > motion.time ? next : RelativeMotion.NEVER;
         }
     }
 }

@@ -10,8 +10,8 @@ package starlogo.convex
      * nothing is known to be on a side of them.
      *
      * <p>If two displacements are equally short, the result is the one that is tried first: faces of the second core, faces of the first, edges. Of two
-     * opposite ones, it is the one against the pair's motion. If the pair has no motion, rounding decides. Points and parallel segments move upwards as
-     * far as possible.</p>
+     * opposite ones, it is the one against the pair's motion. If the pair has no motion, rounding decides. Of two points or parallel
+     * segments the first moves upwards as far as possible.</p>
      *
      * <p>The results are a unit vector, and how far the cores are apart along it. It is less than 0 if they overlap: the displacement is as long.</p>
      */
@@ -213,7 +213,7 @@ package starlogo.convex
             }
         }
 
-        // Tries the axis across two points or parallel segments that points upwards as far as possible, for a.
+        // Tries the axis across two points or parallel segments that points upwards as far as possible, for the first core.
         private function tryUpwards(cores:CorePair, out:CoreWitness):void
         {
             var axis:Vector3D = _axis;
@@ -221,7 +221,6 @@ package starlogo.convex
             findSegment(cores.second, axis);
             findSegment(cores.first, axis);
             turnUpwards(axis);
-            axis.scaleBy(cores.isSwapped ? -1 : 1);
             projectDifferences(axis, cores, _differences);
             // rounding hides on which side they are
             var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);

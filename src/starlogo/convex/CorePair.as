@@ -93,9 +93,13 @@ package starlogo.convex
             {
                 return shape.z > other.z;
             }
-            if (shape.radius != other.radius || shape.end != other.end)
+            if (shape.radius != other.radius)
             {
-                return shape.radius > other.radius || shape.radius == other.radius && shape.end > other.end;
+                return shape.radius > other.radius;
+            }
+            if (shape.end != other.end)
+            {
+                return shape.end > other.end;
             }
             for (var i:int = 0; i < shape.end; i++)
             {

@@ -20,21 +20,21 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        override protected function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
-            _sweep.findTimeOfBoxes(a as Box, b as Box, motion);
+            _sweep.findTimeOfBoxes(first as Box, second as Box, motion);
         }
 
         /** @inheritDoc */
-        override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        override protected function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            _convex.findOverlap(a, b, motion, out);
+            _convex.findOverlap(first, second, motion, out);
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
+        override protected function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
-            _convex.findClosest(a, b, out);
+            _convex.findClosest(first, second, out);
         }
     }
 }

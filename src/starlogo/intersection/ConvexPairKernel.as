@@ -36,16 +36,16 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        override protected function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
-            setShapes(a, b);
+            setShapes(first, second);
             _kernel.findTime(_a, _b, motion);
         }
 
         /** @inheritDoc */
-        override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        override protected function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            setShapes(a, b);
+            setShapes(first, second);
             _kernel.findContact(_a, _b, motion, out);
         }
 
@@ -57,9 +57,9 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
+        override protected function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
-            setShapes(a, b);
+            setShapes(first, second);
             _kernel.findClosest(_a, _b, out);
         }
 

@@ -1,28 +1,151 @@
 package starlogo.intersection
 {
-    import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Finds the gap between the cores of two structures, by which RoundKernel answers its questions. Abstract: each class has a
-     * formula. If these were classes of kernels, PairTable would have kernels of six classes, and V8 calls a method of more than four classes slowly.
-     *
-     * @private
+     * Finds the gap between the cores of two structures, by which RoundKernel answers its questions: from a sphere's centre or a capsule's axis to a
+     * capsule's axis or a box. Each pair of kinds has a formula.
      */
-    public class GapFinder
+    internal final class GapFinder
     {
+        private var _axes:SegmentPair = new SegmentPair();
+        private var _axis:BoxSegment = new BoxSegment();
+
+        // A place as seen from a box's middle, in the box's axes.
+        private var _place:Vector3D = new Vector3D();
+
         /**
          * Finds the gap.
          *
-         * @param a of the pair's first kind
-         * @param b of the pair's second kind, in the same space
+         * @param a a sphere or a capsule
+         * @param b a capsule or a box, in the same space
          * @param motion the motion of a; a is where it is at the motion's time
          * @param out receives all of the gap
          */
         public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
         {
-            throw new IllegalOperationError(this + " does not implement find");
+            if (b.kind == BoundingStructure.CAPSULE)
+            {
+                findFromAxis(a, b as Capsule, motion, out);
+            }
+            else if (a.kind == BoundingStructure.SPHERE)
+            {
+                findFromSphereToBox(a as Sphere, b as Box, motion, out);
+            }
+            else
+            {
+                findFromCapsuleToBox(a as Capsule, b as Box, motion, out);
+            }
+        }
+
+        // The axis of a sphere is its centre, a segment without length.
+        private function findFromAxis(a:BoundingStructure, b:Capsule, motion:RelativeMotion, out:RoundGap):void
+        {
+            var gap:CoreGap = out.cores;
+            var axes:SegmentPair = _axes;
+            var start:Vector3D;
+            if (a.kind == BoundingStructure.SPHERE)
+            {
+                var sphere:Sphere = a as Sphere;
+                start = sphere.center;
+                axes.setTo(start, start, b);
+                gap.radiusA = sphere.radius;
+            }
+            else
+            {
+                var capsule:Capsule = a as Capsule;
+                start = capsule.start;
+                axes.setTo(start, capsule.end, b);
+                gap.radiusA = capsule.radius;
+            }
+            axes.move(motion);
+            axes.findClosest();
+            gap.x = axes.x;
+            gap.y = axes.y;
+            gap.z = axes.z;
+            out.squaredLength = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+            out.closing = -(gap.x * motion.x + gap.y * motion.y + gap.z * motion.z);
+            gap.pointX = start.x + axes.shareOfU * axes.uX;
+            gap.pointY = start.y + axes.shareOfU * axes.uY;
+            gap.pointZ = start.z + axes.shareOfU * axes.uZ;
+            gap.radiusB = b.radius;
+            out.extent = Math.abs(axes.uX) + Math.abs(axes.uY) + Math.abs(axes.uZ) + (Math.abs(axes.vX) + Math.abs(axes.vY) + Math.abs(axes.vZ))
+                + (gap.radiusA + gap.radiusB);
+        }
+
+        private function findFromSphereToBox(sphere:Sphere, box:Box, motion:RelativeMotion, out:RoundGap):void
+        {
+            var gap:CoreGap = out.cores;
+            var place:Vector3D = _place;
+            var center:Vector3D = sphere.center;
+            var middle:Vector3D = box.center;
+            var x:Number = center.x - middle.x + motion.startX;
+            var y:Number = center.y - middle.y + motion.startY;
+            var z:Number = center.z - middle.z + motion.startZ;
+            var time:Number = motion.time;
+            var axis:Vector3D = box.axisX;
+            place.x = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            axis = box.axisY;
+            place.y = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            axis = box.axisZ;
+            place.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            measureToBox(place, box, motion, out);
+            gap.pointX = center.x;
+            gap.pointY = center.y;
+            gap.pointZ = center.z;
+            gap.radiusA = sphere.radius;
+            out.extent = box.halfX + box.halfY + box.halfZ + sphere.radius;
+        }
+
+        private function findFromCapsuleToBox(capsule:Capsule, box:Box, motion:RelativeMotion, out:RoundGap):void
+        {
+            var gap:CoreGap = out.cores;
+            var axis:BoxSegment = _axis;
+            var place:Vector3D = _place;
+            axis.setTo(capsule, box);
+            axis.move(box, motion);
+            axis.findNearest(box);
+            var share:Number = axis.nearest;
+            place.x = axis.signX * (axis.x + share * axis.alongX);
+            place.y = axis.signY * (axis.y + share * axis.alongY);
+            place.z = axis.signZ * (axis.z + share * axis.alongZ);
+            measureToBox(place, box, motion, out);
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            gap.pointX = start.x + share * (end.x - start.x);
+            gap.pointY = start.y + share * (end.y - start.y);
+            gap.pointZ = start.z + share * (end.z - start.z);
+            gap.radiusA = capsule.radius;
+            out.extent = axis.alongX + axis.alongY + axis.alongZ + box.halfX + box.halfY + box.halfZ + capsule.radius;
+        }
+
+        // Computes the gap between a place and the nearest point of a box, its squared length, and how a motion of the place closes it.
+        private static function measureToBox(place:Vector3D, box:Box, motion:RelativeMotion, out:RoundGap):void
+        {
+            var axisX:Vector3D = box.axisX;
+            var axisY:Vector3D = box.axisY;
+            var axisZ:Vector3D = box.axisZ;
+            var gap:CoreGap = out.cores;
+            var x:Number = place.x;
+            var y:Number = place.y;
+            var z:Number = place.z;
+            x = x > box.halfX ? x - box.halfX : (x < -box.halfX ? x + box.halfX : 0);
+            y = y > box.halfY ? y - box.halfY : (y < -box.halfY ? y + box.halfY : 0);
+            z = z > box.halfZ ? z - box.halfZ : (z < -box.halfZ ? z + box.halfZ : 0);
+            gap.x = x * axisX.x + y * axisY.x + z * axisZ.x;
+            gap.y = x * axisX.y + y * axisY.y + z * axisZ.y;
+            gap.z = x * axisX.z + y * axisY.z + z * axisZ.z;
+            gap.radiusB = 0;
+            out.squaredLength = x * x + y * y + z * z;
+            out.closing = -(x * (axisX.x * motion.x + axisX.y * motion.y + axisX.z * motion.z)
+                    + y * (axisY.x * motion.x + axisY.y * motion.y + axisY.z * motion.z)
+                    + z * (axisZ.x * motion.x + axisZ.y * motion.y + axisZ.z * motion.z));
         }
     }
 }

@@ -4,27 +4,43 @@ package starlogo.intersection
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * Decides about two structures of certain kinds. PairTable has a kernel for each pair of kinds: an object of a class that extends this one. This
      * class itself is the kernel of pairs with a structure of the kind OTHER, which have no answers: its methods throw.
      *
+     * <p>The same two structures in the other order get the same answer, to the last bit. For that this class puts them in an order: by their kinds, or
+     * by BoundingStructure.isAfter() if they are of one kind. A subclass answers for the first and the second in that order.</p>
+     *
      * @private
      */
     public class PairKernel
     {
+        // The motion of b while a stands still, for the kernel that takes b first.
+        private static const REVERSED:RelativeMotion = new RelativeMotion();
+
         /**
          * Finds when a moving structure first touches another one: the first moment at which <code>intersects()</code> would return true, except
          * for rounding. The motion's start and end are included.
          *
-         * @param a of the pair's first kind, which moves
-         * @param b of the pair's second kind, in the same space
+         * @param a the one that moves
+         * @param b in the same space
          * @param motion the motion of a; receives the time: see RelativeMotion
          * @throws ArgumentError if the pair has no such test
          */
-        public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        public final function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            throw missing("time of impact", a, b);
+            if (!areSwapped(a, b))
+            {
+                findTimeInOrder(a, b, motion);
+                return;
+            }
+            REVERSED.setReversed(motion);
+            findTimeInOrder(b, a, REVERSED);
+            motion.time = REVERSED.time;
         }
 
         /**
@@ -39,19 +55,26 @@ package starlogo.intersection
          * the direction along which they overlap least (Gottschalk, Lin and Manocha, "OBBTree", 1996).</p>
          *
          * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is on a
-         * capsule's axis, or the axes of two capsules overlap on one line, the normal is perpendicular to the axis and points upwards as far as
-         * possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one against the motion, if the motion's time
+         * capsule's axis, or the axes of two capsules overlap on one line, the normal is perpendicular to the axis, and the one that comes first by
+         * its place moves upwards as far as possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one against the motion, if the motion's time
          * is above 0.</p>
          *
-         * @param a of the pair's first kind
-         * @param b of the pair's second kind, in the same space
+         * @param a of one of the pair's kinds
+         * @param b of the other kind, in the same space
          * @param motion the motion of a; a is where it is at the motion's time
          * @param out receives the contact
          * @throws ArgumentError if the pair has no such test
          */
-        public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        public final function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            throw missing("contact", a, b);
+            if (!areSwapped(a, b))
+            {
+                findContactInOrder(a, b, motion, out);
+                return;
+            }
+            REVERSED.setReversed(motion);
+            findContactInOrder(b, a, REVERSED, out);
+            out.swap(motion);
         }
 
         /**
@@ -59,16 +82,46 @@ package starlogo.intersection
          * point inside of both.
          *
          * <p>The result is exact except for rounding, which is 1e-15 of their extents and of the distance. So structures that just touch may have
-         * a distance as small as that. Symmetric to the last bit.</p>
+         * a distance as small as that.</p>
          *
-         * @param a of the pair's first kind
-         * @param b of the pair's second kind, in the same space
+         * @param a of one of the pair's kinds
+         * @param b of the other kind, in the same space
          * @param out receives the distance and the points
          * @throws ArgumentError if the pair has no such test
          */
-        public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
+        public final function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
-            throw missing("distance", a, b);
+            if (!areSwapped(a, b))
+            {
+                findClosestInOrder(a, b, out);
+                return;
+            }
+            findClosestInOrder(b, a, out);
+            out.swap();
+        }
+
+        /** Finds the time of impact. @param motion the motion of the first; receives the time */
+        protected function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        {
+            throw missing("time of impact", first, second);
+        }
+
+        /** Finds the contact. @param motion the motion of the first, which is where it is at the motion's time */
+        protected function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        {
+            throw missing("contact", first, second);
+        }
+
+        /** Finds the distance and the closest points. The first is a, and the second b. */
+        protected function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
+        {
+            throw missing("distance", first, second);
+        }
+
+        // Whether b comes first.
+        private static function areSwapped(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return a.kind == b.kind ? a.isAfter(b) : a.kind > b.kind;
         }
 
         /** The error that says that a pair has no answer to a question. */

@@ -19,17 +19,17 @@ package starlogo.intersection
         private var _gap:CoreGap = new CoreGap();
 
         /** @inheritDoc */
-        override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        override protected function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
-            setGap(a as Sphere, b as Sphere, motion);
+            setGap(first as Sphere, second as Sphere, motion);
             findTimeOfSpheres(_gap, motion);
         }
 
         /** @inheritDoc */
-        override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        override protected function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             var gap:CoreGap = _gap;
-            setGap(a as Sphere, b as Sphere, motion);
+            setGap(first as Sphere, second as Sphere, motion);
             gap.x += motion.time * motion.x;
             gap.y += motion.time * motion.y;
             gap.z += motion.time * motion.z;
@@ -37,18 +37,10 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
+        override protected function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
-            var sphereA:Sphere = a as Sphere;
-            var sphereB:Sphere = b as Sphere;
-            // one order for both, so that rounding is the same
-            var areSwapped:Boolean = isAfter(sphereA.center, sphereB.center);
-            setGap(areSwapped ? sphereB : sphereA, areSwapped ? sphereA : sphereB, RelativeMotion.NONE);
+            setGap(first as Sphere, second as Sphere, RelativeMotion.NONE);
             out.setFromGap(_gap);
-            if (areSwapped)
-            {
-                out.swap();
-            }
         }
 
         // Sets the gap at the motion's start.

@@ -2,6 +2,7 @@ package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
+    import starlogo.geometry.compareVectors;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.boxes.BoxPair;
     import starlogo.intersection.boxes.BoxSeparation;
@@ -23,7 +24,7 @@ package starlogo.intersection
         var centerA:Vector3D = a.center;
         var centerB:Vector3D = b.center;
         // For most boxes x alone decides about the order, without a call. Boxes with the same centre touch, so their order does not matter.
-        if (centerA.x > centerB.x || centerA.x == centerB.x && isAfter(centerA, centerB))
+        if (centerA.x > centerB.x || centerA.x == centerB.x && compareVectors(centerA, centerB) > 0)
         {
             var first:Box = b;
             b = a;
@@ -64,12 +65,7 @@ package starlogo.intersection
         pair.x = x;
         pair.y = y;
         pair.z = z;
-        pair.aX = halfX;
-        pair.aY = halfY;
-        pair.aZ = halfZ;
-        pair.bX = bX;
-        pair.bY = bY;
-        pair.bZ = bZ;
+        pair.setHalves(a, b);
         pair.axes.setTo(a, b);
         if (!BoxSeparation.overlapAlongFaces(pair))
         {

@@ -1,6 +1,7 @@
 package starlogo.intersection
 {
     import starlogo.bounding.Capsule;
+    import starlogo.geometry.compareVectors;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -18,7 +19,7 @@ package starlogo.intersection
     public function capsuleCapsule(a:Capsule, b:Capsule):Boolean
     {
         var axes:SegmentPair = SegmentPair.STANDING;
-        var areSwapped:Boolean = isAfter(a.start, b.start);
+        var areSwapped:Boolean = compareVectors(a.start, b.start) > 0;
         var first:Capsule = areSwapped ? b : a;
         axes.setTo(first.start, first.end, areSwapped ? a : b);
         axes.findClosest();

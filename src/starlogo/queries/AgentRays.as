@@ -4,9 +4,9 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.data.requireGiven;
     import starlogo.engine;
+    import starlogo.geometry.compareVectors;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
-    import starlogo.intersection.isAfter;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.rays.Hits;
@@ -156,7 +156,7 @@ package starlogo.queries
             findMiddle(a, _middleA);
             findMiddle(b, _middleB);
             // the ray always starts at the same place of the two, because rounding may let a ray that grazes something pass in one direction only
-            var isSwapped:Boolean = isAfter(_middleA, _middleB);
+            var isSwapped:Boolean = compareVectors(_middleA, _middleB) > 0;
             var from:Vector3D = isSwapped ? _middleB : _middleA;
             var towards:Vector3D = isSwapped ? _middleA : _middleB;
             towards.decrementBy(from);

@@ -113,11 +113,10 @@ function checkContact(engine, each, [a, b], truth, distance, slack, tally) {
 		tally.add("not finite", each, `${normal} by ${depth} at ${point}`);
 		return;
 	}
-	// bodies in one place have no side from which they come; of points and segments that meet, the first moves upwards
+	// bodies in one place have no side from which they come
 	const [middleA, middleB] = [each.a, each.b].map((of) => extentsOf(of).middle);
 	const isSamePlace = Math.hypot(...middleA.map((at, k) => at - middleB[k])) <= CONTACT * slack.size;
-	const areThin = [each.a, each.b].every((of) => of.kind === "sphere" || of.kind === "capsule") && truth.coreDistance <= CONTACT * slack.size;
-	if (!isSamePlace && !areThin && (depth !== back.depth || normal.some((at, k) => at !== -back.normal[k]))) tally.add("swapped contact", each, `${normal} by ${depth}, ${back.normal} by ${back.depth}`);
+	if (!isSamePlace && (depth !== back.depth || normal.some((at, k) => at !== -back.normal[k]))) tally.add("swapped contact", each, `${normal} by ${depth}, ${back.normal} by ${back.depth}`);
 	tally.count("contacts");
 	const extent = Math.max(...extentsOf(each.a).half, ...extentsOf(each.b).half);
 	const more = CONTACT * extent + PLACES * slack.places;

@@ -7,6 +7,7 @@ package starlogo.bounding
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
+    import starlogo.fitting.HullFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.geometry.Placement;
     import starlogo.geometry.hull.ConvexHull;
@@ -336,6 +337,65 @@ package starlogo.bounding
             }
         }
 
+        /** A corner may be farther from the centre than any is from the origin, and a fitted hull is larger than its model. */
+        [Test]
+        public function lopsidedHullsMayBeAsLargeAsAnyModel():void
+        {
+            var random:SeededRandom = new SeededRandom(61);
+            var points:Vector.<Number> = new <Number>[-1e60, 0, 0];
+            for (var i:int = 0; i < 300; i++)
+            {
+                var turn:Number = random.between(0, 2 * Math.PI);
+                points.push(1e60, 1e60 * Math.cos(turn), 1e60 * Math.sin(turn));
+            }
+            var large:Vector.<BoundingStructure> = new <BoundingStructure>[new Hull(points), new HullFitter(8).fit(points), new HullFitter(30).fit(points)];
+            for each (var hull:BoundingStructure in large)
+            {
+                for (i = 0; i < points.length; i += 3)
+                {
+                    assertTrue(hull + ", vertex " + i / 3, hull.contains(new Vector3D(points[i], points[i + 1], points[i + 2])));
+                }
+                assertFalse(hull + ", beside", hull.contains(new Vector3D(-1e60, 1e60, 0)));
+                assertTrue(String(hull), intersects(hull, hull.clone().translate(new Vector3D(1e60, 0, 0))));
+                assertFalse(String(hull), intersects(hull, hull.clone().translate(new Vector3D(9e60, 0, 0))));
+                hull.scale(1e9).clone();
+            }
+        }
+
+        [Test]
+        public function hullsOfAllSizesAndDimensionsContainTheSame():void
+        {
+            for each (var size:Number in [1e-69, 1e-60, 1e-30, 1, 1e30, 1e60, 1e69])
+            {
+                assertContainsOnly(size, PointSets.box(1, 1, 1));
+                assertContainsOnly(size, new <Number>[-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
+                assertContainsOnly(size, new <Number>[-1, 0, -1, 0, 0, 1, 1, 0, -1]);
+                assertContainsOnly(size, new <Number>[-1, -1, -1, 1, 1, 1]);
+                assertContainsOnly(size, new <Number>[0, 0, 0]);
+            }
+        }
+
+        // The hull contains its corners and its centre, and nothing at 3 times the size.
+        private static function assertContainsOnly(size:Number, points:Vector.<Number>):void
+        {
+            for (var i:int = 0; i < points.length; i++)
+            {
+                points[i] *= size;
+            }
+            var hull:Hull = new Hull(points);
+            assertTrue(hull + ", its centre", hull.contains(hull.center));
+            for (i = 0; i < points.length; i += 3)
+            {
+                assertTrue(hull + ", corner " + i / 3, hull.contains(new Vector3D(points[i], points[i + 1], points[i + 2])));
+            }
+            for each (var far:Number in [-3 * size, 3 * size])
+            {
+                assertFalse(hull + ", x " + far, hull.contains(new Vector3D(far, 0, 0)));
+                assertFalse(hull + ", y " + far, hull.contains(new Vector3D(0, far, 0)));
+                assertFalse(hull + ", z " + far, hull.contains(new Vector3D(0, 0, far)));
+            }
+        }
+
         [Test]
         public function refusesWhatMakesNoHull():void
         {
@@ -343,7 +403,8 @@ package starlogo.bounding
             assertThrows(ArgumentError, "", create, Hull, new Vector.<Number>());
             assertThrows(ArgumentError, "", create, Hull, new <Number>[1, 2]);
             assertThrows(ArgumentError, "", create, Hull, new <Number>[1, 2, NaN]);
-            assertThrows(ArgumentError, "", create, Hull, new <Number>[1, 2, 1e61]);
+            assertThrows(RangeError, "", create, Hull, new <Number>[1, 2, 1e71]);
+            assertThrows(RangeError, "", create, Hull, new <Number>[1e200, 0, 0, -1e200, 0, 0]);
             for each (var tiny:Number in [1e-80, 1e-200, 1e-310])
             {
                 assertThrows(RangeError, "size", create, Hull, new <Number>[0, 0, 0, tiny, 0, 0]);

@@ -6,16 +6,20 @@ package starlogo.intersection
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import support.Complaints;
 
     /** The tests of structures that stand still, which are written out for speed, answer as the kernels of the same pairs do. */
     public class KernelsAgreeTest
     {
         private static const PAIRS:int = 1500;
+        private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX, BoundingStructure.HULL];
 
         private var _contact:ContactPoint = new ContactPoint();
 
@@ -60,13 +64,12 @@ package starlogo.intersection
         {
             var random:SeededRandom = new SeededRandom(577);
             var structures:RandomStructures = new RandomStructures(random);
-            var kinds:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX, BoundingStructure.HULL];
             var points:ClosestPoints = new ClosestPoints();
             var others:ClosestPoints = new ClosestPoints();
             for (var i:int = 0; i < PAIRS; i++)
             {
-                var a:BoundingStructure = structures.ofKind(random.pick(kinds), 1, 2);
-                var b:BoundingStructure = structures.ofKind(random.pick(kinds), 1, 2);
+                var a:BoundingStructure = structures.ofKind(random.pick(KINDS), 1, 2);
+                var b:BoundingStructure = structures.ofKind(random.pick(KINDS), 1, 2);
                 PairTable.findClosest(a, b, points);
                 PairTable.findClosest(b, a, others);
                 others.swap();
@@ -78,6 +81,74 @@ package starlogo.intersection
             var large:Sphere = new Sphere(new Vector3D(1, 0, 0), 0.3);
             PairTable.findClosest(small, large, points);
             assertEquals(0.6, points.distance);
+        }
+
+        [Test]
+        public function theOtherOrderGivesTheSameTimeAndContact():void
+        {
+            var random:SeededRandom = new SeededRandom(578);
+            var structures:RandomStructures = new RandomStructures(random);
+            var wrong:Complaints = new Complaints();
+            var touches:int = 0;
+            for (var i:int = 0; i < 4 * PAIRS; i++)
+            {
+                var a:BoundingStructure = structures.ofKind(random.pick(KINDS), 1, 2);
+                var b:BoundingStructure = structures.ofKind(random.pick(KINDS), 1, 2);
+                if (random.chance())
+                {
+                    moveToOnePlace(a, b);
+                }
+                var way:RelativeMotion = new RelativeMotion();
+                way.endAfter(random.between(-3, 3), random.between(-3, 3), random.between(-3, 3));
+                touches += compareOrders(a, b, way, wrong) ? 1 : 0;
+                touches += compareOrders(a, b, new RelativeMotion(0), wrong) ? 1 : 0;
+            }
+            wrong.assertNone();
+            assertTrue("touches: " + touches, touches > PAIRS);
+        }
+
+        // Of two with different numbers in one place, the other numbers decide which comes first.
+        private static function moveToOnePlace(a:BoundingStructure, b:BoundingStructure):void
+        {
+            var places:Vector.<Vector3D> = new <Vector3D>[placeOf(a), placeOf(b)];
+            b.translate(places[0].subtract(places[1]));
+            placeOf(b).copyFrom(places[0]);
+        }
+
+        private static function placeOf(structure:BoundingStructure):Vector3D
+        {
+            if (structure is Capsule)
+            {
+                return Capsule(structure).start;
+            }
+            if (structure is Sphere)
+            {
+                return Sphere(structure).center;
+            }
+            return structure is Box ? Box(structure).center : Hull(structure).center;
+        }
+
+        private function compareOrders(a:BoundingStructure, b:BoundingStructure, way:RelativeMotion, wrong:Complaints):Boolean
+        {
+            var back:RelativeMotion = new RelativeMotion();
+            var other:ContactPoint = new ContactPoint();
+            var what:String = a + ", " + b;
+            back.setReversed(way);
+            PairTable.findTime(a, b, way);
+            PairTable.findTime(b, a, back);
+            wrong.addIf(way.time != back.time, "time", what + ": " + way.time + ", " + back.time);
+            if (!(way.time <= 1))
+            {
+                return false;
+            }
+            back.setReversed(way);
+            PairTable.findContact(a, b, way, _contact);
+            PairTable.findContact(b, a, back, other);
+            // where a stands still, instead of b
+            var isSamePoint:Boolean = !way.isStill || _contact.x == other.x && _contact.y == other.y && _contact.z == other.z;
+            wrong.addIf(_contact.depth != other.depth || _contact.normalX != -other.normalX || _contact.normalY != -other.normalY
+                    || _contact.normalZ != -other.normalZ || !isSamePoint, "contact", what + ": " + _contact.depth + ", " + other.depth);
+            return true;
         }
 
         private function check(kindA:int, kindB:int):void

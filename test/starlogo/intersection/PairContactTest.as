@@ -42,15 +42,16 @@ package starlogo.intersection
         }
 
         [Test]
-        public function choosesUpwardsWhereNothingElseIsNearer():void
+        public function theFirstMovesUpwardsWhereNothingElseIsNearer():void
         {
             var ball:Sphere = new Sphere(new Vector3D(1, 2, 3), 0.5);
             checkNormal(ball, ball, 0, 0, 1, 1);
             var level:Capsule = new Capsule(new Vector3D(0, 2, 3), new Vector3D(3, 2, 3), 0.25);
-            checkNormal(ball, level, 0, 0, 1, 0.75);
+            checkNormal(level, ball, 0, 0, 1, 0.75);
+            checkNormal(ball, level, 0, 0, -1, 0.75);
             checkNormal(level, level, 0, 0, 1, 0.5);
             var upright:Capsule = new Capsule(new Vector3D(1, 2, 0), new Vector3D(1, 2, 9), 0.25);
-            checkNormal(ball, upright, 1, 0, 0, 0.75);
+            checkNormal(upright, ball, 1, 0, 0, 0.75);
             // segments that cross: at right angles to both, to the side where the first one's middle is
             var across:Capsule = new Capsule(new Vector3D(1, 0, 3), new Vector3D(1, 3, 3), 0.25);
             checkNormal(across, level, 0, 0, 1, 0.5, true);

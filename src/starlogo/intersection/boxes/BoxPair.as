@@ -1,5 +1,6 @@
 package starlogo.intersection.boxes
 {
+    import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
 
     /**
@@ -59,5 +60,16 @@ package starlogo.intersection.boxes
 
         /** The result: the time from which the axes that were tried do not separate the boxes, or RelativeMotion.NEVER. */
         public var time:Number = RelativeMotion.NEVER;
+
+        /** Sets the half-extents. */
+        public function setHalves(a:Box, b:Box):void
+        {
+            aX = a.halfX;
+            aY = a.halfY;
+            aZ = a.halfZ;
+            bX = b.halfX;
+            bY = b.halfY;
+            bZ = b.halfZ;
+        }
     }
 }

@@ -58,7 +58,7 @@ package starlogo.intersection.boxes
         public function findTime(pair:BoxPair):void
         {
             _times.begin(pair.latest);
-            writeTime(narrowByFaces(pair, _times) && narrowByEdges(pair, _times), _times, pair);
+            writeTime(narrowByFaces(pair) && narrowByEdges(pair), pair);
         }
 
         /**
@@ -68,18 +68,19 @@ package starlogo.intersection.boxes
         public function findTimeOfFaces(pair:BoxPair):void
         {
             _times.begin(pair.latest);
-            writeTime(narrowByFaces(pair, _times), _times, pair);
+            writeTime(narrowByFaces(pair), pair);
         }
 
         // Sets the pair's time to when the boxes first touch, if they do.
-        private static function writeTime(areTouching:Boolean, times:ContactInterval, pair:BoxPair):void
+        private function writeTime(areTouching:Boolean, pair:BoxPair):void
         {
-            pair.time = areTouching ? (times.touch < times.last ? times.touch : times.last) : RelativeMotion.NEVER;
+            pair.time = areTouching ? Math.min(_times.touch, _times.last) : RelativeMotion.NEVER;
         }
 
-        // Narrows an interval by the faces of both. Returns whether anything is left.
-        private function narrowByFaces(pair:BoxPair, times:ContactInterval):Boolean
+        // Narrows the interval by the faces of both. Returns whether anything is left.
+        private function narrowByFaces(pair:BoxPair):Boolean
         {
+            var times:ContactInterval = _times;
             var b:BoxAxes = pair.axes;
             var along:AxisMotion = _along;
             along.margin = pair.margin;
@@ -149,20 +150,15 @@ package starlogo.intersection.boxes
             pair.motionZ = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
             pair.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             pair.axes.setTo(a, b);
-            pair.aX = a.halfX;
-            pair.aY = a.halfY;
-            pair.aZ = a.halfZ;
-            pair.bX = b.halfX;
-            pair.bY = b.halfY;
-            pair.bZ = b.halfZ;
+            pair.setHalves(a, b);
             pair.margin = motion.margin;
             pair.latest = motion.latest;
         }
 
-        // Narrows an interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of
+        // Narrows the interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of
         // each. So even a short cross product of nearly parallel edges is an axis like any other. The test uses no identity between axes, because
         // rounding would break it.
-        private function narrowByEdges(pair:BoxPair, times:ContactInterval):Boolean
+        private function narrowByEdges(pair:BoxPair):Boolean
         {
             var b:BoxAxes = pair.axes;
             var edges:Vector.<Number> = _edges;
@@ -182,13 +178,14 @@ package starlogo.intersection.boxes
                 halves[int(i + 3)] = pair.bY * edges[int(i + 3)];
                 halves[int(i + 6)] = pair.bZ * edges[int(i + 6)];
             }
-            return narrowAcross(pair, 0, 3, 6, times) && narrowAcross(pair, 3, 6, 0, times) && narrowAcross(pair, 6, 0, 3, times);
+            return narrowAcross(pair, 0, 3, 6) && narrowAcross(pair, 3, 6, 0) && narrowAcross(pair, 6, 0, 3);
         }
 
-        // Narrows an interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is
+        // Narrows the interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is
         // left.
-        private function narrowAcross(pair:BoxPair, p:int, q:int, r:int, times:ContactInterval):Boolean
+        private function narrowAcross(pair:BoxPair, p:int, q:int, r:int):Boolean
         {
+            var times:ContactInterval = _times;
             var along:AxisMotion = _along;
             var halves:Vector.<Number> = _halves;
             var pX:Number = _edges[p];

@@ -16,7 +16,13 @@ package starlogo.intersection.ray
         var x:Number = center.x - ray.x;
         var y:Number = center.y - ray.y;
         var z:Number = center.z - ray.z;
-        include "lineThroughBall.inc";
+        // the middle of the line's part in the ball
+        var closest:Number = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
+        // the vector from there to the ball's middle is perpendicular to the line, so no digits cancel
+        x -= closest * ray.directionX;
+        y -= closest * ray.directionY;
+        z -= closest * ray.directionZ;
+        var halfSquared:Number = radius * radius - (x * x + y * y + z * z);
         if (!(halfSquared >= 0))
         {
             return false;

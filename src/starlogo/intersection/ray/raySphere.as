@@ -16,16 +16,13 @@ package starlogo.intersection.ray
     {
         var center:Vector3D = sphere.center;
         var radius:Number = sphere.radius * ray.touchingFactor;
-        var x:Number = center.x - ray.x;
-        var y:Number = center.y - ray.y;
-        var z:Number = center.z - ray.z;
-        include "lineThroughBall.inc";
-        if (!(halfSquared >= 0))
+        if (!crossBall(ray, center, radius, 1, out) || out.distance < ray.from)
         {
+            // the line misses the sphere, or the ray begins beyond it
             return false;
         }
-        var half:Number = Math.sqrt(halfSquared);
-        var near:Number = closest - half;
+        crossBall(ray, center, radius, -1, out);
+        var near:Number = out.distance;
         out.begin(ray);
         if (near > ray.from)
         {
@@ -34,11 +31,6 @@ package starlogo.intersection.ray
             {
                 out.setOutwards(ray.x + near * ray.directionX - center.x, ray.y + near * ray.directionY - center.y, ray.z + near * ray.directionZ - center.z);
             }
-        }
-        else if (!(ray.from <= closest + half))
-        {
-            // it begins beyond the sphere
-            return false;
         }
         return out.distance <= ray.to;
     }

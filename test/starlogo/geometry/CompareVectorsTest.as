@@ -1,18 +1,19 @@
-package starlogo.intersection
+package starlogo.geometry
 {
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
 
-    public class IsAfterTest
+    public class CompareVectorsTest
     {
         [Test]
-        public function placesAreInOrderByXThenYThenZ():void
+        public function vectorsAreInOrderByXThenYThenZ():void
         {
             for (var first:int = 0; first < 27; first++)
             {
                 for (var second:int = 0; second < 27; second++)
                 {
-                    assertEquals(first + ", " + second, first > second, isAfter(place(first), place(second)));
+                    var order:int = compareVectors(place(first), place(second));
+                    assertEquals(first + ", " + second, true, first < second ? order < 0 : first > second ? order > 0 : order == 0);
                 }
             }
         }

@@ -1,0 +1,26 @@
+package starlogo.convex
+{
+    /**
+     * A step on the way to the time of impact, as a record: what a sweep has found at the motion's time, and what advance() has to know of the steps
+     * before.
+     *
+     * @private
+     */
+    public final class AdvancementStep
+    {
+        /** The gap between the two shapes along a direction that keeps them apart. No gap is left if it is not above 0. */
+        public var gap:Number = 0;
+
+        /** How fast the motion closes the gap along that direction. */
+        public var speed:Number = 0;
+
+        /** Whether the shapes touch, with all margins: see Touching. */
+        public var isTouching:Boolean = false;
+
+        /** The number of steps before this one. A sweep sets it to 0 at its first step. */
+        public var count:int = 0;
+
+        /** The time of an earlier step at which the shapes touched, but only across the margins; RelativeMotion.NEVER if there was none. */
+        public var lastTouch:Number = RelativeMotion.NEVER;
+    }
+}

@@ -1,0 +1,97 @@
+package starlogo.convex
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+
+    public class AdvanceTest
+    {
+        private var _step:AdvancementStep = new AdvancementStep();
+        private var _motion:RelativeMotion = new RelativeMotion(0);
+
+        [Before]
+        public function beginApart():void
+        {
+            _step.gap = 0.5;
+            _step.speed = 1;
+        }
+
+        // Each step finds half of the gap before, so the steps never come to its end.
+        [Test]
+        public function theTimeOfTheLastStepIsTheTimeOfImpact():void
+        {
+            var steps:int = 1;
+            while (advance(_step, _motion))
+            {
+                _step.gap /= 2;
+                _step.speed = 1e3 * _step.gap;
+                steps++;
+            }
+            assertEquals("steps", 80, steps);
+            assertTrue("a time: " + _motion.time, _motion.time > 0.5 && _motion.time <= 1);
+        }
+
+        [Test]
+        public function aTouchAfterTheLatestTimeIsNone():void
+        {
+            _motion.latest = 0.4;
+            assertFalse(advance(_step, _motion));
+            assertEquals(RelativeMotion.NEVER, _motion.time);
+        }
+
+        [Test]
+        public function shapesThatDoNotCloseNeverTouch():void
+        {
+            _step.speed = 0;
+            assertFalse(advance(_step, _motion));
+            assertEquals(RelativeMotion.NEVER, _motion.time);
+        }
+
+        [Test]
+        public function aTouchAtTheStartIsAtTimeZero():void
+        {
+            _step.isTouching = true;
+            assertFalse(advance(_step, _motion));
+            assertEquals(0, _motion.time);
+        }
+
+        [Test]
+        public function aTouchAcrossTheMarginsLeadsOnceMoreToTheSurface():void
+        {
+            touchAcrossMargins();
+            assertEquals(0.5 + 1e-9, _motion.time);
+            assertFalse(advance(_step, _motion));
+            assertEquals("it still touches", 0.5 + 1e-9, _motion.time);
+        }
+
+        [Test]
+        public function aTouchAcrossTheMarginsCountsIfTheNextStepLeadsOutOfIt():void
+        {
+            touchAcrossMargins();
+            _step.isTouching = false;
+            assertFalse(advance(_step, _motion));
+            assertEquals(0.5, _motion.time);
+        }
+
+        [Test]
+        public function aTouchAcrossTheMarginsCountsIfTheNextStepIsTooLate():void
+        {
+            _motion.latest = 0.5;
+            assertTrue(advance(_step, _motion));
+            _step.isTouching = true;
+            _step.gap = 1e-9;
+            assertFalse(advance(_step, _motion));
+            assertEquals(0.5, _motion.time);
+        }
+
+        // The second step touches, with a gap left.
+        private function touchAcrossMargins():void
+        {
+            assertTrue(advance(_step, _motion));
+            assertEquals(0.5, _motion.time);
+            _step.isTouching = true;
+            _step.gap = 1e-9;
+            assertTrue(advance(_step, _motion));
+        }
+    }
+}

@@ -59,7 +59,7 @@ package starlogo.search.pairs
          *
          * @param level says how far apart the circles of the candidates may be
          */
-        public function keepTouching(table:AgentTable, level:BinLevel, row:int, others:Vector.<int>, count:int):int
+        public function keepTouching(table:AgentTable, row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
             var xs:Vector.<Number> = table.extents.x;
             var ys:Vector.<Number> = table.extents.y;
@@ -135,7 +135,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
+        override protected function separateApart(a:Body, b:Body, out:ContactPoint):void
         {
             readSphere(a, _sphereA);
             readSphere(b, _sphereB);

@@ -40,7 +40,6 @@ package starlogo.search.pairs
         private var _impacts:TreeImpactQuery = new TreeImpactQuery();
 
         private var _reversed:RelativeMotion = new RelativeMotion();
-        private var _apart:ApartContact = new ApartContact();
 
         // Finds ways out; null if these are the tests by leaves.
         private var _separation:TreeExitSearch = null;
@@ -136,12 +135,6 @@ package starlogo.search.pairs
             _pose.relate(a.placement, b.placement);
             PairTable.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
             RelativePose.moveContactToWorld(out, a.placement, RelativeMotion.NONE);
-        }
-
-        /** @inheritDoc */
-        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
-        {
-            _apart.find(this, a, b, out);
         }
 
         /** @inheritDoc */

@@ -11,8 +11,8 @@ package soak
         private static const CHECK_EVERY:int = 20;
 
         // Whatever changes an answer, an order or a bit of a contact changes both hashes. Then write them anew: they are the same for each machine.
-        private static const HASH:String = "e41d2f5f";
-        private static const HASH_OF_THE_FIRST:String = "3204b6a6";
+        private static const HASH:String = "b98b909b";
+        private static const HASH_OF_THE_FIRST:String = "52b6892e";
         private static const FRAMES_HASHED:int = 200;
         private static const FIRST_FRAMES:int = 48;
 

@@ -95,10 +95,10 @@ package starlogo.broadphase
             copyCircles(extents, slots);
         }
 
-        // Makes the levels up to the coarsest that is needed.
+        // Makes the levels that the extents have needed so far.
         private function makeLevels(extents:Extents):void
         {
-            while (levels.length <= extents.coarsest)
+            while (levels.length < extents.levelWidths.length)
             {
                 levels.push(new BinLevel(levels.length, extents.levelWidths[levels.length]));
             }
@@ -114,11 +114,6 @@ package starlogo.broadphase
             for (var i:int = 1; i < all.length; i++)
             {
                 all[i].count = 0;
-            }
-            if (extents.finest == extents.coarsest)
-            {
-                all[extents.finest].count = end;
-                return;
             }
             // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
             // the optimised method in every frame.

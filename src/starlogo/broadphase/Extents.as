@@ -26,16 +26,8 @@ package starlogo.broadphase
         /** The index of the row's level, from 1 on; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
-        // The finest and the coarsest level that rows have needed so far.
-        internal var finest:int = int.MAX_VALUE;
-        internal var coarsest:int = 0;
-
         // By index, for the levels so far: the width of the cells. The first is none.
         internal var levelWidths:Vector.<Number> = new <Number>[0, BinLevel.LEAST_WIDTH];
-
-        // Whether a row ever had a coarser level because it was far out. From then on each row that moves is assigned a level, so it gets a finer one
-        // when it comes back.
-        private var _wasOneFarOut:Boolean = false;
 
         /** Makes room for so many rows, which are more than before. New rows are points at the origin without a level. */
         override public function grow(length:int):void
@@ -95,34 +87,7 @@ package starlogo.broadphase
             {
                 return;
             }
-            var fitting:int = levelFor(2 * half);
-            var distant:int = levelFor(Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
-            if (distant > fitting)
-            {
-                _wasOneFarOut = true;
-                fitting = distant;
-            }
-            level[row] = fitting;
-            finest = fitting < finest ? fitting : finest;
-            coarsest = fitting > coarsest ? fitting : coarsest;
-        }
-
-        /**
-         * The square of the distance from the world's origin up to which each row keeps its level when it moves. Levels without members count too,
-         * because rows outside the search have levels.
-         */
-        public function get levelsEndSquared():Number
-        {
-            if (_wasOneFarOut)
-            {
-                return 0;
-            }
-            if (coarsest == 0)
-            {
-                return Infinity;
-            }
-            var end:Number = levelWidths[finest] * BinLevel.MAX_DISTANCE;
-            return end * end;
+            level[row] = levelFor(Math.max(2 * half, Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE));
         }
 
         // The finest level whose width is at least this large.

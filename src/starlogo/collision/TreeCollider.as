@@ -32,7 +32,7 @@ package starlogo.collision
 
         public function set maxDepth(value:int):void
         {
-            narrowPhase.treeLimits.setMaxDepth(value);
+            narrowPhase.treeLimits.maxDepth = value;
         }
 
         /**

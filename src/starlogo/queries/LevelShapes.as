@@ -78,7 +78,7 @@ package starlogo.queries
 
         public function set maxDepth(value:int):void
         {
-            choice.narrowPhase.treeLimits.setMaxDepth(value);
+            choice.narrowPhase.treeLimits.maxDepth = value;
         }
 
         /**

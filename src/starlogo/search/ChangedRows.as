@@ -145,7 +145,7 @@ package starlogo.search
         // The number of rows that were read again, or have another place in the list.
         private function countRead():int
         {
-            var count:int = _table.changed.count + _table.list.leftOrReordered.count;
+            var count:int = _table.changed.count + _table.leftOrReordered.count;
             if (_motions != null)
             {
                 count += _motions.previouslyChanged.count;
@@ -174,7 +174,7 @@ package starlogo.search
             markWorldAgent(ListedAgents.GROUND_ROW, input.ground);
             markWorldAgent(ListedAgents.EDGES_ROW, input.edges);
             addAll(_table.changed);
-            addAll(_table.list.leftOrReordered);
+            addAll(_table.leftOrReordered);
             if (_motions != null)
             {
                 addAll(_motions.previouslyChanged);
@@ -218,7 +218,7 @@ package starlogo.search
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (isMember(row, _table, input) != _cells.has(row))
+                if (input.isMember(row, _table) != _cells.has(row))
                 {
                     addChanged(row);
                 }
@@ -231,7 +231,7 @@ package starlogo.search
             for (var i:int = 0; i < _rows.count; i++)
             {
                 var row:int = _rows.numbers[i];
-                if (!isMember(row, _table, input))
+                if (!input.isMember(row, _table))
                 {
                     _cells.remove(row);
                 }

@@ -1,21 +1,16 @@
-// This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; NarrowPhase tests two of them,
-// by a PairTests for each kind of pairs (pairs/); FoundPairs has the pairs in the order of the list; and ChangedRows finds the few rows whose pairs
-// may differ from those of the last frame. Read this file first, then AgentTable for the rows, NarrowPhase for the tests, and TreeExitSearch and
-// GroundExitSearch (penetration/) for depths.
+// This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; CandidateTests keeps the pairs of
+// near rows that touch, by the NarrowPhase, which has a PairTests for each kind of pairs (pairs/); FoundPairs has the pairs in the order of the list;
+// and ChangedRows finds the few rows whose pairs may differ from those of the last frame. Read this file first, then AgentTable for the rows,
+// CandidateTests and NarrowPhase for the tests, and TreeExitSearch and GroundExitSearch (penetration/) for depths.
 package starlogo.search
 {
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
-    import starlogo.bounding.BoundingStructure;
-    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
-    import starlogo.broadphase.PairSink;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.search.pairs.PairTests;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
 
@@ -31,15 +26,13 @@ package starlogo.search
      *
      * @private
      */
-    public final class CollisionSearch extends PairSink
+    public final class CollisionSearch
     {
-        // In place of a form: none.
-        private static const NONE:int = -1;
-
         /** The agents of the last search. */
         public var table:AgentTable;
 
         private var _bins:Bins = new Bins();
+        private var _tests:CandidateTests;
         private var _rowMotions:RowMotions;
         private var _changedRows:ChangedRows;
 
@@ -51,20 +44,10 @@ package starlogo.search
         // The motions in the search; null if no agent sweeps in it.
         private var _motions:RowMotions = null;
 
-        // The input of the search under way, and what takes the pairs.
-        private var _input:FrameInput = null;
-        private var _out:FoundPairs = null;
-
-        // The number of candidates whose breeds are of interest.
-        private var _candidatePairs:int = 0;
-
-        // If an agent sweeps: the times at which a row touches others.
-        private var _times:Vector.<Number> = new Vector.<Number>();
-
-        // The members of a search in which some rows may be none, and those that are tested with the ground or the edges of the world.
+        // The members of a search in which some rows may be none.
         private var _members:IntList = new IntList();
-        private var _membersForWorld:IntList = new IntList();
 
+        // For questions: the bodies of agents that have changed since the search.
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
 
@@ -72,6 +55,7 @@ package starlogo.search
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             table = new AgentTable(narrowPhase);
+            _tests = new CandidateTests(table);
             _rowMotions = new RowMotions(table);
             _changedRows = new ChangedRows(table, _bins.levels);
             _pairs = new FoundPairs(table.list);
@@ -109,7 +93,7 @@ package starlogo.search
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
-            counts.candidatePairs = _candidatePairs;
+            counts.candidatePairs = _tests.candidatePairs;
             counts.sweptPairs = _motions == null ? 0 : _motions.sweptPairs;
             counts.collisions = _pairs.count;
             return _pairs;
@@ -118,21 +102,18 @@ package starlogo.search
         // Finds the pairs of all members. Returns the number of members.
         private function findOfAll(input:FrameInput, mayKeep:Boolean):int
         {
-            var members:IntList = findMembers(input);
+            var members:IntList = input.findMembers(table, _members);
             var extents:Extents = table.extents;
             if (_motions != null)
             {
                 _motions.begin(table.list.rows);
                 extents = _motions.extents;
             }
-            begin(input, _pairs);
-            _bins.findPairs(extents, members, this);
+            _tests.begin(input, _motions, _pairs);
+            _bins.findPairs(extents, members, _tests);
             for (var worldRow:int = ListedAgents.GROUND_ROW; worldRow <= ListedAgents.EDGES_ROW; worldRow++)
             {
-                if (isOfInterest(worldRow))
-                {
-                    findPairsOfWorldAgent(worldRow, members);
-                }
+                _tests.testWithWorldAgent(worldRow, table.list.rows);
             }
             _pairs.putInOrder(_motions != null);
             _mayBeKept = mayKeep && _changedRows.noteSearch(members, input, _motions);
@@ -144,15 +125,11 @@ package starlogo.search
         // members.
         private function findOfChanged(input:FrameInput):int
         {
-            begin(input, _pairsOfChanged);
-            _changedRows.findPairs(this);
+            _tests.begin(input, _motions, _pairsOfChanged);
+            _changedRows.findPairs(_tests);
             for (var worldRow:int = ListedAgents.GROUND_ROW; worldRow <= ListedAgents.EDGES_ROW; worldRow++)
             {
-                if (isOfInterest(worldRow))
-                {
-                    listMembers(_changedRows.rowsToTestWith(worldRow), input);
-                    findPairsOfWorldAgent(worldRow, _members);
-                }
+                _tests.testWithWorldAgent(worldRow, _changedRows.rowsToTestWith(worldRow));
             }
             _pairsOfChanged.putInOrder(_motions != null);
             _changedRows.updatePairs(_pairs, _pairsOfChanged);
@@ -169,127 +146,6 @@ package starlogo.search
                 i--;
             }
             return i >= 0;
-        }
-
-        private function begin(input:FrameInput, out:FoundPairs):void
-        {
-            _candidatePairs = 0;
-            out.begin();
-            _input = input;
-            _out = out;
-        }
-
-        // The rows that the bins get, called members: those with a shape that take part and whose breeds are of interest.
-        private function findMembers(input:FrameInput):IntList
-        {
-            var all:IntList = table.list.rows;
-            if (table.loadingCount == 0 && input.admitted == null && (input.interests == null || input.interests.isNamed(Breeds.ANY)))
-            {
-                return all;
-            }
-            listMembers(all, input);
-            return _members;
-        }
-
-        // Lists the members among some rows.
-        private function listMembers(rows:IntList, input:FrameInput):void
-        {
-            _members.count = 0;
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                if (isMember(rows.numbers[i], table, input))
-                {
-                    _members.add(rows.numbers[i]);
-                }
-            }
-        }
-
-        /** @inheritDoc */
-        override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
-        {
-            var interests:BreedInterests = _input.interests;
-            if (interests != null && !interests.includesAllOfAgents)
-            {
-                count = interests.keepOfInterest(table.breeds, row, others, count);
-            }
-            _candidatePairs += count;
-            if (_motions != null)
-            {
-                _out.addPairs(row, others, _motions.keepTouching(level, row, others, count, _times), _times);
-                return;
-            }
-            _out.addPairs(row, others, keepTouching(row, others, count, level), null);
-        }
-
-        // Whether there is ground, or there are edges of the world, and handlers for them.
-        private function isOfInterest(worldRow:int):Boolean
-        {
-            return table.list.agents[worldRow] != null && _input.interests.isNamed(table.breeds[worldRow]);
-        }
-
-        // Finds the pairs of members with the ground, or with the edges of the world. It tests only members whose breeds are of
-        // interest together with the breed of the ground or of the edges.
-        private function findPairsOfWorldAgent(worldRow:int, members:IntList):void
-        {
-            _membersForWorld.copyFrom(members);
-            var others:Vector.<int> = _membersForWorld.numbers;
-            var count:int = _input.interests.keepOfInterest(table.breeds, worldRow, others, _membersForWorld.count);
-            if (_motions != null)
-            {
-                _out.addPairs(worldRow, others, _motions.keepTouching(null, worldRow, others, count, _times), _times);
-                return;
-            }
-            _out.addPairs(worldRow, others, keepTouchingWorld(worldRow, others, count), null);
-        }
-
-        // Keeps the rows that touch a row, and moves them to the beginning of the list. The level has the slack of their extents.
-        private function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):int
-        {
-            // a field would be read again for each candidate
-            var rows:AgentTable = table;
-            var tests:NarrowPhase = rows.narrowPhase;
-            if (tests.choice.areSpheres)
-            {
-                return tests.sphereTests.keepTouching(rows, level, row, others, count);
-            }
-            var body:Body = rows.bodyOf(row);
-            var extents:Extents = rows.extents;
-            var slack:Number = level.slack;
-            // two spheres or two boxes need no test of their extents, except for the heights
-            var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                var isNear:Boolean = rows.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
-                if (isNear)
-                {
-                    var otherBody:Body = rows.bodyOf(other);
-                    if (tests.pairTestsFor(body, otherBody).areTouching(body, otherBody))
-                    {
-                        others[kept] = other;
-                        kept++;
-                    }
-                }
-            }
-            return kept;
-        }
-
-        // Keeps the rows that touch the ground or the edges of the world.
-        private function keepTouchingWorld(worldRow:int, others:Vector.<int>, count:int):int
-        {
-            var world:Body = table.bodyOf(worldRow);
-            var tests:PairTests = table.narrowPhase.pairTestsForWorldAgent(world);
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                if (tests.areTouching(table.bodyOf(others[i]), world))
-                {
-                    others[kept] = others[i];
-                    kept++;
-                }
-            }
-            return kept;
         }
 
         /** The table was read without a search: the next search is one of all rows. */
@@ -349,7 +205,7 @@ package starlogo.search
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            table.narrowPhase.findContact(bodyA, bodyB, motion, out);
+            table.narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
         }
     }
 }

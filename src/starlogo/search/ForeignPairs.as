@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.data.HashTable;
+    import starlogo.data.IntList;
     import starlogo.data.requireGiven;
     import starlogo.search.table.ListedAgents;
 
@@ -14,6 +15,7 @@ package starlogo.search
     public final class ForeignPairs
     {
         private var _list:ListedAgents = new ListedAgents();
+        private var _leftOrReordered:IntList = new IntList();
         private var _pairs:FoundPairs = new FoundPairs(_list);
 
         // The pairs that have been read, by their rows, the lesser first.
@@ -26,9 +28,8 @@ package starlogo.search
          */
         public function begin(list:Vector.<Agent>):void
         {
-            _list.beginRead();
             _list.propose(list);
-            _list.accept();
+            _list.accept(_leftOrReordered);
         }
 
         /**

@@ -2,13 +2,17 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
+    import starlogo.agents.Breeds;
     import starlogo.agents.copyAgents;
+    import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 
     /**
-     * The input of a frame's search: the list of agents, which of them take part, which breeds count, the ground and the edges of the world.
+     * The input of a frame's search: the list of agents, which of them take part, which breeds count, the ground and the edges of the world. The rows of a
+     * table that a search tests are called its members. The input decides which they are.
      *
      * @private
      */
@@ -41,6 +45,43 @@ package starlogo.search
             this.ground = ground;
             this.edges = edges;
             admitted = null;
+        }
+
+        /**
+         * The members of the search among all rows of a table.
+         *
+         * @param spare receives them if some rows are none
+         * @return the members: all rows, or spare
+         */
+        public function findMembers(table:AgentTable, spare:IntList):IntList
+        {
+            var rows:IntList = table.list.rows;
+            if (table.loadingCount == 0 && admitted == null && (interests == null || interests.isNamed(Breeds.ANY)))
+            {
+                return rows;
+            }
+            listMembers(rows, table, spare);
+            return spare;
+        }
+
+        /** Lists the members among some rows of a table. @param out receives them */
+        public function listMembers(rows:IntList, table:AgentTable, out:IntList):void
+        {
+            out.count = 0;
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                if (isMember(rows.numbers[i], table))
+                {
+                    out.add(rows.numbers[i]);
+                }
+            }
+        }
+
+        /** Whether a row of a table is a member of the search: it has a shape, its breed is of interest, and its agent takes part. */
+        public function isMember(row:int, table:AgentTable):Boolean
+        {
+            return table.shapes[row] != null && (interests == null || interests.representativeOf(table.breeds[row]) >= 0)
+                && (admitted == null || admitted[table.list.ranks[row]]);
         }
 
         /** Asks a filter of the game's which agents take part. An entry that is null does, because the collision system refuses it. */

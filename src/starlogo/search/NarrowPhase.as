@@ -2,8 +2,6 @@ package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
-    import starlogo.convex.ContactPoint;
-    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.intersection.ray.ConvexRay;
     import starlogo.search.pairs.EdgePairTests;
@@ -67,32 +65,6 @@ package starlogo.search
                 return !b.isOfWorld && areTouching(b, a);
             }
             return pairTestsFor(a, b).areTouching(a, b);
-        }
-
-        /**
-         * Finds the contact of two bodies where they are, which separates them. If the two do not touch, its point is half way between the points where
-         * they are nearest, its normal points from one of these points to the other, and its depth is 0.
-         *
-         * @param a is not the ground or the edges of the world
-         * @param b may be the ground or the edges of the world: see PairTests
-         * @param motion becomes none, at the time 1
-         * @param out receives the contact. Its normal points from the second body to the first
-         */
-        public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
-        {
-            motion.endAfter(0, 0, 0);
-            motion.time = 1;
-            var tests:PairTests = pairTestsFor(a, b);
-            tests.findContactOfParts(a, b, motion, out);
-            // structures that are this deep in each other touch; the contact of trees or the ground may be deep without a touch
-            var areStructures:Boolean = a.form < ModelShape.TREE && b.form < ModelShape.TREE;
-            var isDeep:Boolean = areStructures && out.depth > 2 * tests.depthToleranceOf(a, b);
-            if (!isDeep && !tests.areTouching(a, b))
-            {
-                tests.separateApart(a, b, out);
-                return;
-            }
-            tests.separate(a, b, motion, out);
         }
 
         /**

@@ -146,7 +146,7 @@ package starlogo.search
          * @param times receives the times of the touches
          * @return the number of rows that it keeps
          */
-        public function keepTouching(level:BinLevel, row:int, others:Vector.<int>, count:int, times:Vector.<Number>):int
+        public function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
         {
             var ranks:Vector.<int> = _table.list.ranks;
             var rank:int = ranks[row];
@@ -210,7 +210,7 @@ package starlogo.search
             }
             if (motion.time == RelativeMotion.NEVER)
             {
-                _table.narrowPhase.findContact(bodyA, bodyB, motion, out);
+                _table.narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
                 return;
             }
             _table.narrowPhase.pairTestsFor(bodyA, bodyB).separate(bodyA, bodyB, motion, out);

@@ -12,17 +12,21 @@ package starlogo.search
         /** Whether the triangles decide. Then trees are tested down to them. */
         public var exact:Boolean = false;
 
-        /** Levels of each tree, if its agent has no limit of its own. Set it by <code>setMaxDepth()</code>. */
-        public var maxDepth:int = 5;
+        private var _maxDepth:int = 5;
 
-        /** @throws RangeError if it is less than 1 */
-        public function setMaxDepth(value:int):void
+        /** Levels of each tree, if its agent has no limit of its own. @throws RangeError if it is set to less than 1 */
+        public function get maxDepth():int
+        {
+            return _maxDepth;
+        }
+
+        public function set maxDepth(value:int):void
         {
             if (value < 1)
             {
                 throw new RangeError("maxDepth must be at least 1: " + value);
             }
-            maxDepth = value;
+            _maxDepth = value;
         }
 
         /** The number of levels to which the tree of a body is tested. */

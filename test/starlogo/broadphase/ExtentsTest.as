@@ -25,7 +25,6 @@ package starlogo.broadphase
             {
                 fit(0, place);
                 assertEquals(1, _count);
-                assertTrue(String(place), _extents.levelsEndSquared > 0);
             }
             // with a unit sphere there are two
             fit(0.5, 50);

@@ -58,6 +58,47 @@ package starlogo.collision
             assertTrue(_apart + " are apart", _apart > 400);
         }
 
+        // Far out the closest points of two that are hardly apart are rounded more than they are apart.
+        [Test]
+        public function twoThatHardlyPartHaveTheNormalOfTheirTouch():void
+        {
+            var collider:Collider = new TightestFitCollider(_greatLand);
+            var cube:Agent = new Agent("cube");
+            var other:Agent = new Agent("cube");
+            for each (var kind:String in [Agent.SPHERE, Agent.CAPSULE, Agent.HULL])
+            {
+                other.collideAs = kind;
+                for (var i:int = Effort.choose(20, 500); i > 0; i--)
+                {
+                    cube.heading = _random.between(0, 360);
+                    cube.pitch = _random.between(0, 40);
+                    other.roll = _random.between(0, 50);
+                    other.moveTo(1e6 + _random.between(0, 0.3), 1e6 + _random.between(0, 0.3), 0);
+                    var touching:Number = 0;
+                    var free:Number = 3;
+                    while (free - touching > 1e-9)
+                    {
+                        var middle:Number = (touching + free) / 2;
+                        cube.moveTo(1e6 + middle, 1e6, 0.01);
+                        if (collider.areColliding(cube, other))
+                        {
+                            touching = middle;
+                        }
+                        else
+                        {
+                            free = middle;
+                        }
+                    }
+                    cube.moveTo(1e6 + touching - 1e-5, 1e6, 0.01);
+                    var touch:Vector3D = collider.contactOf(cube, other).normal.clone();
+                    cube.moveTo(1e6 + free, 1e6, 0.01);
+                    var apart:Contact = collider.contactOf(cube, other);
+                    _wrong.addIf(!(apart.normal.dotProduct(touch) > 0.9 && apart.depth == 0), kind, apart + ", and touching " + touch);
+                }
+            }
+            _wrong.assertNone();
+        }
+
         // Two of the three cubes stand at the same height, as legs do. The point between them belongs to nothing.
         [Test]
         public function theNearestPointToAnEdgeIsTheAgentsOwn():void

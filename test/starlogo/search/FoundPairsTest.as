@@ -3,6 +3,7 @@ package starlogo.search
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import starlogo.agents.Agent;
+    import starlogo.data.IntList;
     import starlogo.search.table.ListedAgents;
 
     /** The order of pairs, compared with a sort by comparisons. */
@@ -94,9 +95,8 @@ package starlogo.search
 
         private static function propose(list:ListedAgents, agents:Vector.<Agent>):void
         {
-            list.beginRead();
             list.propose(agents);
-            list.accept();
+            list.accept(new IntList());
         }
     }
 }

@@ -10,8 +10,6 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.TreeLimits;
-    import starlogo.search.penetration.HalfSpaceSolver;
-    import starlogo.search.penetration.ShortestExit;
 
     use namespace engine;
 
@@ -38,8 +36,7 @@ package starlogo.search.pairs
 
         private var _supportSearch:SupportSearch;
         private var _farthest:SupportPoint = new SupportPoint();
-        private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _shortest:ShortestExit = new ShortestExit();
+        private var _wayBack:Vector3D = new Vector3D();
 
         /** @param limits how far trees are tested */
         public function EdgePairTests(limits:TreeLimits)
@@ -106,12 +103,6 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
-        {
-            // findContactOfParts has found the contact with the nearest edge
-        }
-
-        /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             var deepest:int = findDeepest(a, b, RelativeMotion.NONE);
@@ -158,21 +149,27 @@ package starlogo.search.pairs
             out.x = _farthest.x - left * motion.x;
             out.y = _farthest.y - left * motion.y;
             out.z = _farthest.z - left * motion.z;
-            _halfSpaces.begin();
+            // the edges are at right angles, so the shortest way back from all is the sum of the ways back from each
+            _wayBack.setTo(0, 0, 0);
+            var count:int = 0;
             for (var edge:int = 0; edge < 6; edge += 2)
             {
                 // of two opposite edges, the one with the larger value counts
                 var one:int = _penetrations[edge] >= _penetrations[int(edge + 1)] ? edge : edge + 1;
                 if (_penetrations[one] >= -toleranceOf(a) || one == deepest)
                 {
-                    addHalfSpace(one, one == deepest, a);
+                    var way:Number = wayBackFrom(one, one == deepest, a);
+                    _wayBack.x -= way * OUTWARDS[one].x;
+                    _wayBack.y -= way * OUTWARDS[one].y;
+                    _wayBack.z -= way * OUTWARDS[one].z;
+                    count++;
                     moveToMiddle(one, b, out);
                 }
             }
-            _halfSpaces.solve(3, 0, _shortest);
-            out.setNormal(_shortest.displacement.x / _shortest.length, _shortest.displacement.y / _shortest.length, _shortest.displacement.z / _shortest.length);
+            var length:Number = _wayBack.length;
+            out.setNormal(_wayBack.x / length, _wayBack.y / length, _wayBack.z / length);
             var depth:Number = Math.max(0, _penetrations[deepest]);
-            out.depth = _halfSpaces.count > 1 && depth > 0 ? _shortest.length : depth;
+            out.depth = count > 1 && depth > 0 ? length : depth;
         }
 
         // The largest gap between a body and an edge that still counts as a touch.
@@ -212,17 +209,15 @@ package starlogo.search.pairs
             return x * OUTWARDS[edge].x + y * OUTWARDS[edge].y + z * OUTWARDS[edge].z;
         }
 
-        // Adds the half-space before an edge. For edges other than the deepest, the way out is longer by a tenth of the tolerance of a contact's
-        // depth, so that it leads away from each of the edges. For the deepest one it is at least as long as that. A point has no extent; the
-        // patch counts in its place.
-        private function addHalfSpace(edge:int, isDeepest:Boolean, body:Body):void
+        // The length of the way back from an edge. For edges other than the deepest, it is longer by a tenth of the tolerance of a contact's depth, so
+        // that it leads away from each of the edges. For the deepest one it is at least as long as that. A point has no extent; the patch counts in its
+        // place.
+        private function wayBackFrom(edge:int, isDeepest:Boolean, body:Body):Number
         {
-            var outwards:Vector3D = OUTWARDS[edge];
             var half:Number = body.largestHalf == 0 ? 1 : body.largestHalf;
             var slack:Number = Tolerances.SEPARATION / 5 * half;
             var depth:Number = Math.max(0, _penetrations[edge]);
-            depth = isDeepest ? Math.max(depth, slack) : depth + slack;
-            _halfSpaces.add(-outwards.x, -outwards.y, -outwards.z, depth);
+            return isDeepest ? Math.max(depth, slack) : depth + slack;
         }
 
         // Moves the point of a contact into the middle of the overlap with an edge. There may be no such edge: then its place is infinite.

@@ -34,7 +34,6 @@ package starlogo.search.pairs
 
         private var _limits:TreeLimits;
         private var _separation:ExitSearch;
-        private var _apart:ApartContact = new ApartContact();
 
         // Decides quickly about bodies that are clearly above or in the ground, by their extents; and about the others.
         private var _extents:GroundBox = new GroundBox();
@@ -135,12 +134,6 @@ package starlogo.search.pairs
         override public function extentOf(a:Body, b:Body):Number
         {
             return Math.max(CELL_SHARE * gridOf(b).cellWidth, 2 * a.largestHalf);
-        }
-
-        /** @inheritDoc */
-        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
-        {
-            _apart.find(this, a, b, out);
         }
 
         /** @inheritDoc */

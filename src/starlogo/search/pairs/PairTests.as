@@ -10,6 +10,8 @@ package starlogo.search.pairs
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.OverlapMiddle;
 
     use namespace engine;
@@ -26,6 +28,9 @@ package starlogo.search.pairs
     {
         // For depthToleranceOf: the tolerance is at least this many times the gap across which two touch because places are rounded.
         private static const GAPS_OF_ROUNDING:Number = 4;
+
+        // The closest points of two bodies whose contact is asked for although they do not touch.
+        private var _closest:ClosestPoints = new ClosestPoints();
 
         /** Whether two bodies touch. The answer must be the same in either order, to the last bit. */
         public function areTouching(a:Body, b:Body):Boolean
@@ -54,6 +59,54 @@ package starlogo.search.pairs
         protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
             throw new IllegalOperationError(this + " does not implement findTime");
+        }
+
+        /**
+         * Finds the contact of two bodies where they are, which separates them. If the two do not touch, its point is half way between the points where
+         * they are nearest, its normal points from one of these points to the other, and its depth is 0.
+         *
+         * @param motion becomes none, at the time 1
+         * @param out receives the contact. Its normal points from the second body to the first
+         */
+        public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            motion.endAfter(0, 0, 0);
+            motion.time = 1;
+            findContactOfParts(a, b, motion, out);
+            // structures that are this deep in each other touch; the contact of trees or the ground may be deep without a touch
+            var isDeep:Boolean = areStructures(a, b) && out.depth > 2 * depthToleranceOf(a, b);
+            if (isDeep || areTouching(a, b))
+            {
+                separate(a, b, motion, out);
+                return;
+            }
+            separateApart(a, b, out);
+        }
+
+        /**
+         * Changes a contact of parts of two bodies that do not touch where they are: its point becomes half way between the points where they are
+         * nearest, its normal points from one of these points to the other, and its depth becomes 0.
+         */
+        protected function separateApart(a:Body, b:Body, out:ContactPoint):void
+        {
+            var isReversed:Boolean = NarrowPhase.isReversed(a, b);
+            findClosest(isReversed ? b : a, isReversed ? a : b, false, _closest);
+            if (isReversed)
+            {
+                _closest.swap();
+            }
+            if (areStructures(a, b) && _closest.distance <= depthToleranceOf(a, b))
+            {
+                // rounding hides the direction between the two points; the contact of parts has the one in which structures part
+                out.depth = 0;
+                return;
+            }
+            _closest.writeContact(out);
+        }
+
+        private static function areStructures(a:Body, b:Body):Boolean
+        {
+            return a.form < ModelShape.TREE && b.form < ModelShape.TREE;
         }
 
         /**
@@ -151,15 +204,6 @@ package starlogo.search.pairs
         public function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number
         {
             return 0;
-        }
-
-        /**
-         * Changes a contact of parts of two bodies that do not touch where they are: its point becomes half way between the points where they are
-         * nearest, its normal points from one of these points to the other, and its depth becomes 0.
-         */
-        public function separateApart(a:Body, b:Body, out:ContactPoint):void
-        {
-            throw new IllegalOperationError(this + " does not implement separateApart");
         }
     }
 }

@@ -1,8 +1,6 @@
 package starlogo.search.pairs
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Sphere;
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
@@ -34,9 +32,6 @@ package starlogo.search.pairs
 
         private var _counts:TestCounts;
 
-        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
-        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
-
         // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch, with all that
         // Touching names. So the time of impact includes that too.
         private var _gap:CoreGap = new CoreGap();
@@ -59,7 +54,7 @@ package starlogo.search.pairs
          *
          * @param level says how far apart the circles of the candidates may be
          */
-        public function keepTouching(table:AgentTable, level:BinLevel, row:int, others:Vector.<int>, count:int):int
+        public function keepTouching(table:AgentTable, row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
             var xs:Vector.<Number> = table.extents.x;
             var ys:Vector.<Number> = table.extents.y;
@@ -122,9 +117,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            readSphere(a, _sphereA);
-            readSphere(b, _sphereB);
-            _kernel.findContact(_sphereA, _sphereB, motion, out);
+            _kernel.findContact(a.worldStructure(), b.worldStructure(), motion, out);
         }
 
         /** @inheritDoc */
@@ -135,14 +128,12 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
+        override protected function separateApart(a:Body, b:Body, out:ContactPoint):void
         {
-            readSphere(a, _sphereA);
-            readSphere(b, _sphereB);
-            var further:Number = _sphereB.radius - _sphereA.radius;
-            out.x = (_sphereA.center.x + _sphereB.center.x + further * out.normalX) / 2;
-            out.y = (_sphereA.center.y + _sphereB.center.y + further * out.normalY) / 2;
-            out.z = (_sphereA.center.z + _sphereB.center.z + further * out.normalZ) / 2;
+            var further:Number = b.halfX - a.halfX;
+            out.x = (a.x + b.x + further * out.normalX) / 2;
+            out.y = (a.y + b.y + further * out.normalY) / 2;
+            out.z = (a.z + b.z + further * out.normalZ) / 2;
             out.depth = 0;
         }
 
@@ -197,12 +188,6 @@ package starlogo.search.pairs
             {
                 motion.time = 1;
             }
-        }
-
-        private static function readSphere(body:Body, sphere:Sphere):void
-        {
-            sphere.center.setTo(body.x, body.y, body.z);
-            sphere.radius = body.halfX;
         }
     }
 }

@@ -21,7 +21,6 @@ package starlogo.search.pairs
     public final class StructurePairTests extends PairTests
     {
         private var _counts:TestCounts;
-        private var _apart:ApartContact = new ApartContact();
 
         /** @param counts counts the tests */
         public function StructurePairTests(counts:TestCounts)
@@ -64,12 +63,6 @@ package starlogo.search.pairs
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             PairTable.findContact(a.worldStructure(), b.worldStructure(), motion, out);
-        }
-
-        /** @inheritDoc */
-        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
-        {
-            _apart.find(this, a, b, out);
         }
 
         /** @inheritDoc */

@@ -40,7 +40,6 @@ package starlogo.search.pairs
         private var _impacts:TreeImpactQuery = new TreeImpactQuery();
 
         private var _reversed:RelativeMotion = new RelativeMotion();
-        private var _apart:ApartContact = new ApartContact();
 
         private var _separation:ExitSearch;
 
@@ -129,12 +128,6 @@ package starlogo.search.pairs
             _pose.relate(a.placement, b.placement);
             PairTable.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
             RelativePose.moveContactToWorld(out, a.placement, RelativeMotion.NONE);
-        }
-
-        /** @inheritDoc */
-        override public function separateApart(a:Body, b:Body, out:ContactPoint):void
-        {
-            _apart.find(this, a, b, out);
         }
 
         /** @inheritDoc */

@@ -61,7 +61,13 @@ package starlogo.search.table
         /** The rows that are being read, because their agents have changed. */
         engine var changed:IntList = new IntList();
 
-        // Of these, the rows whose bodies have changed, and their new shapes.
+        /**
+         * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
+         * same order in both lists.
+         */
+        engine var leftOrReordered:IntList = new IntList();
+
+        // Of the changed rows, those whose bodies have changed, and their new shapes.
         private var _reshaped:IntList = new IntList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
@@ -91,7 +97,7 @@ package starlogo.search.table
         public function findChanges(agents:Vector.<Agent>):void
         {
             narrowPhase.choice.forgetReplaced();
-            list.beginRead();
+            leftOrReordered.count = 0;
             // findChanged finds out on the way whether the list is the same
             var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && findChanged(agents, list.rows);
             if (!isSame)
@@ -104,7 +110,7 @@ package starlogo.search.table
             // nothing below throws
             if (!isSame)
             {
-                list.accept();
+                list.accept(leftOrReordered);
                 followList();
             }
             forgetOtherModels();
@@ -302,9 +308,9 @@ package starlogo.search.table
         // Takes the order of an accepted list, and empties the rows of agents that have left.
         private function followList():void
         {
-            for (var i:int = 0; i < list.leftOrReordered.count; i++)
+            for (var i:int = 0; i < leftOrReordered.count; i++)
             {
-                var row:int = list.leftOrReordered.numbers[i];
+                var row:int = leftOrReordered.numbers[i];
                 if (list.agents[row] == null)
                 {
                     empty(row);
@@ -379,7 +385,7 @@ package starlogo.search.table
             var middleX:Vector.<Number> = boxes.x;
             var middleY:Vector.<Number> = boxes.y;
             var middleZ:Vector.<Number> = boxes.z;
-            var levelsEndSquared:Number = boxes.levelsEndSquared;
+            var levels:Vector.<int> = boxes.level;
             var end:int = changed.count;
             for (var i:int = 0; i < end; i++)
             {
@@ -390,14 +396,11 @@ package starlogo.search.table
                 xs[row] = at.x;
                 ys[row] = at.y;
                 zs[row] = at.z;
-                var atX:Number = at.x + offsetX[row];
-                var atY:Number = at.y + offsetY[row];
-                var atZ:Number = at.z + offsetZ[row];
-                middleX[row] = atX;
-                middleY[row] = atY;
-                middleZ[row] = atZ;
+                middleX[row] = at.x + offsetX[row];
+                middleY[row] = at.y + offsetY[row];
+                middleZ[row] = at.z + offsetZ[row];
                 // a new row has no level, and its extents are not known yet
-                if (atX * atX + atY * atY + atZ * atZ >= levelsEndSquared && boxes.level[row] != 0)
+                if (levels[row] != 0)
                 {
                     boxes.assignLevel(row);
                 }

@@ -47,12 +47,6 @@ package starlogo.search.table
         /** Whether the list that was proposed last was accepted. */
         internal var isAccepted:Boolean = true;
 
-        /**
-         * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
-         * same order in both lists.
-         */
-        engine var leftOrReordered:IntList = new IntList();
-
         /** The rows that agents have got in the list that was proposed last. */
         internal var arrived:IntList = new IntList();
 
@@ -109,12 +103,6 @@ package starlogo.search.table
             return true;
         }
 
-        /** Begins to read another list: no row has left it yet. */
-        public function beginRead():void
-        {
-            leftOrReordered.count = 0;
-        }
-
         /**
          * Finds rows for the agents of a list. An agent that is listed keeps its row. Call it alone to find out whether a list is refused.
          *
@@ -124,7 +112,7 @@ package starlogo.search.table
         {
             if (!isAccepted)
             {
-                freeUnlisted();
+                freeArrived();
             }
             isAccepted = false;
             arrived.count = 0;
@@ -155,10 +143,16 @@ package starlogo.search.table
             proposed.count = list.length;
         }
 
-        /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
-        public function accept():void
+        /**
+         * Makes the agents of the proposed list the ones that are listed, and frees the rows of all others.
+         *
+         * @param leftOrReordered receives the rows whose agents are missing from the list, or have another place in it than before. The agents of all
+         *     other rows have the same order in both lists
+         */
+        public function accept(leftOrReordered:IntList):void
         {
-            listReordered();
+            leftOrReordered.count = 0;
+            listReordered(leftOrReordered);
             for (var i:int = 0; i < rows.count; i++)
             {
                 ranks[rows.numbers[i]] = UNLISTED;
@@ -173,7 +167,15 @@ package starlogo.search.table
             ranks[GROUND_ROW] = rows.count;
             ranks[EDGES_ROW] = rows.count + 1;
             isAccepted = true;
-            freeUnlisted();
+            for (i = 0; i < before.count; i++)
+            {
+                var row:int = before.numbers[i];
+                if (ranks[row] == UNLISTED)
+                {
+                    free(row);
+                    leftOrReordered.add(row);
+                }
+            }
         }
 
         /**
@@ -220,7 +222,7 @@ package starlogo.search.table
         }
 
         // Lists rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.
-        private function listReordered():void
+        private function listReordered(out:IntList):void
         {
             var inOrder:Vector.<int> = _inOrder;
             var end:int = 0;
@@ -236,25 +238,23 @@ package starlogo.search.table
                 {
                     if (end > 1 && ranks[inOrder[int(end - 2)]] > rank)
                     {
-                        leftOrReordered.add(row);
+                        out.add(row);
                         continue;
                     }
                     end--;
-                    leftOrReordered.add(inOrder[end]);
+                    out.add(inOrder[end]);
                 }
                 inOrder[end] = row;
                 end++;
             }
         }
 
-        private function freeUnlisted():void
+        // Frees the rows that agents have got in a list that was refused.
+        private function freeArrived():void
         {
-            for (var row:int = FIRST_LISTED; row < _end; row++)
+            for (var i:int = 0; i < arrived.count; i++)
             {
-                if (ranks[row] == UNLISTED && agents[row] != null)
-                {
-                    free(row);
-                }
+                free(arrived.numbers[i]);
             }
         }
 
@@ -262,7 +262,6 @@ package starlogo.search.table
         {
             _rowsById.remove(agents[row].idNumber, 0);
             agents[row] = null;
-            leftOrReordered.add(row);
             _free.add(row);
         }
     }

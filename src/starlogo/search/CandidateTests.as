@@ -1,0 +1,149 @@
+package starlogo.search
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.BinLevel;
+    import starlogo.broadphase.PairSink;
+    import starlogo.broadphase.Extents;
+    import starlogo.data.IntList;
+    import starlogo.engine;
+    import starlogo.search.pairs.PairTests;
+    import starlogo.search.table.AgentTable;
+
+    use namespace engine;
+
+    /**
+     * Tests the candidates that the broad phase has found, and all members with the ground and the edges of the world. It adds the pairs that touch, and
+     * whose breeds are of interest, to the found ones.
+     */
+    internal final class CandidateTests extends PairSink
+    {
+        // In place of a form: none.
+        private static const NONE:int = -1;
+
+        /** The number of candidates so far whose breeds are of interest. Read only. */
+        public var candidatePairs:int = 0;
+
+        private var _table:AgentTable;
+
+        // The search under way: its input, the motions of the rows, or null if no agent sweeps, and what takes the pairs.
+        private var _input:FrameInput = null;
+        private var _motions:RowMotions = null;
+        private var _out:FoundPairs = null;
+
+        // If an agent sweeps: the times at which a row touches others.
+        private var _times:Vector.<Number> = new Vector.<Number>();
+
+        // The members that are tested with the ground or the edges of the world.
+        private var _worldCandidates:IntList = new IntList();
+
+        /** @param table has the rows */
+        public function CandidateTests(table:AgentTable)
+        {
+            _table = table;
+        }
+
+        /**
+         * Begins a search.
+         *
+         * @param motions the motions of the rows, whose tests have begun; null if no agent sweeps
+         * @param out receives the pairs, row by row. They are not in order then
+         */
+        public function begin(input:FrameInput, motions:RowMotions, out:FoundPairs):void
+        {
+            candidatePairs = 0;
+            out.begin();
+            _input = input;
+            _motions = motions;
+            _out = out;
+        }
+
+        /** @inheritDoc */
+        override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
+        {
+            var interests:BreedInterests = _input.interests;
+            if (interests != null && !interests.includesAllOfAgents)
+            {
+                count = interests.keepOfInterest(_table.breeds, row, others, count);
+            }
+            candidatePairs += count;
+            if (_motions != null)
+            {
+                _out.addPairs(row, others, _motions.keepTouching(row, others, count, level, _times), _times);
+                return;
+            }
+            _out.addPairs(row, others, keepTouching(row, others, count, level), null);
+        }
+
+        /**
+         * Tests the members among some rows with the ground, or with the edges of the world, if there are any and handlers for them.
+         *
+         * @param worldRow GROUND_ROW or EDGES_ROW of ListedAgents
+         */
+        public function testWithWorldAgent(worldRow:int, rows:IntList):void
+        {
+            if (_table.list.agents[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
+            {
+                return;
+            }
+            _input.listMembers(rows, _table, _worldCandidates);
+            var others:Vector.<int> = _worldCandidates.numbers;
+            var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
+            if (_motions != null)
+            {
+                _out.addPairs(worldRow, others, _motions.keepTouching(worldRow, others, count, null, _times), _times);
+                return;
+            }
+            _out.addPairs(worldRow, others, keepTouchingWorld(worldRow, others, count), null);
+        }
+
+        // Keeps the rows that touch a row, and moves them to the beginning of the list. The level has the slack of their extents.
+        private function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):int
+        {
+            // a field would be read again for each candidate
+            var rows:AgentTable = _table;
+            var tests:NarrowPhase = rows.narrowPhase;
+            if (tests.choice.areSpheres)
+            {
+                return tests.sphereTests.keepTouching(rows, row, others, count, level);
+            }
+            var body:Body = rows.bodyOf(row);
+            var extents:Extents = rows.extents;
+            var slack:Number = level.slack;
+            // two spheres or two boxes need no test of their extents, except for the heights
+            var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                var isNear:Boolean = rows.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
+                if (isNear)
+                {
+                    var otherBody:Body = rows.bodyOf(other);
+                    if (tests.pairTestsFor(body, otherBody).areTouching(body, otherBody))
+                    {
+                        others[kept] = other;
+                        kept++;
+                    }
+                }
+            }
+            return kept;
+        }
+
+        // Keeps the rows that touch the ground or the edges of the world.
+        private function keepTouchingWorld(worldRow:int, others:Vector.<int>, count:int):int
+        {
+            var world:Body = _table.bodyOf(worldRow);
+            var tests:PairTests = _table.narrowPhase.pairTestsForWorldAgent(world);
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (tests.areTouching(_table.bodyOf(others[i]), world))
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+    }
+}

@@ -18,6 +18,7 @@ package starlogo.solid
         private var _mesh:TriangleMesh;
         private var _ray:ShearedRay = new ShearedRay();
         private var _all:RayCrossings;
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
         /**
          * Adds all crossings of a ray with triangles.
@@ -39,7 +40,11 @@ package starlogo.solid
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            _ray.addAll(_mesh.corners, tree.first[node], tree.end[node], tree.items, _all);
+            for (var i:int = tree.first[node]; i < tree.end[node]; i++)
+            {
+                _mesh.readTriangle(i, _corners);
+                _ray.addCrossing(_corners, tree.items[i], _all);
+            }
         }
     }
 }

@@ -36,6 +36,7 @@ package starlogo.solid
 
         private var _firstMesh:TriangleMesh = null;
         private var _extentsOfFirst:Vector.<Number> = null;
+        private var _cornersOfFirst:Vector.<Number> = new Vector.<Number>(9, true);
         private var _secondMesh:TriangleMesh = null;
 
         // The second model's placement in the first model's space, and its motion, which ends at the first touch so far.
@@ -184,20 +185,22 @@ package starlogo.solid
          */
         public function findContact(pair:TwoTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
-            _kernel.setShapeToTriangle(_secondMesh.corners, 9 * best.b, _placement);
-            _kernel.findContact(_firstMesh.corners, 9 * best.a, motion, out);
+            _movedFrom = -1;
+            _secondMesh.readTriangle(best.b, _moved);
+            _firstMesh.readTriangle(best.a, _cornersOfFirst);
+            _kernel.setShapeToTriangle(_moved, 0, _placement);
+            _kernel.findContact(_cornersOfFirst, 0, motion, out);
             _kernel.shape.margin = _outerTolerance;
-            _plane.setTriangle(_firstMesh.corners, 9 * best.a);
+            _plane.setTriangle(_cornersOfFirst, 0);
             Placement.invert(_placement, _toSecond.placement);
             if (_plane.isMetBy(_kernel.shape, motion, out) && !hasTriangleBehind(pair.b, _toSecond, motion, out))
             {
                 out.setNormal(_plane.normal.x, _plane.normal.y, _plane.normal.z);
                 return;
             }
-            _movedFrom = -1;
-            Placement.placePoints(_placement, _secondMesh.corners, 9 * best.b, 9 * best.b + 9, _moved);
+            Placement.placePoints(_placement, _moved, 0, 9, _moved);
             _plane.setTriangle(_moved, 0);
-            _kernel.shape.setTriangle(_firstMesh.corners, 9 * best.a);
+            _kernel.shape.setTriangle(_cornersOfFirst, 0);
             _kernel.shape.margin = _outerTolerance;
             _reversed.setReversed(motion);
             if (_plane.isMetBy(_kernel.shape, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, RelativeMotion.NONE, out))
@@ -227,7 +230,11 @@ package starlogo.solid
             if (first != _movedFrom)
             {
                 _movedFrom = first;
-                Placement.placePoints(_placement, _secondMesh.corners, 9 * first, 9 * (first + count), _moved);
+                for (var i:int = 0; i < count; i++)
+                {
+                    _secondMesh.readTriangle(first + i, _moved, 9 * i);
+                }
+                Placement.placePoints(_placement, _moved, 0, 9 * count, _moved);
             }
             return count;
         }
@@ -267,11 +274,11 @@ package starlogo.solid
                 return false;
             }
             _counts.triangleTests++;
-            if (stayApart(slot) || TriangleSeparation.areApart(_firstMesh.corners, 9 * slot, _kernel.shape))
+            if (stayApart(slot) || TriangleSeparation.areApart(_cornersOfFirst, 0, _kernel.shape))
             {
                 return false;
             }
-            return _kernel.areTouching(_firstMesh.corners, 9 * slot);
+            return _kernel.areTouching(_cornersOfFirst, 0);
         }
 
         // Finds when the current triangle first touches a triangle of the first model. Sets the motion's time if that is no later than its latest time,
@@ -287,7 +294,7 @@ package starlogo.solid
             {
                 return false;
             }
-            _kernel.findTime(_firstMesh.corners, 9 * slot, _motion);
+            _kernel.findTime(_cornersOfFirst, 0, _motion);
             return _motion.time <= _motion.latest;
         }
 
@@ -295,10 +302,15 @@ package starlogo.solid
         // corners begin at an index.
         private function findCloserPoints(slot:int, second:int, points:ClosestPoints):void
         {
-            if (squaredDistanceOfExtents(slot) < points.distance * points.distance && !isBeyond(slot, second, points))
+            if (!(squaredDistanceOfExtents(slot) < points.distance * points.distance))
+            {
+                return;
+            }
+            _firstMesh.readTriangle(slot, _cornersOfFirst);
+            if (!isBeyond(second, points))
             {
                 _counts.triangleTests++;
-                _kernel.findCloser(_firstMesh.corners, 9 * slot, points);
+                _kernel.findCloser(_cornersOfFirst, 0, points);
             }
         }
 
@@ -312,10 +324,11 @@ package starlogo.solid
                     || ofFirst[int(at + 4)] > ofSecond[5] || ofFirst[int(at + 5)] < ofSecond[4]);
         }
 
-        // Whether the second model's triangle stays on one side of the plane of a triangle of the first model.
+        // Whether the second model's triangle stays on one side of the plane of a triangle of the first model. Reads the corners of that triangle.
         private function stayApart(slot:int):Boolean
         {
-            _plane.setTriangle(_firstMesh.corners, 9 * slot);
+            _firstMesh.readTriangle(slot, _cornersOfFirst);
+            _plane.setTriangle(_cornersOfFirst, 0);
             return _plane.findEntry(_kernel.shape, _outerTolerance, _motion) > _motion.latest;
         }
 
@@ -340,10 +353,10 @@ package starlogo.solid
             return squared;
         }
 
-        // Whether a triangle of the first model is so far before the second model's triangle, along the vector from the first model's closest point so
+        // Whether the triangle of the first model is so far before the second model's triangle, along the vector from the first model's closest point so
         // far to the second's, that the two cannot be nearer. Places along it are scaled by its length, so the distance so far becomes its square. The
         // second one is projected each time, because few pairs come here whose extents are near enough.
-        private function isBeyond(slot:int, second:int, points:ClosestPoints):Boolean
+        private function isBeyond(second:int, points:ClosestPoints):Boolean
         {
             var x:Number = points.b.x - points.a.x;
             var y:Number = points.b.y - points.a.y;
@@ -355,11 +368,9 @@ package starlogo.solid
             p = p < q ? p : q;
             p = p < r ? p : r;
             var end:Number = p - points.distance * points.distance;
-            corners = _firstMesh.corners;
-            var at:int = 9 * slot;
-            return x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)] <= end
-                && x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)] <= end
-                && x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)] <= end;
+            corners = _cornersOfFirst;
+            return x * corners[0] + y * corners[1] + z * corners[2] <= end && x * corners[3] + y * corners[4] + z * corners[5] <= end
+                && x * corners[6] + y * corners[7] + z * corners[8] <= end;
         }
     }
 }

@@ -47,7 +47,8 @@ package starlogo.solid
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
 
-        // The plane of a triangle.
+        // The corners of a triangle, and its plane.
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _plane:TrianglePlane = new TrianglePlane();
 
         // The slot of the triangle that is touched first, and what chooses it.
@@ -140,16 +141,17 @@ package starlogo.solid
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
             {
-                if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) > _radius * _radius)
+                if (squaredDistanceToExtents(_extents, _mesh, i) > _radius * _radius)
                 {
                     continue;
                 }
+                _mesh.readTriangle(i, _corners);
                 _sweep.latest = limit;
-                if (!isStill && _separatingAxes.stayApart(_mesh.corners, 9 * i, _sweep))
+                if (!isStill && _separatingAxes.stayApart(_corners, _sweep))
                 {
                     continue;
                 }
-                _plane.setTriangle(_mesh.corners, 9 * i);
+                _plane.setTriangle(_corners, 0);
                 _sweep.earliest = _plane.findEntry(_kernel.shape, _radius, _motion);
                 if (_sweep.earliest > limit)
                 {
@@ -158,11 +160,11 @@ package starlogo.solid
                 _counts.triangleTests++;
                 if (isStill)
                 {
-                    _sweep.time = _kernel.areTouching(_mesh.corners, 9 * i) ? 0 : RelativeMotion.NEVER;
+                    _sweep.time = _kernel.areTouching(_corners, 0) ? 0 : RelativeMotion.NEVER;
                 }
                 else
                 {
-                    _kernel.findTime(_mesh.corners, 9 * i, _sweep);
+                    _kernel.findTime(_corners, 0, _sweep);
                 }
                 if (_touch.choose(_sweep, _plane))
                 {
@@ -189,8 +191,9 @@ package starlogo.solid
          */
         public function findContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _kernel.findContact(_mesh.corners, 9 * slot, motion, out);
-            _plane.setTriangle(_mesh.corners, 9 * slot);
+            _mesh.readTriangle(slot, _corners);
+            _kernel.findContact(_corners, 0, motion, out);
+            _plane.setTriangle(_corners, 0);
             _plane.turnContact(_kernel.shape, motion, out);
         }
     }

@@ -6,7 +6,7 @@ package starlogo.solid.interior
     import starlogo.steps.Steps;
 
     /**
-     * Prepares a model for exact tests, in steps: the corners of its triangles by slot; which vertices are at the same place; the surface that the
+     * Prepares a model for exact tests, in steps: the triangles by slot; which vertices are at the same place; the surface that the
      * triangles make; the outermost points of its parts. What is known already is not found again. A SurfaceBuilder takes most of the time.
      *
      * @private
@@ -61,7 +61,7 @@ package starlogo.solid.interior
 
         private function beginParts():void
         {
-            _parts = new OutermostPoints(mesh.corners, surface.partNumberEnd);
+            _parts = new OutermostPoints(mesh, surface.partNumberEnd);
         }
 
         private function addToParts(first:int, end:int):void

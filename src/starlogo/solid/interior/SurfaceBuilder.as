@@ -94,7 +94,7 @@ package starlogo.solid.interior
                 return;
             }
             var count:int = _mesh.tree.itemCount;
-            _extremes = new OutermostPoints(_mesh.corners, _surface.partNumberEnd);
+            _extremes = new OutermostPoints(_mesh, _surface.partNumberEnd);
             _partOf = new Vector.<int>(_surface.shellStates.length, true);
             _joined = new DisjointSets(_surface.partNumberEnd);
             slices(count, TRIANGLES_PER_STEP, measureParts).slices(_surface.partNumberEnd, PARTS_PER_STEP, joinParts);

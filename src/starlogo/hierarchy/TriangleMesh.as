@@ -19,28 +19,23 @@ package starlogo.hierarchy
         // Null before they are asked for: only pairs of trees need them.
         private var _extents:Vector.<Number> = null;
 
-        /** @param tree the boxes around the triangles */
+        /** @param tree the boxes around the triangles. Its nodes are made */
         public function TriangleMesh(tree:BoxTree)
         {
+            var items:Vector.<int> = tree.items;
+            var triangles:Vector.<uint> = tree.triangles;
+            var out:Vector.<int> = new Vector.<int>(3 * items.length, true);
+            for (var slot:int = 0; slot < items.length; slot++)
+            {
+                var from:int = 3 * items[slot];
+                var to:int = 3 * slot;
+                out[to] = 3 * triangles[from];
+                out[int(to + 1)] = 3 * triangles[int(from + 1)];
+                out[int(to + 2)] = 3 * triangles[int(from + 2)];
+            }
             this.tree = tree;
             vertices = tree.vertices;
-            corners = new Vector.<int>(3 * tree.items.length, true);
-        }
-
-        /** Fills in the corners of a range of triangles. Must be called for all triangles before anything else. */
-        public function fillCorners(first:int, end:int):void
-        {
-            var out:Vector.<int> = corners;
-            var to:int = 3 * first;
-            var triangles:Vector.<uint> = tree.triangles;
-            for (var i:int = first; i < end; i++)
-            {
-                var corner:int = 3 * tree.items[i];
-                out[to] = 3 * triangles[corner];
-                out[int(to + 1)] = 3 * triangles[int(corner + 1)];
-                out[int(to + 2)] = 3 * triangles[int(corner + 2)];
-                to += 3;
-            }
+            corners = out;
         }
 
         /**
@@ -64,6 +59,42 @@ package starlogo.hierarchy
             out[int(at + 6)] = points[c];
             out[int(at + 7)] = points[int(c + 1)];
             out[int(at + 8)] = points[int(c + 2)];
+        }
+
+        /**
+         * The squared distance of a triangle's extents from other extents: minX, maxX, minY, ... It does not need <code>extents</code>, because it reads
+         * the corners.
+         */
+        public function squaredDistanceTo(others:Vector.<Number>, slot:int):Number
+        {
+            var points:Vector.<Number> = vertices;
+            var a:int = corners[int(3 * slot)];
+            var b:int = corners[int(3 * slot + 1)];
+            var c:int = corners[int(3 * slot + 2)];
+            var squared:Number = 0;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var p:Number = points[int(a + axis)];
+                var q:Number = points[int(b + axis)];
+                var r:Number = points[int(c + axis)];
+                var low:Number = others[int(2 * axis)];
+                var high:Number = others[int(2 * axis + 1)];
+                var distance:Number = 0;
+                if (p > high && q > high && r > high)
+                {
+                    distance = p < q ? p : q;
+                    distance = distance < r ? distance : r;
+                    distance -= high;
+                }
+                else if (p < low && q < low && r < low)
+                {
+                    distance = p > q ? p : q;
+                    distance = distance > r ? distance : r;
+                    distance = low - distance;
+                }
+                squared += distance * distance;
+            }
+            return squared;
         }
 
         /** Follows the vertices to their new places. */

@@ -61,42 +61,6 @@ package starlogo.hierarchy
             out[int(at + 8)] = points[int(c + 2)];
         }
 
-        /**
-         * The squared distance of a triangle's extents from other extents: minX, maxX, minY, ... It does not need <code>extents</code>, because it reads
-         * the corners.
-         */
-        public function squaredDistanceTo(others:Vector.<Number>, slot:int):Number
-        {
-            var points:Vector.<Number> = vertices;
-            var a:int = corners[int(3 * slot)];
-            var b:int = corners[int(3 * slot + 1)];
-            var c:int = corners[int(3 * slot + 2)];
-            var squared:Number = 0;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var p:Number = points[int(a + axis)];
-                var q:Number = points[int(b + axis)];
-                var r:Number = points[int(c + axis)];
-                var low:Number = others[int(2 * axis)];
-                var high:Number = others[int(2 * axis + 1)];
-                var distance:Number = 0;
-                if (p > high && q > high && r > high)
-                {
-                    distance = p < q ? p : q;
-                    distance = distance < r ? distance : r;
-                    distance -= high;
-                }
-                else if (p < low && q < low && r < low)
-                {
-                    distance = p > q ? p : q;
-                    distance = distance > r ? distance : r;
-                    distance = low - distance;
-                }
-                squared += distance * distance;
-            }
-            return squared;
-        }
-
         /** Follows the vertices to their new places. */
         public function refit():void
         {

@@ -65,7 +65,7 @@ package starlogo.solid
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit > 0; i++)
             {
-                if (_mesh.squaredDistanceTo(_extents, i) < limit * limit)
+                if (squaredDistanceToExtents(_extents, _mesh, i) < limit * limit)
                 {
                     _counts.triangleTests++;
                     _mesh.readTriangle(i, _corners);

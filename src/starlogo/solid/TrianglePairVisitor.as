@@ -333,7 +333,7 @@ package starlogo.solid
         }
 
         // The squared distance of the extents of a triangle of the first model from those of the current triangle. Both are prepared, because each
-        // triangle is compared with many; TriangleMesh.squaredDistanceTo() reads corners.
+        // triangle is compared with many; squaredDistanceToExtents() reads corners.
         private function squaredDistanceOfExtents(slot:int):Number
         {
             var ofFirst:Vector.<Number> = _extentsOfFirst;

@@ -141,7 +141,7 @@ package starlogo.solid
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
             {
-                if (_mesh.squaredDistanceTo(_extents, i) > _radius * _radius)
+                if (squaredDistanceToExtents(_extents, _mesh, i) > _radius * _radius)
                 {
                     continue;
                 }

@@ -62,6 +62,6 @@ const MOST = { added: 70, ray: 85, cast: 85, walks: 120 };
 test("a level keeps few bytes for each of its triangles", () => {
 	const bytes = measure("kept.mjs", "100");
 	assert.ok(bytes.walked > 30, `${bytes.walked} walkers are in the level`);
-	assert.ok(bytes.ray > 90, `${bytes.ray} bytes a triangle: the measure sees the corners`);
+	assert.ok(bytes.ray > bytes.added + 20, `${bytes.ray} bytes a triangle: the measure sees the corners`);
 	for (const [name, most] of Object.entries(MOST)) assert.ok(bytes[name] <= most, `${name}: ${bytes[name]} bytes a triangle`);
 });

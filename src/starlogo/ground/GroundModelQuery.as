@@ -188,7 +188,7 @@ package starlogo.ground
             {
                 _pairs.pieces.begin();
                 _pairs.pieces.next();
-                _pairs.kernel.setTriangle(pointAsTriangle(x, y, z), 0);
+                _pairs.kernel.setTriangle(pointAsTriangle(x, y, z));
                 _pairs.kernel.findCloser(out);
             }
             out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.grid.cellWidth;

@@ -53,7 +53,7 @@ package starlogo.ground
             _first.slot = -1;
             while (nextTriangle())
             {
-                if (_sheared.findFirst(_triangles.triangle.corners, 0, 1, _first))
+                if (_sheared.findFirst(_triangles.triangle.corners, 0, 3, 6, 0, _first))
                 {
                     _search.motion.latest = _first.distance;
                     _sheared.writeEntry(_triangles.triangle.corners, _first, -1, out);
@@ -77,7 +77,7 @@ package starlogo.ground
             begin(grid, ray);
             while (nextTriangle())
             {
-                _sheared.addAll(_triangles.triangle.corners, 0, 1, null, out);
+                _sheared.addCrossing(_triangles.triangle.corners, -1, out);
             }
         }
 

@@ -58,6 +58,7 @@ package starlogo.ground
         // What comes next: a range of the tree's triangles, then nodes from the last one on. The current node still stands after the last one.
         private var _first:int = 0;
         private var _end:int = 0;
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _nodeCount:int = 0;
 
@@ -117,7 +118,8 @@ package starlogo.ground
                     return true;
                 }
             }
-            kernel.setShapeToTriangle(_tree.mesh.corners, 9 * _first, _placement);
+            _tree.mesh.readTriangle(_first, _corners);
+            kernel.setShapeToTriangle(_corners, _placement);
             _first++;
             takeShape(null);
             return true;

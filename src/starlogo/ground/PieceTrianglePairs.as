@@ -123,7 +123,7 @@ package starlogo.ground
                 return false;
             }
             kernel.shape.margin = pieces.margin + triangle.margin;
-            kernel.setTriangle(triangle.corners, 0);
+            kernel.setTriangle(triangle.corners);
             return true;
         }
 

@@ -76,13 +76,6 @@ package starlogo.hierarchy
             _halfZ = (extents[5] - extents[4]) / 2 + margin;
         }
 
-        /** Sets the box and its motion to a ray. */
-        public function setRay(ray:Ray):void
-        {
-            setPlace(ray.x, ray.y, ray.z, 0);
-            setVector(ray.directionX, ray.directionY, ray.directionZ, ray.from);
-        }
-
         /** Sets the motion. */
         public function setMotion(motion:RelativeMotion):void
         {
@@ -111,6 +104,15 @@ package starlogo.hierarchy
                 return inverse;
             }
             return SLOWEST;
+        }
+
+        /** Visits the nodes that a ray may meet. The visitor's limit begins with the ray's end. */
+        public function findAlong(ray:Ray, tree:BoxTree, depth:int, visitor:NodeVisitor):void
+        {
+            setPlace(ray.x, ray.y, ray.z, 0);
+            setVector(ray.directionX, ray.directionY, ray.directionZ, ray.from);
+            visitor.limit = ray.to;
+            find(tree, depth, visitor);
         }
 
         /**

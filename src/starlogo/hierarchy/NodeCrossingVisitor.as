@@ -29,9 +29,7 @@ package starlogo.hierarchy
         {
             _ray.copyFrom(ray);
             _all = out;
-            limit = ray.to;
-            _search.setRay(ray);
-            _search.find(tree, depth, this);
+            _search.findAlong(ray, tree, depth, this);
         }
 
         /** @inheritDoc */

@@ -39,9 +39,7 @@ package starlogo.hierarchy
         {
             _ray.copyFrom(ray);
             _first = -1;
-            limit = ray.to;
-            _search.setRay(ray);
-            _search.find(tree, depth, this);
+            _search.findAlong(ray, tree, depth, this);
             return _first >= 0 && rayBox(_ray, tree.boxOf(_first), out);
         }
 

@@ -1,49 +1,69 @@
 package starlogo.hierarchy
 {
-    /** A model's triangles, for exact tests: their corners and extents by slot, which is the order of the tree. @private */
+    /**
+     * A model's triangles, for exact tests: which vertices are their corners, and their extents. They are listed by slot, which is the order of the tree.
+     *
+     * @private
+     */
     public final class TriangleMesh
     {
         /** The boxes around the triangles. */
         public var tree:BoxTree;
 
-        /** The triangles' corners: nine numbers each. */
-        public var corners:Vector.<Number>;
+        /** The model's vertices. */
+        public var vertices:Vector.<Number>;
+
+        /** The triangles' corners, three each: where the coordinates of the vertex begin in the list of vertices. */
+        public var corners:Vector.<int>;
 
         // Null before they are asked for: only pairs of trees need them.
         private var _extents:Vector.<Number> = null;
 
-        /** @param tree the boxes around the triangles */
+        /** @param tree the boxes around the triangles. Its nodes are made */
         public function TriangleMesh(tree:BoxTree)
         {
-            this.tree = tree;
-            corners = new Vector.<Number>(9 * tree.items.length, true);
-        }
-
-        /** Fills in the corners of a range of triangles. Must be called for all triangles before anything else. */
-        public function fillCorners(first:int, end:int):void
-        {
-            var out:Vector.<Number> = corners;
-            var to:int = 9 * first;
-            var vertices:Vector.<Number> = tree.vertices;
+            var items:Vector.<int> = tree.items;
             var triangles:Vector.<uint> = tree.triangles;
-            for (var i:int = first; i < end; i++)
+            var out:Vector.<int> = new Vector.<int>(3 * items.length, true);
+            for (var slot:int = 0; slot < items.length; slot++)
             {
-                var corner:int = 3 * tree.items[i];
-                for (var last:int = corner + 3; corner < last; corner++)
-                {
-                    var at:int = 3 * triangles[corner];
-                    out[to] = vertices[at];
-                    out[int(to + 1)] = vertices[int(at + 1)];
-                    out[int(to + 2)] = vertices[int(at + 2)];
-                    to += 3;
-                }
+                var from:int = 3 * items[slot];
+                var to:int = 3 * slot;
+                out[to] = 3 * triangles[from];
+                out[int(to + 1)] = 3 * triangles[int(from + 1)];
+                out[int(to + 2)] = 3 * triangles[int(from + 2)];
             }
+            this.tree = tree;
+            vertices = tree.vertices;
+            corners = out;
         }
 
-        /** Follows the tree, which has new boxes and vertices. */
+        /**
+         * Reads the corners' coordinates of a triangle.
+         *
+         * @param out receives nine numbers
+         * @param at index at which they begin
+         */
+        public function readTriangle(slot:int, out:Vector.<Number>, at:int = 0):void
+        {
+            var points:Vector.<Number> = vertices;
+            var a:int = corners[int(3 * slot)];
+            var b:int = corners[int(3 * slot + 1)];
+            var c:int = corners[int(3 * slot + 2)];
+            out[at] = points[a];
+            out[int(at + 1)] = points[int(a + 1)];
+            out[int(at + 2)] = points[int(a + 2)];
+            out[int(at + 3)] = points[b];
+            out[int(at + 4)] = points[int(b + 1)];
+            out[int(at + 5)] = points[int(b + 2)];
+            out[int(at + 6)] = points[c];
+            out[int(at + 7)] = points[int(c + 1)];
+            out[int(at + 8)] = points[int(c + 2)];
+        }
+
+        /** Follows the vertices to their new places. */
         public function refit():void
         {
-            fillCorners(0, corners.length / 9);
             if (_extents != null)
             {
                 fillExtents();
@@ -55,7 +75,7 @@ package starlogo.hierarchy
         {
             if (_extents == null)
             {
-                _extents = new Vector.<Number>(6 * corners.length / 9, true);
+                _extents = new Vector.<Number>(2 * corners.length, true);
                 fillExtents();
             }
             return _extents;
@@ -63,7 +83,7 @@ package starlogo.hierarchy
 
         private function fillExtents():void
         {
-            var count:int = corners.length / 9;
+            var count:int = corners.length / 3;
             for (var i:int = 0; i < count; i++)
             {
                 tree.writeExtents(i, i + 1, _extents, 6 * i);

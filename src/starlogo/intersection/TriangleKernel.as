@@ -28,9 +28,8 @@ package starlogo.intersection
         /** The plane of the triangle. Read only. */
         public var plane:TrianglePlane = new TrianglePlane();
 
-        // The list that has the triangle, and the index of the first of its nine numbers.
+        // The triangle: nine numbers.
         private var _corners:Vector.<Number> = null;
-        private var _at:int = 0;
 
         private var _kernel:ConvexKernel = new ConvexKernel();
         private var _triangle:ConvexShape = new ConvexShape();
@@ -53,19 +52,18 @@ package starlogo.intersection
             return placed;
         }
 
-        /** Sets the shape to a triangle: nine numbers of a list, from an index on. The placement moves it into the other triangles' space. */
-        public function setShapeToTriangle(corners:Vector.<Number>, at:int, placement:Placement):void
+        /** Sets the shape to a triangle: nine numbers. The placement moves it into the other triangles' space. */
+        public function setShapeToTriangle(corners:Vector.<Number>, placement:Placement):void
         {
-            Placement.placePoints(placement, corners, at, at + 9, _placed);
+            Placement.placePoints(placement, corners, 0, 9, _placed);
             shape.setTriangle(_placed, 0);
         }
 
-        /** Sets the triangle: nine numbers of a list, from an index on. The list is kept. */
-        public function setTriangle(corners:Vector.<Number>, at:int):void
+        /** Sets the triangle: nine numbers, which are kept. */
+        public function setTriangle(corners:Vector.<Number>):void
         {
             _corners = corners;
-            _at = at;
-            plane.setTriangle(corners, at);
+            plane.setTriangle(corners, 0);
         }
 
         /**
@@ -84,7 +82,7 @@ package starlogo.intersection
         /** Whether the shape touches the triangle. */
         public function areTouching():Boolean
         {
-            _triangle.setTriangle(_corners, _at);
+            _triangle.setTriangle(_corners, 0);
             return _kernel.areTouching(shape, _triangle);
         }
 
@@ -95,7 +93,7 @@ package starlogo.intersection
          */
         public function findTime(motion:RelativeMotion):void
         {
-            _triangle.setTriangle(_corners, _at);
+            _triangle.setTriangle(_corners, 0);
             _kernel.findTime(shape, _triangle, motion);
         }
 
@@ -107,7 +105,7 @@ package starlogo.intersection
          */
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            _triangle.setTriangle(_corners, _at);
+            _triangle.setTriangle(_corners, 0);
             _kernel.findContact(shape, _triangle, motion, out);
         }
 
@@ -119,7 +117,7 @@ package starlogo.intersection
          */
         public function findCloser(out:ClosestPoints):Boolean
         {
-            _triangle.setTriangle(_corners, _at);
+            _triangle.setTriangle(_corners, 0);
             return _kernel.findCloser(_triangle, shape, out);
         }
     }

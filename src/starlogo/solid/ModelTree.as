@@ -44,7 +44,7 @@ package starlogo.solid
         /** @private The work that makes the nodes, which was begun. It may have no steps left. Null if there is none to do. */
         engine var building:Steps = null;
 
-        // Null before they are prepared: the triangles; what is inside of them, for which they are prepared too.
+        // Null before they are prepared: the triangles; what is inside of them.
         private var _mesh:TriangleMesh = null;
         private var _interior:Interior = null;
 
@@ -92,11 +92,10 @@ package starlogo.solid
         // The work that prepares what is inside of the triangles.
         private function newInterior():Steps
         {
-            var builder:InteriorBuilder = new InteriorBuilder(boxTree, _mesh, surface);
+            var builder:InteriorBuilder = new InteriorBuilder(mesh, surface);
             return new StepSequence().add(builder).call(function():void
                 {
                     _interior = builder.interior;
-                    _mesh = builder.mesh;
                     surface = builder.surface;
                 });
         }
@@ -125,11 +124,7 @@ package starlogo.solid
         /** @private The triangles, for models that have some. If they are not prepared, prepares them alone. */
         engine function get mesh():TriangleMesh
         {
-            if (_mesh == null)
-            {
-                _mesh = new TriangleMesh(boxTree);
-                _mesh.fillCorners(0, boxTree.items.length);
-            }
+            _mesh ||= new TriangleMesh(boxTree);
             return _mesh;
         }
 

@@ -110,11 +110,10 @@ package starlogo.solid
         /**
          * Whether an axis separates a triangle from the shape until a time.
          *
-         * @param corners has nine numbers of the triangle
-         * @param at index of the first of them
+         * @param corners nine numbers of the triangle
          * @param motion has the latest time: they stay apart until then. Nothing else of it counts
          */
-        public function stayApart(corners:Vector.<Number>, at:int, motion:RelativeMotion):Boolean
+        public function stayApart(corners:Vector.<Number>, motion:RelativeMotion):Boolean
         {
             if (_end == 0)
             {
@@ -128,9 +127,9 @@ package starlogo.solid
                 var x:Number = axes[i];
                 var y:Number = axes[int(i + 1)];
                 var z:Number = axes[int(i + 2)];
-                var p:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
-                var q:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
-                var r:Number = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
+                var p:Number = x * corners[0] + y * corners[1] + z * corners[2];
+                var q:Number = x * corners[3] + y * corners[4] + z * corners[5];
+                var r:Number = x * corners[6] + y * corners[7] + z * corners[8];
                 var low:Number = axes[int(i + 3)];
                 var high:Number = axes[int(i + 4)] + latest * axes[int(i + 5)];
                 if (p < low && q < low && r < low || p > high && q > high && r > high)
@@ -138,19 +137,19 @@ package starlogo.solid
                     return true;
                 }
             }
-            return _shape.end <= ConvexShape.SEGMENT && passesBeside(corners, at);
+            return _shape.end <= ConvexShape.SEGMENT && passesBeside(corners);
         }
 
         // Whether an axis across the motion and an edge separates a triangle from a point or a segment. The shape does not move along such an axis.
-        private function passesBeside(corners:Vector.<Number>, at:int):Boolean
+        private function passesBeside(corners:Vector.<Number>):Boolean
         {
             var shape:ConvexShape = _shape;
             var motion:RelativeMotion = _motion;
             var points:Vector.<Number> = shape.points;
             var second:int = shape.end - 3;
-            var from:int = at + 6;
-            var third:int = at + 3;
-            for (var to:int = at; to < at + 9; to += 3)
+            var from:int = 6;
+            var third:int = 3;
+            for (var to:int = 0; to < 9; to += 3)
             {
                 var x:Number = corners[from] - shape.x;
                 var y:Number = corners[int(from + 1)] - shape.y;

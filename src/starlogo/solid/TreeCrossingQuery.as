@@ -9,7 +9,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Finds all crossings of a ray with the surface of a model: its tree, visited to a depth, or its triangles. TreeRayQuery finds the first.
+     * Finds all crossings of a ray with the surface of a model: its tree, visited to a depth, or its triangles. TreeRayQuery finds the first. The two are
+     * apart because few games ask for all, and the others need not load it.
      *
      * @private
      */

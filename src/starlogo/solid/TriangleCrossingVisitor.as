@@ -18,6 +18,7 @@ package starlogo.solid
         private var _mesh:TriangleMesh;
         private var _ray:ShearedRay = new ShearedRay();
         private var _all:RayCrossings;
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
         /**
          * Adds all crossings of a ray with triangles.
@@ -31,15 +32,17 @@ package starlogo.solid
             _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _all = out;
-            limit = ray.to;
-            _search.setRay(ray);
-            _search.find(model.boxTree, BoxTree.EXACT, this);
+            _search.findAlong(ray, model.boxTree, BoxTree.EXACT, this);
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            _ray.addAll(_mesh.corners, tree.first[node], tree.end[node], tree.items, _all);
+            for (var i:int = tree.first[node]; i < tree.end[node]; i++)
+            {
+                _mesh.readTriangle(i, _corners);
+                _ray.addCrossing(_corners, tree.items[i], _all);
+            }
         }
     }
 }

@@ -22,6 +22,7 @@ package starlogo.solid
 
         private var _mesh:TriangleMesh;
         private var _kernel:TriangleKernel = new TriangleKernel();
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
         // The structure's extents: minX, maxX, minY, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -64,10 +65,11 @@ package starlogo.solid
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit > 0; i++)
             {
-                if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < limit * limit)
+                if (squaredDistanceToExtents(_extents, _mesh, i) < limit * limit)
                 {
                     _counts.triangleTests++;
-                    _kernel.setTriangle(_mesh.corners, 9 * i);
+                    _mesh.readTriangle(i, _corners);
+                    _kernel.setTriangle(_corners);
                     if (_kernel.findCloser(_nearest))
                     {
                         limit = _nearest.distance;

@@ -36,6 +36,7 @@ package starlogo.solid
 
         private var _firstMesh:TriangleMesh = null;
         private var _extentsOfFirst:Vector.<Number> = null;
+        private var _cornersOfFirst:Vector.<Number> = new Vector.<Number>(9, true);
         private var _secondMesh:TriangleMesh = null;
 
         // The second model's placement in the first model's space, and its motion, which ends at the first touch so far.
@@ -183,8 +184,11 @@ package starlogo.solid
          */
         public function findContact(pair:TwoTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
-            _kernel.setShapeToTriangle(_secondMesh.corners, 9 * best.b, _placement);
-            _kernel.setTriangle(_firstMesh.corners, 9 * best.a);
+            _movedFrom = -1;
+            _secondMesh.readTriangle(best.b, _moved);
+            _firstMesh.readTriangle(best.a, _cornersOfFirst);
+            _kernel.setShapeToTriangle(_moved, _placement);
+            _kernel.setTriangle(_cornersOfFirst);
             _kernel.findContact(motion, out);
             _kernel.shape.margin = _outerTolerance;
             Placement.invert(_placement, _toSecond.placement);
@@ -194,10 +198,9 @@ package starlogo.solid
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
             }
-            _movedFrom = -1;
-            Placement.placePoints(_placement, _secondMesh.corners, 9 * best.b, 9 * best.b + 9, _moved);
-            _kernel.setTriangle(_moved, 0);
-            _kernel.shape.setTriangle(_firstMesh.corners, 9 * best.a);
+            Placement.placePoints(_placement, _moved, 0, 9, _moved);
+            _kernel.setTriangle(_moved);
+            _kernel.shape.setTriangle(_cornersOfFirst, 0);
             _kernel.shape.margin = _outerTolerance;
             _reversed.setReversed(motion);
             if (plane.isMetBy(_kernel.shape, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, RelativeMotion.NONE, out))
@@ -228,7 +231,11 @@ package starlogo.solid
             if (first != _movedFrom)
             {
                 _movedFrom = first;
-                Placement.placePoints(_placement, _secondMesh.corners, 9 * first, 9 * (first + count), _moved);
+                for (var i:int = 0; i < count; i++)
+                {
+                    _secondMesh.readTriangle(first + i, _moved, 9 * i);
+                }
+                Placement.placePoints(_placement, _moved, 0, 9 * count, _moved);
             }
             return count;
         }
@@ -268,7 +275,7 @@ package starlogo.solid
                 return false;
             }
             _counts.triangleTests++;
-            if (stayApart(slot) || TriangleSeparation.areApart(_firstMesh.corners, 9 * slot, _kernel.shape))
+            if (stayApart(slot) || TriangleSeparation.areApart(_cornersOfFirst, 0, _kernel.shape))
             {
                 return false;
             }
@@ -296,10 +303,15 @@ package starlogo.solid
         // corners begin at an index.
         private function findCloserPoints(slot:int, second:int, points:ClosestPoints):void
         {
-            if (squaredDistanceOfExtents(slot) < points.distance * points.distance && !isBeyond(slot, second, points))
+            if (!(squaredDistanceOfExtents(slot) < points.distance * points.distance))
+            {
+                return;
+            }
+            _firstMesh.readTriangle(slot, _cornersOfFirst);
+            if (!isBeyond(second, points))
             {
                 _counts.triangleTests++;
-                _kernel.setTriangle(_firstMesh.corners, 9 * slot);
+                _kernel.setTriangle(_cornersOfFirst);
                 _kernel.findCloser(points);
             }
         }
@@ -317,7 +329,8 @@ package starlogo.solid
         // Goes on to a triangle of the first model. Whether the second model's triangle stays on one side of its plane.
         private function stayApart(slot:int):Boolean
         {
-            _kernel.setTriangle(_firstMesh.corners, 9 * slot);
+            _firstMesh.readTriangle(slot, _cornersOfFirst);
+            _kernel.setTriangle(_cornersOfFirst);
             return _kernel.plane.findEntry(_kernel.shape, _outerTolerance, _motion) > _motion.latest;
         }
 
@@ -342,10 +355,10 @@ package starlogo.solid
             return squared;
         }
 
-        // Whether a triangle of the first model is so far before the second model's triangle, along the vector from the first model's closest point so
+        // Whether the triangle of the first model is so far before the second model's triangle, along the vector from the first model's closest point so
         // far to the second's, that the two cannot be nearer. Places along it are scaled by its length, so the distance so far becomes its square. The
         // second one is projected each time, because few pairs come here whose extents are near enough.
-        private function isBeyond(slot:int, second:int, points:ClosestPoints):Boolean
+        private function isBeyond(second:int, points:ClosestPoints):Boolean
         {
             var x:Number = points.b.x - points.a.x;
             var y:Number = points.b.y - points.a.y;
@@ -357,11 +370,9 @@ package starlogo.solid
             p = p < q ? p : q;
             p = p < r ? p : r;
             var end:Number = p - points.distance * points.distance;
-            corners = _firstMesh.corners;
-            var at:int = 9 * slot;
-            return x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)] <= end
-                && x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)] <= end
-                && x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)] <= end;
+            corners = _cornersOfFirst;
+            return x * corners[0] + y * corners[1] + z * corners[2] <= end && x * corners[3] + y * corners[4] + z * corners[5] <= end
+                && x * corners[6] + y * corners[7] + z * corners[8] <= end;
         }
     }
 }

@@ -19,6 +19,7 @@ package starlogo.solid
         private var _mesh:TriangleMesh;
         private var _ray:ShearedRay = new ShearedRay();
         private var _first:TriangleCrossing = new TriangleCrossing();
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
         /**
          * Finds where a ray first meets a triangle.
@@ -33,23 +34,27 @@ package starlogo.solid
             _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _first.slot = -1;
-            limit = ray.to;
-            _search.setRay(ray);
-            _search.find(model.boxTree, BoxTree.EXACT, this);
+            _search.findAlong(ray, model.boxTree, BoxTree.EXACT, this);
             if (_first.slot < 0)
             {
                 return false;
             }
-            _ray.writeEntry(_mesh.corners, _first, model.boxTree.items[_first.slot], out);
+            _mesh.readTriangle(_first.slot, _corners);
+            _ray.writeEntry(_corners, _first, model.boxTree.items[_first.slot], out);
             return true;
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            if (_ray.findFirst(_mesh.corners, tree.first[node], tree.end[node], _first))
+            var corners:Vector.<int> = _mesh.corners;
+            var end:int = tree.end[node];
+            for (var i:int = tree.first[node]; i < end; i++)
             {
-                limit = _first.distance;
+                if (_ray.findFirst(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)], i, _first))
+                {
+                    limit = _first.distance;
+                }
             }
         }
     }

@@ -46,6 +46,9 @@ package starlogo.solid
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
 
+        // The corners of a triangle.
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+
         // The slot of the triangle that is touched first, and what chooses it.
         private var _found:int = -1;
         private var _touch:FirstTouch = new FirstTouch();
@@ -136,16 +139,17 @@ package starlogo.solid
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
             {
-                if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) > _radius * _radius)
+                if (squaredDistanceToExtents(_extents, _mesh, i) > _radius * _radius)
                 {
                     continue;
                 }
+                _mesh.readTriangle(i, _corners);
                 _sweep.latest = limit;
-                if (!isStill && _separatingAxes.stayApart(_mesh.corners, 9 * i, _sweep))
+                if (!isStill && _separatingAxes.stayApart(_corners, _sweep))
                 {
                     continue;
                 }
-                _kernel.setTriangle(_mesh.corners, 9 * i);
+                _kernel.setTriangle(_corners);
                 _sweep.earliest = _kernel.plane.findEntry(_kernel.shape, _radius, _motion);
                 if (_sweep.earliest > limit)
                 {
@@ -185,7 +189,8 @@ package starlogo.solid
          */
         public function findContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _kernel.setTriangle(_mesh.corners, 9 * slot);
+            _mesh.readTriangle(slot, _corners);
+            _kernel.setTriangle(_corners);
             _kernel.findContact(motion, out);
             _kernel.plane.turnContact(_kernel.shape, motion, out);
         }

@@ -1,21 +1,28 @@
 package starlogo.solid
 {
+    import starlogo.hierarchy.TriangleMesh;
+
     /**
-     * Returns the squared distance of a triangle's extents from other extents. A triangle is asked about once, so its extents are not prepared.
+     * Returns the squared distance of a triangle's extents from other extents. A triangle is asked about once, so its extents are not prepared. It is no
+     * method of the mesh, so that games without exact tests need not load it.
      *
      * @param extents minX, maxX, minY, ...
-     * @param corners has nine numbers of the triangle
-     * @param at index of the first of them
+     * @param mesh has the triangle
+     * @param slot the triangle's slot
      * @private
      */
-    internal function squaredDistanceToExtents(extents:Vector.<Number>, corners:Vector.<Number>, at:int):Number
+    internal function squaredDistanceToExtents(extents:Vector.<Number>, mesh:TriangleMesh, slot:int):Number
     {
+        var points:Vector.<Number> = mesh.vertices;
+        var a:int = mesh.corners[int(3 * slot)];
+        var b:int = mesh.corners[int(3 * slot + 1)];
+        var c:int = mesh.corners[int(3 * slot + 2)];
         var squared:Number = 0;
         for (var axis:int = 0; axis < 6; axis += 2)
         {
-            var p:Number = corners[at];
-            var q:Number = corners[int(at + 3)];
-            var r:Number = corners[int(at + 6)];
+            var p:Number = points[a];
+            var q:Number = points[b];
+            var r:Number = points[c];
             var low:Number = extents[axis];
             var high:Number = extents[int(axis + 1)];
             var distance:Number = 0;
@@ -32,7 +39,9 @@ package starlogo.solid
                 distance = low - distance;
             }
             squared += distance * distance;
-            at++;
+            a++;
+            b++;
+            c++;
         }
         return squared;
     }

@@ -160,7 +160,7 @@ package starlogo.intersection
                     corners[3 + k] = _random.between(-5, 5);
                     corners[6 + k] = corners[k] + share * (corners[3 + k] - corners[k]);
                 }
-                kernel.setTriangle(corners, 0);
+                kernel.setTriangle(corners);
                 kernel.plane.findBehind(kernel.shape, new RelativeMotion(0), out);
                 _wrong.addIf(out.depth >= 0, "behind", "triangle " + corners);
             }
@@ -174,7 +174,7 @@ package starlogo.intersection
             var kernel:TriangleKernel = new TriangleKernel();
             var corners:Vector.<Number> = new <Number>[-10, -10, 0, 10, -10, 0, 0, 10, 0];
             kernel.setStructure(new Sphere(new Vector3D(0, 0, -0.5), 1), new Placement());
-            kernel.setTriangle(corners, 0);
+            kernel.setTriangle(corners);
             for (var up:int = -1; up <= 1; up++)
             {
                 var motion:RelativeMotion = new RelativeMotion(0);

@@ -167,7 +167,7 @@ package starlogo.solid
             var size:Number = 3 * shape.margin + Math.abs(_motion.x) + Math.abs(_motion.y) + Math.abs(_motion.z) + Math.abs(shape.x) + Math.abs(shape.y)
                 + Math.abs(shape.z) + shape.extent;
             _axes.setTo(shape, shape.radius + shape.margin + Tolerances.EXTENTS * size, _motion);
-            var isRuledOut:Boolean = _axes.stayApart(_corners, 0, _motion);
+            var isRuledOut:Boolean = _axes.stayApart(_corners, _motion);
             var isTouched:Boolean = touches(shape);
             _wrong.addIf(isRuledOut && isTouched, "ruled out, but touched", what);
             _touched += int(isTouched);

@@ -58,11 +58,13 @@ package starlogo.solid
         public function trianglesTouchAcrossTheWholeGap():void
         {
             var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
-            var half:Number = Math.abs(cube.mesh.corners[0]);
+            var half:Number = Math.abs(cube.mesh.vertices[0]);
             var stands:Placement = new Placement();
             var beside:Placement = new Placement();
             var triangle:ConvexShape = new ConvexShape();
-            triangle.setTriangle(cube.mesh.corners, 0);
+            var corners:Vector.<Number> = new Vector.<Number>(9);
+            cube.mesh.readTriangle(0, corners);
+            triangle.setTriangle(corners, 0);
             var tested:int = 0;
             for (var step:int = 0; step < 800; step++)
             {
@@ -89,9 +91,11 @@ package starlogo.solid
             var stands:Placement = new Placement();
             var pair:TreeAndStructure = _treeAndStructure;
             var out:ClosestPoints = new ClosestPoints();
-            for (var at:int = bear.mesh.corners.length - 9; at > cube.mesh.corners.length; at -= 900)
+            var corners:Vector.<Number> = new Vector.<Number>(9);
+            for (var slot:int = bear.boxTree.itemCount - 1; slot > cube.boxTree.itemCount; slot -= 100)
             {
-                var sphere:Sphere = new Sphere(new Vector3D(bear.mesh.corners[at], bear.mesh.corners[at + 1], bear.mesh.corners[at + 2]), 1e-6);
+                bear.mesh.readTriangle(slot, corners);
+                var sphere:Sphere = new Sphere(new Vector3D(corners[0], corners[1], corners[2]), 1e-6);
                 pair.setTo(bear, stands, int.MAX_VALUE, sphere, stands, true);
                 assertTrue(pair.areOverlapping());
                 pair.findInside(out);

@@ -55,6 +55,7 @@ package starlogo.solid
         {
             var hierarchy:ModelTree = hierarchyOf(model);
             var mesh:TriangleMesh = hierarchy.mesh;
+            var corners:Vector.<Number> = new Vector.<Number>(9);
             var triangles:TriangleRayVisitor = new TriangleRayVisitor();
             var hit:RayEntry = new RayEntry();
             var ray:Ray = new Ray();
@@ -72,13 +73,13 @@ package starlogo.solid
                     // some along an axis, towards vertices that have simple numbers
                     origin.setTo(_random.between(-2, 2), _random.between(-2, 2), _random.pick([-1, 2]) * _random.between(1, 2));
                 }
-                var corner:int = 9 * _random.integer(0, mesh.corners.length / 9 - 1);
+                mesh.readTriangle(_random.integer(0, mesh.tree.itemCount - 1), corners);
                 var share:Number = i % 3 == 0 ? 0 : _random.next();
-                var from:int = corner + 3 * _random.integer(0, 2);
-                var to:int = from == corner + 6 ? corner : from + 3;
-                var x:Number = mesh.corners[from] + share * (mesh.corners[to] - mesh.corners[from]);
-                var y:Number = mesh.corners[from + 1] + share * (mesh.corners[to + 1] - mesh.corners[from + 1]);
-                var z:Number = mesh.corners[from + 2] + share * (mesh.corners[to + 2] - mesh.corners[from + 2]);
+                var from:int = 3 * _random.integer(0, 2);
+                var to:int = (from + 3) % 9;
+                var x:Number = corners[from] + share * (corners[to] - corners[from]);
+                var y:Number = corners[from + 1] + share * (corners[to + 1] - corners[from + 1]);
+                var z:Number = corners[from + 2] + share * (corners[to + 2] - corners[from + 2]);
                 if (i % 5 == 1)
                 {
                     origin.setTo(x, y, _random.pick([-3, 5]));

@@ -88,53 +88,47 @@ package starlogo.intersection.ray
         }
 
         /**
-         * Finds the first of some triangles that the ray meets, if it comes before the first one so far.
+         * Finds where the ray meets a triangle, if it is before the first crossing so far.
          *
-         * @param corners nine numbers for each triangle
-         * @param from the first triangle's slot
-         * @param end the slot after the last one
+         * @param points coordinates of points
+         * @param a index at which the coordinates of a corner begin
+         * @param b index at which those of the next corner begin
+         * @param c index at which those of the last corner begin
+         * @param slot the triangle's slot
          * @param first the first crossing so far; receives an earlier one
-         * @return whether there is an earlier one
+         * @return whether it is earlier
          */
-        public function findFirst(corners:Vector.<Number>, from:int, end:int, first:TriangleCrossing):Boolean
+        public function findFirst(points:Vector.<Number>, a:int, b:int, c:int, slot:int, first:TriangleCrossing):Boolean
         {
-            var isFound:Boolean = false;
-            for (var slot:int = next(corners, from, end, _crossing); slot >= 0; slot = next(corners, slot + 1, end, _crossing))
+            if (!findCrossing(points, a, b, c, _crossing) || !isBefore(_crossing, first))
             {
-                if (isBefore(_crossing, first))
-                {
-                    first.copyFrom(_crossing);
-                    isFound = true;
-                }
+                return false;
             }
-            return isFound;
+            first.copyFrom(_crossing);
+            first.slot = slot;
+            return true;
         }
 
         /**
-         * Adds the crossings with some triangles.
+         * Adds the crossing with a triangle, if there is one.
          *
-         * @param corners as in findFirst
-         * @param from as in findFirst
-         * @param end as in findFirst
-         * @param items the triangles' numbers in the model, by slot; null if they have none
-         * @param out they are added to it
+         * @param corners nine numbers of the triangle
+         * @param triangle the triangle's number in the model; -1 if it has none
+         * @param out the crossing is added to it
          */
-        public function addAll(corners:Vector.<Number>, from:int, end:int, items:Vector.<int>, out:RayCrossings):void
+        public function addCrossing(corners:Vector.<Number>, triangle:int, out:RayCrossings):void
         {
-            for (var slot:int = next(corners, from, end, _crossing); slot >= 0; slot = next(corners, slot + 1, end, _crossing))
+            if (findCrossing(corners, 0, 3, 6, _crossing) && _crossing.distance <= _ray.to)
             {
-                if (_crossing.distance <= _ray.to)
-                {
-                    writeEntry(corners, _crossing, items == null ? -1 : items[slot], _entry);
-                    out.add(_entry, _crossing.slack, _crossing.end, _crossing.side);
-                }
+                writeEntry(corners, _crossing, triangle, _entry);
+                out.add(_entry, _crossing.slack, _crossing.end, _crossing.side);
             }
         }
 
         /**
          * Writes where the ray meets a triangle. The normal of a flat triangle is the opposite of the ray's direction.
          *
-         * @param corners has the triangle
+         * @param corners nine numbers of the triangle
          * @param crossing the place
          * @param triangle the triangle's number in the model; -1 if it has none
          */
@@ -143,7 +137,7 @@ package starlogo.intersection.ray
             out.begin(_ray);
             out.distance = crossing.distance;
             out.triangle = triangle;
-            _plane.setTriangle(corners, 9 * crossing.slot);
+            _plane.setTriangle(corners, 0);
             if (!_plane.isFlat)
             {
                 out.setNormal(_ray, _plane.normal.x, _plane.normal.y, _plane.normal.z);
@@ -163,9 +157,9 @@ package starlogo.intersection.ray
             return distance < Math.min(_ray.to, latest);
         }
 
-        // Finds the next triangle that the line meets where the ray begins or later. It shears the corners as seen from the line, finds the sides on which
-        // the ray passes the edges, and finds where the ray crosses the plane. Returns the slot, or -1 if there is none.
-        private function next(corners:Vector.<Number>, from:int, end:int, out:TriangleCrossing):int
+        // Finds where the line meets a triangle, where the ray begins or later. It shears the corners as seen from the line, finds the sides on which
+        // the ray passes the edges, and finds where the ray crosses the plane. Returns whether there is such a place.
+        private function findCrossing(points:Vector.<Number>, a:int, b:int, c:int, out:TriangleCrossing):Boolean
         {
             var u:int = _u;
             var v:int = _v;
@@ -176,61 +170,53 @@ package starlogo.intersection.ray
             var shearU:Number = _shearU;
             var shearV:Number = _shearV;
             var sliver:Number = _sliver;
-            for (var slot:int = from; slot < end; slot++)
+            var aW:Number = points[int(a + w)] - originW;
+            var aU:Number = points[int(a + u)] - originU - shearU * aW;
+            var aV:Number = points[int(a + v)] - originV - shearV * aW;
+            var bW:Number = points[int(b + w)] - originW;
+            var bU:Number = points[int(b + u)] - originU - shearU * bW;
+            var bV:Number = points[int(b + v)] - originV - shearV * bW;
+            var cW:Number = points[int(c + w)] - originW;
+            var cU:Number = points[int(c + u)] - originU - shearU * cW;
+            var cV:Number = points[int(c + v)] - originV - shearV * cW;
+            var sideA:Number = cU * bV - cV * bU;
+            var sideB:Number = aU * cV - aV * cU;
+            var sideC:Number = bU * aV - bV * aU;
+            if (sideA < -sliver || sideB < -sliver || sideC < -sliver)
             {
-                var corner:int = 9 * slot;
-                var aW:Number = corners[int(corner + w)] - originW;
-                var aU:Number = corners[int(corner + u)] - originU - shearU * aW;
-                var aV:Number = corners[int(corner + v)] - originV - shearV * aW;
-                corner += 3;
-                var bW:Number = corners[int(corner + w)] - originW;
-                var bU:Number = corners[int(corner + u)] - originU - shearU * bW;
-                var bV:Number = corners[int(corner + v)] - originV - shearV * bW;
-                corner += 3;
-                var cW:Number = corners[int(corner + w)] - originW;
-                var cU:Number = corners[int(corner + u)] - originU - shearU * cW;
-                var cV:Number = corners[int(corner + v)] - originV - shearV * cW;
-                var sideA:Number = cU * bV - cV * bU;
-                var sideB:Number = aU * cV - aV * cU;
-                var sideC:Number = bU * aV - bV * aU;
-                if (sideA < -sliver || sideB < -sliver || sideC < -sliver)
+                if (sideA > sliver || sideB > sliver || sideC > sliver)
                 {
-                    if (sideA > sliver || sideB > sliver || sideC > sliver)
-                    {
-                        continue;
-                    }
+                    return false;
                 }
-                var sum:Number = sideA + sideB + sideC;
-                var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
-                var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON * _margin * width;
-                var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
-                if (isInside && !isEdgeOn)
-                {
-                    out.distance = _stretch * (sideA * aW + sideB * bW + sideC * cW) / sum;
-                }
-                else
-                {
-                    var gap:Number = isInside ? 3 * EDGE_ON * _margin : _margin;
-                    passEdges(corners, 9 * slot, gap, out);
-                }
-                // NaN is skipped too
-                if (!(out.distance >= _ray.from))
-                {
-                    continue;
-                }
-                out.slot = slot;
-                if (isEdgeOn)
-                {
-                    setAlong(out);
-                }
-                else
-                {
-                    var depth:Number = Math.abs(_stretch) * (Math.abs(aW - bW) + Math.abs(bW - cW));
-                    setAcross(width * depth, sum, out);
-                }
-                return slot;
             }
-            return -1;
+            var sum:Number = sideA + sideB + sideC;
+            var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
+            var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON * _margin * width;
+            var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
+            if (isInside && !isEdgeOn)
+            {
+                out.distance = _stretch * (sideA * aW + sideB * bW + sideC * cW) / sum;
+            }
+            else
+            {
+                var gap:Number = isInside ? 3 * EDGE_ON * _margin : _margin;
+                passEdges(points, a, b, c, gap, out);
+            }
+            // NaN is skipped too
+            if (!(out.distance >= _ray.from))
+            {
+                return false;
+            }
+            if (isEdgeOn)
+            {
+                setAlong(out);
+            }
+            else
+            {
+                var depth:Number = Math.abs(_stretch) * (Math.abs(aW - bW) + Math.abs(bW - cW));
+                setAcross(width * depth, sum, out);
+            }
+            return true;
         }
 
         // Sets the rest of a crossing with a triangle that the ray does not see edge on. The ray may pass a gap beside the place that is tested. On a
@@ -252,24 +238,24 @@ package starlogo.intersection.ray
 
         // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a gap. The distance is NaN if no edge is
         // near, or none after the ray's beginning.
-        private function passEdges(corners:Vector.<Number>, at:int, gap:Number, out:TriangleCrossing):void
+        private function passEdges(points:Vector.<Number>, a:int, b:int, c:int, gap:Number, out:TriangleCrossing):void
         {
             out.distance = Infinity;
             out.end = -Infinity;
-            passEdge(corners, at, at + 3, gap, out);
-            passEdge(corners, at + 3, at + 6, gap, out);
-            passEdge(corners, at + 6, at, gap, out);
+            passEdge(points, a, b, gap, out);
+            passEdge(points, b, c, gap, out);
+            passEdge(points, c, a, gap, out);
             out.distance = out.end >= _ray.from ? Math.max(out.distance, _ray.from) : NaN;
         }
 
-        private function passEdge(corners:Vector.<Number>, from:int, to:int, gap:Number, out:TriangleCrossing):void
+        private function passEdge(points:Vector.<Number>, from:int, to:int, gap:Number, out:TriangleCrossing):void
         {
-            var fromW:Number = corners[from + _w] - _originW;
-            var fromU:Number = corners[from + _u] - _originU - _shearU * fromW;
-            var fromV:Number = corners[from + _v] - _originV - _shearV * fromW;
-            var toW:Number = corners[to + _w] - _originW;
-            var toU:Number = corners[to + _u] - _originU - _shearU * toW - fromU;
-            var toV:Number = corners[to + _v] - _originV - _shearV * toW - fromV;
+            var fromW:Number = points[from + _w] - _originW;
+            var fromU:Number = points[from + _u] - _originU - _shearU * fromW;
+            var fromV:Number = points[from + _v] - _originV - _shearV * fromW;
+            var toW:Number = points[to + _w] - _originW;
+            var toU:Number = points[to + _u] - _originU - _shearU * toW - fromU;
+            var toV:Number = points[to + _v] - _originV - _shearV * toW - fromV;
             var square:Number = toU * toU + toV * toV;
             var share:Number = square > 0 ? Math.max(0, Math.min(1, -(fromU * toU + fromV * toV) / square)) : 0;
             fromU += share * toU;

@@ -7,7 +7,7 @@ package starlogo.intersection.ray
      */
     public final class TriangleCrossing
     {
-        /** The triangle's index in the list of corners; -1 if there is none. */
+        /** The triangle's slot; -1 if there is none. */
         public var slot:int = -1;
 
         /** The distance of the place, as the ray counts distances. */

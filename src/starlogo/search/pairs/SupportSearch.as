@@ -7,6 +7,7 @@ package starlogo.search.pairs
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.search.Body;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
@@ -111,17 +112,17 @@ package starlogo.search.pairs
             out.support = at.x * direction.x + at.y * direction.y + at.z * direction.z + at.size * out.support;
         }
 
-        // The corners of a body's triangles if they decide; otherwise null.
-        private function cornersOf(body:Body):Vector.<Number>
+        // A body's triangles if they decide; otherwise null.
+        private function trianglesOf(body:Body):TriangleMesh
         {
             var tree:ModelTree = body.shape.hierarchy;
-            return _limits.exact && tree.hasTriangles ? tree.mesh.corners : null;
+            return _limits.exact && tree.hasTriangles ? tree.mesh : null;
         }
 
         // The depth to which a body's tree is visited.
-        private function depthOf(body:Body, corners:Vector.<Number>):int
+        private function depthOf(body:Body, mesh:TriangleMesh):int
         {
-            return corners != null ? BoxTree.EXACT : _limits.depthOf(body);
+            return mesh != null ? BoxTree.EXACT : _limits.depthOf(body);
         }
 
         // Finds how far a body's shape reaches in the model's space.
@@ -133,8 +134,8 @@ package starlogo.search.pairs
                 return;
             }
             var tree:BoxTree = body.shape.hierarchy.boxTree;
-            var corners:Vector.<Number> = cornersOf(body);
-            var depth:int = depthOf(body, corners);
+            var mesh:TriangleMesh = trianglesOf(body);
+            var depth:int = depthOf(body, mesh);
             out.support = -Infinity;
             _nodes[0] = 0;
             _upperBounds[0] = Infinity;
@@ -156,13 +157,13 @@ package starlogo.search.pairs
                     _upperBounds[top] = _upperBounds[top + 1] = upperBound;
                     top += 2;
                 }
-                else if (corners == null)
+                else if (mesh == null)
                 {
                     out.support = upperBound;
                 }
                 else
                 {
-                    findOfCorners(corners, tree.first[node], tree.end[node], direction, out);
+                    findOfTriangles(mesh, tree.first[node], tree.end[node], direction, out);
                 }
             }
         }
@@ -184,12 +185,14 @@ package starlogo.search.pairs
                 + boxes[int(at + 3)] * Math.abs(direction.x) + boxes[int(at + 4)] * Math.abs(direction.y) + boxes[int(at + 5)] * Math.abs(direction.z);
         }
 
-        private static function findOfCorners(corners:Vector.<Number>, first:int, end:int, direction:Vector3D, out:SupportPoint):void
+        private static function findOfTriangles(mesh:TriangleMesh, first:int, end:int, direction:Vector3D, out:SupportPoint):void
         {
+            var vertices:Vector.<Number> = mesh.vertices;
             var farthest:Number = out.support;
-            for (var i:int = 9 * first; i < 9 * end; i += 3)
+            for (var i:int = 3 * first; i < 3 * end; i++)
             {
-                farthest = Math.max(farthest, corners[i] * direction.x + corners[int(i + 1)] * direction.y + corners[int(i + 2)] * direction.z);
+                var at:int = mesh.corners[i];
+                farthest = Math.max(farthest, vertices[at] * direction.x + vertices[int(at + 1)] * direction.y + vertices[int(at + 2)] * direction.z);
             }
             out.support = farthest;
         }
@@ -213,8 +216,8 @@ package starlogo.search.pairs
         private function takeFarthestOfTree(body:Body, direction:Vector3D, least:Number):void
         {
             var tree:BoxTree = body.shape.hierarchy.boxTree;
-            var corners:Vector.<Number> = cornersOf(body);
-            var depth:int = depthOf(body, corners);
+            var mesh:TriangleMesh = trianglesOf(body);
+            var depth:int = depthOf(body, mesh);
             _squared = Infinity;
             _nodes[0] = 0;
             for (var top:int = 0; top >= 0; top--)
@@ -230,7 +233,7 @@ package starlogo.search.pairs
                     _nodes[top + 1] = tree.left[node];
                     top += 2;
                 }
-                else if (corners == null)
+                else if (mesh == null)
                 {
                     addNode(tree.boxes, 6 * node, direction);
                 }
@@ -238,19 +241,21 @@ package starlogo.search.pairs
                 {
                     for (var triangle:int = tree.first[node]; triangle < tree.end[node]; triangle++)
                     {
-                        addTriangle(tree.boxes, corners, 9 * triangle, direction, least);
+                        addTriangle(tree.boxes, mesh, triangle, direction, least);
                     }
                 }
             }
         }
 
         // Adds the mean of the corners of a triangle that reach as far as a support.
-        private function addTriangle(boxes:Vector.<Number>, corners:Vector.<Number>, at:int, direction:Vector3D, least:Number):void
+        private function addTriangle(boxes:Vector.<Number>, mesh:TriangleMesh, slot:int, direction:Vector3D, least:Number):void
         {
+            var vertices:Vector.<Number> = mesh.vertices;
             beginPart();
-            for (var i:int = at; i < at + 9; i += 3)
+            for (var i:int = 3 * slot; i < 3 * slot + 3; i++)
             {
-                addIfAsFar(corners[i], corners[int(i + 1)], corners[int(i + 2)], direction, least);
+                var at:int = mesh.corners[i];
+                addIfAsFar(vertices[at], vertices[int(at + 1)], vertices[int(at + 2)], direction, least);
             }
             if (_count > 0)
             {

@@ -1,6 +1,7 @@
 package starlogo.solid.interior
 {
     import starlogo.convex.TrianglePlane;
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.steps.StepSequence;
 
     /**
@@ -24,7 +25,7 @@ package starlogo.solid.interior
 
         private var _windingCounter:WindingCounter;
         private var _surface:SurfaceTopology;
-        private var _corners:Vector.<Number>;
+        private var _mesh:TriangleMesh;
         private var _items:Vector.<int>;
         private var _balances:Vector.<int>;
 
@@ -35,7 +36,10 @@ package starlogo.solid.interior
         // The shells that enclose the point that is tested.
         private var _enclosingPoint:Vector.<int> = new Vector.<int>();
 
+        // The corners of a triangle, and its plane.
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _plane:TrianglePlane = new TrianglePlane();
+
         private var _windingCount:int = 0;
 
         /**
@@ -46,13 +50,13 @@ package starlogo.solid.interior
         {
             _windingCounter = windingCounter;
             _surface = windingCounter.surface;
-            _corners = windingCounter.mesh.corners;
-            _items = windingCounter.mesh.tree.items;
+            _mesh = windingCounter.mesh;
+            _items = _mesh.tree.items;
             _balances = balances;
             if (balances.length > 1)
             {
                 _shells = new Vector.<ClosedShell>(balances.length, true);
-                _extremes = new OutermostPoints(_corners, balances.length);
+                _extremes = new OutermostPoints(_mesh, balances.length);
                 slices(_items.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orient);
             }
         }
@@ -71,15 +75,22 @@ package starlogo.solid.interior
                 {
                     continue;
                 }
-                var at:int = 9 * slot;
-                _shells[number] ||= new ClosedShell(at);
+                _shells[number] ||= new ClosedShell(_mesh.corners[3 * slot]);
                 _extremes.add(number, slot);
-                _plane.setTriangle(_corners, at);
+                takeTriangle(slot);
+                var vertices:Vector.<Number> = _mesh.vertices;
                 var from:int = _shells[number].origin;
-                var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[at] - _corners[from])
-                        + _plane.normal.y * (_corners[at + 1] - _corners[from + 1]) + _plane.normal.z * (_corners[at + 2] - _corners[from + 2]));
+                var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[0] - vertices[from])
+                        + _plane.normal.y * (_corners[1] - vertices[from + 1]) + _plane.normal.z * (_corners[2] - vertices[from + 2]));
                 _shells[number].volume += _surface.isReversed(_items[slot]) ? -volume : volume;
             }
+        }
+
+        // Sets _corners and _plane to those of a triangle.
+        private function takeTriangle(slot:int):void
+        {
+            _mesh.readTriangle(slot, _corners);
+            _plane.setTriangle(_corners, 0);
         }
 
         // A shell has the orientation of most of its triangles. If both are equally frequent, its triangles face outwards.
@@ -108,7 +119,7 @@ package starlogo.solid.interior
             for (var slot:int = first; slot < end; slot++)
             {
                 var number:int = _surface.shellOf(_items[slot]);
-                _plane.setTriangle(_corners, 9 * slot);
+                takeTriangle(slot);
                 if (_plane.isFlat || !isTwoSided(number))
                 {
                     continue;
@@ -127,19 +138,18 @@ package starlogo.solid.interior
             return shell.enclosing == null || shell.enclosing.length > 0 && _windingCount < WINDINGS_PER_TRIANGLE * _items.length;
         }
 
-        // Finds the shells that enclose a point of a triangle of a shell. The triangle is _plane. The point is near a corner, or in the middle for corner 3,
+        // Finds the shells that enclose a point of a triangle of a shell. The triangle is the one that was taken. The point is near a corner, or in the middle for corner 3,
         // and a little inside of the shell.
         private function findEnclosing(number:int, slot:int, corner:int):void
         {
-            var at:int = 9 * slot;
             var inwards:Number = INWARDS * _extremes.extentOf(number);
             inwards = _surface.isReversed(_items[slot]) == _shells[number].volume > 0 ? inwards : -inwards;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
             {
-                point[axis] += share * (_corners[at + axis] + _corners[at + 3 + axis] + _corners[at + 6 + axis])
-                    + (corner == 3 ? 0 : 0.97 * _corners[at + 3 * corner + axis]);
+                point[axis] += share * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
+                    + (corner == 3 ? 0 : 0.97 * _corners[3 * corner + axis]);
             }
             _windingCount += _windingCounter.findAround(point[0], point[1], point[2], _enclosingPoint);
         }

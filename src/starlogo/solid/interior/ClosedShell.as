@@ -3,7 +3,7 @@ package starlogo.solid.interior
     /** A closed shell with two sides, as a record of CavityFinder. */
     internal final class ClosedShell
     {
-        /** The index of the corner from which its volume is measured. */
+        /** Where the coordinates of the vertex begin from which its volume is measured. */
         public var origin:int;
 
         /** Six times its volume. It is negative if most triangles face inwards, after those to be reversed are reversed. */
@@ -18,7 +18,7 @@ package starlogo.solid.interior
         /** Whether it encloses the point that is tested. */
         public var enclosesPoint:Boolean = false;
 
-        /** @param origin the index of one of its corners */
+        /** @param origin where the coordinates of one of its vertices begin */
         public function ClosedShell(origin:int)
         {
             this.origin = origin;

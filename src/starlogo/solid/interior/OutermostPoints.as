@@ -1,5 +1,7 @@
 package starlogo.solid.interior
 {
+    import starlogo.hierarchy.TriangleMesh;
+
     /** Finds the outermost points of groups of triangles: of a surface's parts, or of its shells. @private */
     public final class OutermostPoints
     {
@@ -12,15 +14,15 @@ package starlogo.solid.interior
         // For each group, the index of its points, or -1 if it has none yet.
         private var _starts:Vector.<int>;
 
-        private var _corners:Vector.<Number>;
+        private var _mesh:TriangleMesh;
 
         /**
-         * @param corners the corners of the triangles by slot, nine numbers each
+         * @param mesh the triangles
          * @param count greater than any group's number
          */
-        public function OutermostPoints(corners:Vector.<Number>, count:int)
+        public function OutermostPoints(mesh:TriangleMesh, count:int)
         {
-            _corners = corners;
+            _mesh = mesh;
             _starts = new Vector.<int>(count, true);
             for (var i:int = 0; i < count; i++)
             {
@@ -33,11 +35,11 @@ package starlogo.solid.interior
         {
             if (_starts[group] < 0)
             {
-                beginGroup(group, 9 * slot);
+                beginGroup(group, _mesh.corners[3 * slot]);
             }
-            for (var corner:int = 9 * slot; corner < 9 * slot + 9; corner += 3)
+            for (var corner:int = 3 * slot; corner < 3 * slot + 3; corner++)
             {
-                extendGroup(_starts[group], corner);
+                extendGroup(_starts[group], _mesh.corners[corner]);
             }
         }
 
@@ -85,28 +87,30 @@ package starlogo.solid.interior
             return Math.max(points[start + 3] - points[start], points[start + 10] - points[start + 7], points[start + 17] - points[start + 14]);
         }
 
-        private function beginGroup(group:int, corner:int):void
+        private function beginGroup(group:int, vertex:int):void
         {
+            var vertices:Vector.<Number> = _mesh.vertices;
             _starts[group] = points.length;
             for (var i:int = 0; i < STRIDE; i += 3)
             {
-                points.push(_corners[corner], _corners[corner + 1], _corners[corner + 2]);
+                points.push(vertices[vertex], vertices[vertex + 1], vertices[vertex + 2]);
             }
         }
 
         // The coordinate along an axis of the point that is first or last along it is 7 numbers after that of the axis before.
-        private function extendGroup(start:int, corner:int):void
+        private function extendGroup(start:int, vertex:int):void
         {
+            var vertices:Vector.<Number> = _mesh.vertices;
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var low:int = start + 6 * axis;
-                var coordinate:Number = _corners[int(corner + axis)];
+                var coordinate:Number = vertices[int(vertex + axis)];
                 var to:int = coordinate < points[int(low + axis)] ? low : low + 3;
                 if (to == low || coordinate > points[int(to + axis)])
                 {
-                    points[to] = _corners[corner];
-                    points[to + 1] = _corners[corner + 1];
-                    points[to + 2] = _corners[corner + 2];
+                    points[to] = vertices[vertex];
+                    points[to + 1] = vertices[vertex + 1];
+                    points[to + 2] = vertices[vertex + 2];
                 }
             }
         }

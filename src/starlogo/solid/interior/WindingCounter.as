@@ -72,13 +72,13 @@ package starlogo.solid.interior
         // The mean coordinate of some corners along the axis of all rays.
         private function meanCorner():Number
         {
-            var corners:Vector.<Number> = mesh.corners;
-            var stride:int = 9 * Math.max(1, Math.floor(corners.length / (9 * SAMPLES)));
+            var corners:Vector.<int> = mesh.corners;
+            var stride:int = 3 * Math.max(1, Math.floor(corners.length / (3 * SAMPLES)));
             var sum:Number = 0;
             var count:int = 0;
-            for (var i:int = _axis; i < corners.length; i += stride)
+            for (var i:int = 0; i < corners.length; i += stride)
             {
-                sum += corners[i];
+                sum += mesh.vertices[corners[i] + _axis];
                 count++;
             }
             return sum / count;
@@ -173,15 +173,14 @@ package starlogo.solid.interior
         // Adds a triangle to its shell's winding number if the ray crosses it.
         private function cross(slot:int):void
         {
-            var points:Vector.<Number> = mesh.corners;
-            var p:int = 9 * slot;
-            var q:int = p + 3;
-            var r:int = p + 6;
+            var points:Vector.<Number> = mesh.vertices;
+            var p:int = mesh.corners[int(3 * slot)];
+            var q:int = mesh.corners[int(3 * slot + 1)];
+            var r:int = mesh.corners[int(3 * slot + 2)];
             var triangle:int = mesh.tree.items[slot];
             if (welded != null)
             {
                 var vertices:Vector.<uint> = mesh.tree.triangles;
-                points = mesh.tree.vertices;
                 p = 3 * welded[vertices[3 * triangle]];
                 q = 3 * welded[vertices[3 * triangle + 1]];
                 r = 3 * welded[vertices[3 * triangle + 2]];

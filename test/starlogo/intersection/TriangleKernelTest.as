@@ -80,7 +80,7 @@ package starlogo.intersection
                 var sweep:TriangleKernel = new TriangleKernel();
                 closest.distance = Infinity;
                 sweep.setStructure(structure, new Placement());
-                sweep.setTriangle(corners, 0);
+                sweep.setTriangle(corners);
                 sweep.findCloser(closest);
                 if (!(closest.distance > 1e-3) || areTouching(structure, corners, 0))
                 {
@@ -190,7 +190,7 @@ package starlogo.intersection
         private static function timeOf(sweep:TriangleKernel, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
         {
             sweep.setStructure(structure, new Placement());
-            sweep.setTriangle(corners, 0);
+            sweep.setTriangle(corners);
             motion.time = RelativeMotion.NEVER;
             if (!sweep.stayApart(motion))
             {

@@ -8,6 +8,9 @@ package starlogo.convex
      */
     public final class AdvancementStep
     {
+        /** How many steps a sweep makes at most: see advance(). */
+        public static const MOST:int = 80;
+
         /** The gap between the two shapes along a direction that keeps them apart. No gap is left if it is not above 0. */
         public var gap:Number = 0;
 
@@ -17,10 +20,17 @@ package starlogo.convex
         /** Whether the shapes touch, with all margins: see Touching. */
         public var isTouching:Boolean = false;
 
-        /** The number of steps before this one. A sweep sets it to 0 at its first step. */
+        /** The number of steps before this one. */
         public var count:int = 0;
 
         /** The time of an earlier step at which the shapes touched, but only across the margins; RelativeMotion.NEVER if there was none. */
         public var lastTouch:Number = RelativeMotion.NEVER;
+
+        /** Begins with the first step. */
+        public function begin():void
+        {
+            count = 0;
+            lastTouch = RelativeMotion.NEVER;
+        }
     }
 }

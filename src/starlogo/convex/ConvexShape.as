@@ -67,7 +67,7 @@ package starlogo.convex
         /** Whether the core is a box. */
         public var isBox:Boolean = false;
 
-        /** Whether the core is a box or a segment. Then its edges are perpendicular to each other, from the first point on. */
+        /** Whether the core is a box or has two points, the ends of its one edge. Then its edges are perpendicular to each other, from the first point on. */
         public function get areEdgesPerpendicular():Boolean
         {
             return isBox || end == SEGMENT;

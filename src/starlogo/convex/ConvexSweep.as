@@ -38,7 +38,7 @@ package starlogo.convex
         // Begins at the motion's earliest time, or when balls around the two first meet if that is later.
         private function begin(cores:CorePair, motion:RelativeMotion):void
         {
-            _step.count = 0;
+            _step.begin();
             motion.time = 0;
             cores.setMotion(motion);
             cores.maxDistance += motion.margin;

@@ -4,7 +4,7 @@ package starlogo.convex
     import starlogo.geometry.Tolerances;
 
     /**
-     * The plane of a triangle, and a quick test by it. Its fields are read only.
+     * The plane of a triangle: a quick test by it, and contacts whose normal is the plane's. Its fields are read only.
      *
      * <p>This class alone decides which triangles are flat: needles and points, whose normal would be a rounding error (Tolerances.FLAT_TRIANGLE). A
      * flat triangle has no plane. Its normal is 0 and its offset NaN, so all comparisons with places along the normal are false. ConvexKernel makes no

@@ -8,7 +8,7 @@ package starlogo.convex
      *
      * <p>If the shapes touch across the margins only, one more step leads to where they touch without them. It counts if they still touch there.</p>
      *
-     * <p>Each step shrinks the product of the gap and its slope to a quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding
+     * <p>Each step shrinks the product of the gap and its slope to at most a quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding
      * need more, the time is that of the last step: the shapes do not touch before, and their gap is at most rounding.</p>
      *
      * @param step what the sweep has found at the motion's time; becomes the next step
@@ -18,10 +18,6 @@ package starlogo.convex
      */
     public function advance(step:AdvancementStep, motion:RelativeMotion):Boolean
     {
-        if (step.count == 0)
-        {
-            step.lastTouch = RelativeMotion.NEVER;
-        }
         var wasTouching:Boolean = step.lastTouch != RelativeMotion.NEVER;
         if (step.isTouching)
         {
@@ -40,6 +36,6 @@ package starlogo.convex
         }
         motion.time = next;
         step.count++;
-        return step.count < 80;
+        return step.count < AdvancementStep.MOST;
     }
 }

@@ -4,7 +4,7 @@ package starlogo.geometry
 
     /**
      * The order of two vectors by x, then by y, then by z: less than 0 if the first comes before the second, more than 0 if it comes after it, 0 if they
-     * are equal. A test that gives the same answer for (a, b) and (b, a), rounding included, puts its arguments in this order.
+     * are equal. No coordinate may be NaN. A test that gives the same answer for (a, b) and (b, a), rounding included, puts its arguments in this order.
      *
      * @private
      */

@@ -150,7 +150,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, out.distance);
             while (_pairs.next())
             {
-                if (_pairs.kernel.findCloser(out))
+                if (_pairs.kernel.findCloser(_pairs.triangle.corners, out))
                 {
                     _pairs.leaveOutFarther(out.distance);
                 }
@@ -188,8 +188,7 @@ package starlogo.ground
             {
                 _pairs.pieces.begin();
                 _pairs.pieces.next();
-                _pairs.kernel.setTriangle(pointAsTriangle(x, y, z));
-                _pairs.kernel.findCloser(out);
+                _pairs.kernel.findCloser(pointAsTriangle(x, y, z), out);
             }
             out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.grid.cellWidth;
         }

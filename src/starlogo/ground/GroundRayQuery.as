@@ -53,7 +53,7 @@ package starlogo.ground
             _first.slot = -1;
             while (nextTriangle())
             {
-                if (_sheared.findFirst(_triangles.triangle.corners, 0, 3, 6, 0, _first))
+                if (_sheared.findEarlier(_triangles.triangle.corners, 0, 3, 6, 0, _first))
                 {
                     _search.motion.latest = _first.distance;
                     _sheared.writeEntry(_triangles.triangle.corners, _first, -1, out);

@@ -13,7 +13,8 @@ package starlogo.intersection
      * class itself is the kernel of pairs with a structure of the kind OTHER, which have no answers: its methods throw.
      *
      * <p>The same two structures in the other order get the same answer, to the last bit. For that this class puts them in an order: by their kinds, or
-     * by BoundingStructure.isAfter() if they are of one kind. A subclass answers for the first and the second in that order.</p>
+     * by BoundingStructure.isAfter() if they are of one kind. A subclass answers for the first and the second in that order. There are two exceptions:
+     * of two equal structures in one place the first argument moves upwards, and the point of a contact on a motion is rounded.</p>
      *
      * @private
      */
@@ -56,8 +57,8 @@ package starlogo.intersection
          *
          * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is on a
          * capsule's axis, or the axes of two capsules overlap on one line, the normal is perpendicular to the axis, and the one that comes first by
-         * its place moves upwards as far as possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one against the motion, if the motion's time
-         * is above 0.</p>
+         * its place moves upwards as far as possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one
+         * against the motion, if the motion's time is above 0.</p>
          *
          * @param a of one of the pair's kinds
          * @param b of the other kind, in the same space

@@ -110,14 +110,15 @@ package starlogo.intersection
         }
 
         /**
-         * Finds the closest points of the triangle and the shape, if they are closer than those of a triangle before.
+         * Finds the closest points of a triangle and the shape, if they are closer than those of a triangle before. The plane is not needed for this.
          *
+         * @param corners nine numbers of the triangle
          * @param out the distance and the points of the triangle before; overwritten if this one is closer
          * @return whether it is closer
          */
-        public function findCloser(out:ClosestPoints):Boolean
+        public function findCloser(corners:Vector.<Number>, out:ClosestPoints):Boolean
         {
-            _triangle.setTriangle(_corners, 0);
+            _triangle.setTriangle(corners, 0);
             return _kernel.findCloser(_triangle, shape, out);
         }
     }

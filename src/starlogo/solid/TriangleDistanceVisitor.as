@@ -69,8 +69,7 @@ package starlogo.solid
                 {
                     _counts.triangleTests++;
                     _mesh.readTriangle(i, _corners);
-                    _kernel.setTriangle(_corners);
-                    if (_kernel.findCloser(_nearest))
+                    if (_kernel.findCloser(_corners, _nearest))
                     {
                         limit = _nearest.distance;
                         _slot = i;

@@ -311,8 +311,7 @@ package starlogo.solid
             if (!isBeyond(second, points))
             {
                 _counts.triangleTests++;
-                _kernel.setTriangle(_cornersOfFirst);
-                _kernel.findCloser(points);
+                _kernel.findCloser(_cornersOfFirst, points);
             }
         }
 

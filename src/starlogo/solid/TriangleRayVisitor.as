@@ -51,7 +51,7 @@ package starlogo.solid
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end; i++)
             {
-                if (_ray.findFirst(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)], i, _first))
+                if (_ray.findEarlier(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)], i, _first))
                 {
                     limit = _first.distance;
                 }

@@ -80,8 +80,7 @@ package starlogo.intersection
                 var sweep:TriangleKernel = new TriangleKernel();
                 closest.distance = Infinity;
                 sweep.setStructure(structure, new Placement());
-                sweep.setTriangle(corners);
-                sweep.findCloser(closest);
+                sweep.findCloser(corners, closest);
                 if (!(closest.distance > 1e-3) || areTouching(structure, corners, 0))
                 {
                     continue;

@@ -4,7 +4,7 @@ package starlogo.intersection.ray
     import starlogo.geometry.Tolerances;
 
     /**
-     * A ray, prepared for many triangles. It finds the first triangle that it meets, or all of them, from either side (Woop, Benthin and Wald,
+     * A ray, prepared for many triangles. It finds where it meets a triangle, from either side (Woop, Benthin and Wald,
      * "Watertight Ray/Triangle Intersection", Journal of Computer Graphics Techniques 2(1), 2013, in double precision).
      *
      * <p>The corners are sheared so that the ray runs along an axis. Then the sign of one expression says on which side the ray passes an
@@ -98,7 +98,7 @@ package starlogo.intersection.ray
          * @param first the first crossing so far; receives an earlier one
          * @return whether it is earlier
          */
-        public function findFirst(points:Vector.<Number>, a:int, b:int, c:int, slot:int, first:TriangleCrossing):Boolean
+        public function findEarlier(points:Vector.<Number>, a:int, b:int, c:int, slot:int, first:TriangleCrossing):Boolean
         {
             if (!findCrossing(points, a, b, c, _crossing) || !isBefore(_crossing, first))
             {

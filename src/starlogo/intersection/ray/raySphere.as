@@ -16,22 +16,25 @@ package starlogo.intersection.ray
     {
         var center:Vector3D = sphere.center;
         var radius:Number = sphere.radius * ray.touchingFactor;
-        if (!crossBall(ray, center, radius, 1, out) || out.distance < ray.from)
+        if (!crossBall(ray, center, radius, -1, out))
         {
-            // the line misses the sphere, or the ray begins beyond it
             return false;
         }
-        crossBall(ray, center, radius, -1, out);
         var near:Number = out.distance;
-        out.begin(ray);
-        if (near > ray.from)
+        if (near <= ray.from)
         {
-            out.distance = near;
-            if (sphere.radius > 0)
-            {
-                out.setOutwards(ray.x + near * ray.directionX - center.x, ray.y + near * ray.directionY - center.y, ray.z + near * ray.directionZ - center.z);
-            }
+            // the ray begins inside of the sphere, or beyond it
+            crossBall(ray, center, radius, 1, out);
+            var far:Number = out.distance;
+            out.begin(ray);
+            return ray.from <= far && ray.from <= ray.to;
         }
-        return out.distance <= ray.to;
+        out.begin(ray);
+        out.distance = near;
+        if (sphere.radius > 0)
+        {
+            out.setOutwards(ray.x + near * ray.directionX - center.x, ray.y + near * ray.directionY - center.y, ray.z + near * ray.directionZ - center.z);
+        }
+        return near <= ray.to;
     }
 }

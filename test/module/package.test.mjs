@@ -493,19 +493,26 @@ test("while a game is developed, what is made anew in each frame, traits that do
 });
 
 test("while a game is developed, rays that begin in their sender, models that replace others and grounds that are missing are warned of, once", () => {
-	const program = (module) => `import { Agent, AgentQueries, AgentRays, BinCollider, BuiltInModel, Collision, GreatLand, LevelShapes, SeenAgents, Terrain, WorldBounds } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+	const program = (module) => `import { Agent, AgentQueries, AgentRays, BinCollider, BuiltInModel, Collision, GreatLand, LevelShapes, SeenAgents, Sphere, Terrain, WorldBounds } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
 		console.warn = (text) => said.push(text);
 		const game = new Collision(new BinCollider());
 		const queries = new AgentQueries(game);
 		const [hero, foe] = [new Agent("sphere", "heroes"), new Agent("sphere", "foes")];
 		const update = () => queries.update([hero, foe]);
-		for (let i = 0; i < 400; i++) update();
+		for (let i = 0; i < 4000; i++) update();
+		// a title screen, before the first frame of a game
+		const patient = new Collision(new BinCollider());
+		const asked = new AgentQueries(patient);
+		patient.onCollision("heroes", "foes", () => 0);
+		for (let i = 0; i < 2900; i++) asked.update([hero]);
+		patient.update([hero, foe]);
+		for (let i = 0; i < 200; i++) asked.update([hero]);
 		game.onCollision("heroes", "edge", () => 0);
 		game.onCollision("heroes", Collision.EDGE, () => 0);
 		game.onCollision(Collision.TERRAIN, "heroes", () => 0);
 		if (said.length > 0) throw new Error(said.join());
-		for (let i = 0; i < 2; i++) update();
+		for (let i = 0; i < 3002; i++) update();
 		foe.moveTo(50, 0, 0);
 		const seen = new SeenAgents(game);
 		const rays = new AgentRays(seen);
@@ -534,10 +541,19 @@ test("while a game is developed, rays that begin in their sender, models that re
 			receiver.addModel(BuiltInModel.cube());
 			receiver.addModel(BuiltInModel.cube());
 		}
+		// nothing is replaced
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.capsule(0.3, 1));
+		land.removeModel("capsule");
+		land.addModel(BuiltInModel.capsule(0.4, 1));
+		const shapes = new LevelShapes();
+		shapes.addModel(BuiltInModel.capsule(0.3, 1));
+		shapes.addStructure("capsule", new Sphere({ x: 0, y: 0, z: 0 }, 1));
+		shapes.addModel(BuiltInModel.capsule(0.4, 1));
 		console.log(JSON.stringify(said));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const said = run("starlogo-collision.js");
-	const expected = [/questions were updated 300 times, and their Collision never/, /30 rays began inside of agent \d+ \(breed "heroes", shape "sphere"\), .* \{ except: \[agent\] \}/, /no agent is of the breed "edge"; is Collision\.EDGE meant/,
+	const expected = [/questions were updated 3000 times, and their Collision with handlers for "heroes" and "edge" never/, /30 rays began inside of agent \d+ \(breed "heroes", shape "sphere"\), .* \{ except: \[agent\] \}/, /no agent is of the breed "edge"; is Collision\.EDGE meant/,
 		/in 300 frames no handler was called, and handlers for Collision\.TERRAIN need the Collision's terrain, which is null/, /handlers for Collision\.EDGE need the Collision's bounds/, /no agent is of the breed "edge"\. The/, /a box of other lengths takes the place of the first.*BuiltInModel\.box\(\) takes a name last/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));

@@ -25,7 +25,7 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { choose, fartherTests, readTests, testsBeside } from "../runner/chosen.mjs";
+import { choose, fartherTests, readTests, testFilesOf } from "../runner/chosen.mjs";
 import { randomNumbers } from "../module/random.mjs";
 import { placesIn } from "./places.mjs";
 
@@ -71,7 +71,7 @@ function testsOf(name, line) {
 	const choice = choose(`${name}.as`, known.classes, known.sources);
 	const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
 	if (all !== "chosen") return { order: [...near, SOAK] };
-	return { order: near, beside: testsBeside(choice.named), then: fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`) };
+	return { order: near, files: testFilesOf(choice.named), farther: fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`) };
 }
 
 function runTests(file, options) {

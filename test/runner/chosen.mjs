@@ -81,7 +81,7 @@ export function fartherTests({ tests, farther, named }, classes, sources, long =
  * @param {string[]} named the sources' qualified names
  * @param {[string, string][]} [files] the path and text of each such file
  */
-export function testsBeside(named, files = filesBelow('test', '.test.mjs').map((file) => [file, read(file)])) {
+export function testFilesOf(named, files = filesBelow('test', '.test.mjs').map((file) => [file, read(file)])) {
 	return files.filter(([, text]) => packagesIn(text).some((checked) => named.some((name) => name.startsWith(`${checked}.`)))).map(([file]) => file);
 }
 
@@ -120,12 +120,12 @@ export function testsIn(text) {
  * @param {string} pattern what -Dtest has
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
  * @param {Map<string, string>} sources the texts of the other files that tests use, by qualified name
- * @returns {{ tests: Map<string, string[] | null>, used: Set<string>, farther: Set<string>, named: string[], pages: string[], said: string[] }} the tests of
+ * @returns {{ tests: Map<string, string[] | null>, usersOnly: Set<string>, farther: Set<string>, named: string[], pages: string[], said: string[] }} the tests of
  *     each class, null for all of them; the classes that are in it for what they use alone; those of them that are in it because the nearest have too few tests, or many;
  *     the sources that the pattern names; the pages that it names; and why each class is in it
  */
 export function choose(pattern, classes, sources) {
-	const choice = { tests: new Map(), used: new Set(), farther: new Set(), named: [], pages: [], said: [] };
+	const choice = emptyChoice();
 	for (const part of pattern.split(',').filter((each) => each.trim() !== '')) chooseOne(part.trim(), classes, sources, choice);
 	return choice;
 }
@@ -136,64 +136,83 @@ export function testsBefore(pattern, classes) {
 	return [...found.keys()].flatMap((name) => testsIn(classes.get(name)).map((test) => `${name}.${test}`));
 }
 
-function chooseOne(pattern, classes, sources, { tests, used, farther, named, pages, said }) {
+/** What choose() finds if there is no pattern: all tests. */
+export function chooseAll(classes) {
+	return { ...emptyChoice(), tests: new Map([...classes.keys()].map((name) => [name, null])) };
+}
+
+function emptyChoice() {
+	return { tests: new Map(), usersOnly: new Set(), farther: new Set(), named: [], pages: [], said: [] };
+}
+
+/** Adds to a choice what a pattern without commas names. */
+function chooseOne(pattern, classes, sources, choice) {
 	const { wanted, test, isFile, isNamed } = parse(pattern, [...classes.keys(), ...sources.keys()]);
-	const take = (reason, found) => {
-		const added = found.filter((name) => tests.get(name) !== null);
-		for (const name of added) tests.set(name, null);
-		if (added.length > 0) said.push(`${reason}: ${added.map(simpleName).join(', ')}`);
-		return added;
-	};
 	const page = pageNamed(pattern);
 	if (page !== null) {
-		pages.push(page);
-		take(`samples of ${page}`, [classOfSamples(page)].filter((name) => classes.has(name)));
+		choice.pages.push(page);
+		addClasses(choice, `samples of ${page}`, [classOfSamples(page)].filter((name) => classes.has(name)));
 		return;
 	}
-	const takeTests = (names, reason, isTaken) => {
-		const known = (name) => tests.get(name) ?? [];
-		const named = names.filter((name) => tests.get(name) !== null).map((name) => [name, testsIn(classes.get(name)).filter((each) => isTaken(name, each) && !known(name).includes(each))]);
-		const found = named.filter(([, list]) => list.length > 0);
-		if (found.length > 0) said.push(`${reason}: ${found.map(([name, list]) => `${simpleName(name)} (${list.join(', ')})`).join(', ')}`);
-		for (const [name, list] of found) tests.set(name, [...known(name), ...list]);
-	};
-	const takeTestsWith = (names, part) => takeTests(names, `tests named *${part}*`, (name, each) => each.toLowerCase().includes(part));
-	const isExactly = (...names) => [names, [simpleName(names[0]), ...names.slice(1)]].some((each) => each.join('.').toLowerCase() === pattern.replace('#', '.').toLowerCase());
-	const exact = [...classes.keys()].filter((name) => isExactly(name) || testsIn(classes.get(name)).some((each) => isExactly(name, each)));
-	if (exact.length > 0) {
-		take('the class', exact.filter((name) => isExactly(name)));
-		takeTests(exact, 'the test', isExactly);
-		return;
-	}
+	if (addExact(choice, pattern, classes)) return;
 	const isOwn = (name) => [wanted, `${wanted}test`].includes(simpleName(name).toLowerCase());
 	const ofClass = [...classes.keys()].filter((name) => (isFile ? isOwn(name) : simpleName(name).toLowerCase().includes(wanted)));
 	if (test !== '') {
-		takeTestsWith(ofClass, test);
+		addTestsWith(choice, classes, ofClass, test);
 		return;
 	}
-	take(isFile ? 'its tests' : `classes named *${wanted}*`, ofClass);
-	if (isFile || !ofClass.some(isOwn)) {
-		for (const source of [...sources.keys()].filter(isNamed)) {
-			const nearest = nearestTests(source, classes, sources);
-			const areMany = countOf(nearest, classes) > MANY;
-			for (const name of take(`classes that use ${source}, directly or through other files`, nearest)) {
-				used.add(name);
-				if (areMany) farther.add(name);
-			}
-			const beside = testsOfPackage(source, classes, sources).filter((name) => !nearest.includes(name));
-			for (const name of take(`classes of tests in the package of ${source}`, beside)) {
-				used.add(name);
-				farther.add(name);
-			}
-			const known = new Set([...ofClass, ...nearest, ...beside, ...testsOfNeighbours(source, classes, sources)]);
-			for (const name of take(`tests of what uses ${source}`, [...known, ...testsOfUsers(source, known, classes, sources)])) {
-				used.add(name);
-				farther.add(name);
-			}
-			named.push(source);
+	addClasses(choice, isFile ? 'its tests' : `classes named *${wanted}*`, ofClass);
+	if (!isFile && ofClass.some(isOwn)) return;
+	for (const source of [...sources.keys()].filter(isNamed)) addTestsOf(choice, source, ofClass, classes, sources);
+	if (!isFile) addTestsWith(choice, classes, [...classes.keys()], wanted);
+}
+
+/** Adds classes of tests, and why. Returns those that were not in the choice yet. */
+function addClasses({ tests, said }, reason, found) {
+	const added = found.filter((name) => tests.get(name) !== null);
+	for (const name of added) tests.set(name, null);
+	if (added.length > 0) said.push(`${reason}: ${added.map(simpleName).join(', ')}`);
+	return added;
+}
+
+/** Adds some tests of classes, and why. */
+function addTests({ tests, said }, reason, classes, names, isTaken) {
+	const known = (name) => tests.get(name) ?? [];
+	const named = names.filter((name) => tests.get(name) !== null).map((name) => [name, testsIn(classes.get(name)).filter((each) => isTaken(name, each) && !known(name).includes(each))]);
+	const found = named.filter(([, list]) => list.length > 0);
+	if (found.length > 0) said.push(`${reason}: ${found.map(([name, list]) => `${simpleName(name)} (${list.join(', ')})`).join(', ')}`);
+	for (const [name, list] of found) tests.set(name, [...known(name), ...list]);
+}
+
+/** Adds the tests of classes that have a part in their names. */
+function addTestsWith(choice, classes, names, part) {
+	addTests(choice, `tests named *${part}*`, classes, names, (name, each) => each.toLowerCase().includes(part));
+}
+
+/** Adds the classes and tests of exactly a name. Returns whether there are some. */
+function addExact(choice, pattern, classes) {
+	const isExactly = (...names) => [names, [simpleName(names[0]), ...names.slice(1)]].some((each) => each.join('.').toLowerCase() === pattern.replace('#', '.').toLowerCase());
+	const exact = [...classes.keys()].filter((name) => isExactly(name) || testsIn(classes.get(name)).some((each) => isExactly(name, each)));
+	addClasses(choice, 'the class', exact.filter((name) => isExactly(name)));
+	addTests(choice, 'the test', classes, exact, isExactly);
+	return exact.length > 0;
+}
+
+/** Adds the classes that use a source, and those of what uses it, beside its own classes of tests. */
+function addTestsOf(choice, source, own, classes, sources) {
+	const add = (reason, found, areFarther) => {
+		for (const name of addClasses(choice, reason, found)) {
+			choice.usersOnly.add(name);
+			if (areFarther) choice.farther.add(name);
 		}
-	}
-	if (!isFile && !ofClass.some(isOwn)) takeTestsWith([...classes.keys()], wanted);
+	};
+	const nearest = nearestTests(source, classes, sources);
+	add(`classes that use ${source}, directly or through other files`, nearest, countOf(nearest, classes) > MANY);
+	const inPackage = testsOfPackage(source, classes, sources).filter((name) => !nearest.includes(name));
+	add(`classes of tests in the package of ${source}`, inPackage, true);
+	const known = new Set([...own, ...nearest, ...inPackage, ...testsOfNeighbours(source, classes, sources)]);
+	add(`tests of what uses ${source}`, [...known, ...testsOfUsers(source, known, classes, sources)], true);
+	choice.named.push(source);
 }
 
 /** What a pattern may mean that finds nothing: the classes, sources and pages whose names contain its own, or else the nearest as with misspelt options. */

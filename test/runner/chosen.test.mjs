@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { BROAD, choose, fartherTests, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from './chosen.mjs';
+import { BROAD, choose, fartherTests, nearestNames, readTests, testFilesOf, testsBefore, testsIn, testsOfPages } from './chosen.mjs';
 import { root } from '../structure/sources.mjs';
 
 const known = readTests();
@@ -131,9 +131,9 @@ test('what a source uses is followed no farther than it takes, and reasons are g
 		['a.FarTest', '[Test]\n public function other\n import a.HighTest;'],
 		['c.HelpedTest', '[Test]\n public function other\n import support.Help;'],
 	]);
-	const { tests, used, farther, said } = choose('LOW', classes, sources);
+	const { tests, usersOnly, farther, said } = choose('LOW', classes, sources);
 	assert.deepEqual([...tests], [['a.HighTest', null], ['c.HelpedTest', null]]);
-	assert.deepEqual([...used], ['a.HighTest', 'c.HelpedTest']);
+	assert.deepEqual([...usersOnly], ['a.HighTest', 'c.HelpedTest']);
 	assert.deepEqual([...farther], []);
 	assert.deepEqual(said, ['classes that use a.low, directly or through other files: HighTest, HelpedTest']);
 	assert.deepEqual([...choose('LowIs', classes, sources).tests], [['a.HighTest', ['lowIsUsed']]]);
@@ -206,11 +206,11 @@ test('of the tests farther off the room\'s own are first, then the broad ones, t
 
 test('tests without a player run with the sources of the packages that they say they check', () => {
 	const files = [['one.test.mjs', '/**\n * One. Checks starlogo.a, starlogo.b.c,\n * starlogo.d.\n */\nChecks starlogo.z.'], ['two.test.mjs', '/** Checks nothing. */']];
-	const found = (name) => testsBeside([name], files);
+	const found = (name) => testFilesOf([name], files);
 	for (const name of ['starlogo.a.Low', 'starlogo.a.inner.Low', 'starlogo.b.c.High', 'starlogo.d.Low']) assert.deepEqual(found(name), ['one.test.mjs'], name);
 	for (const name of ['starlogo.ab.Low', 'starlogo.b.High', 'starlogo.z.Low']) assert.deepEqual(found(name), [], name);
-	assert.deepEqual(testsBeside(['starlogo.search.table.AgentTable']), ['test/fuzz/kept.test.mjs']);
-	assert.deepEqual(testsBeside(['starlogo.models.gltf.GltfAccessor']), ['test/module/gltf.test.mjs']);
+	assert.deepEqual(testFilesOf(['starlogo.search.table.AgentTable']), ['test/fuzz/kept.test.mjs']);
+	assert.deepEqual(testFilesOf(['starlogo.models.gltf.GltfAccessor']), ['test/module/gltf.test.mjs']);
 });
 
 test('all of a choice can be left to Node: classes and tests by their names, a page by its samples in JavaScript', () => {
@@ -220,10 +220,10 @@ test('all of a choice can be left to Node: classes and tests by their names, a p
 		const read = (name) => readFileSync(path.join(out, name), 'utf8');
 		return status === 0 ? { ...JSON.parse(read('choice.json')), ...Object.fromEntries(read('tests.properties').trim().split('\n').map((line) => line.split('='))) } : null;
 	};
-	const { order, then, beside, of, pages, none, node } = list('src/starlogo/search/ChangedRows.as');
-	assert.ok(order.includes('ChangedRowsTest') && then.some((name) => name.startsWith('SoakTest.')));
-	assert.deepEqual([beside, of, pages, none, node], [['test/fuzz/kept.test.mjs'], ['starlogo.search.ChangedRows'], undefined, 'true', 'true']);
-	assert.deepEqual(list('src/starlogo/search/ChangedRows.as', '--full').then, []);
+	const { order, farther, files, of, pages, none, node } = list('src/starlogo/search/ChangedRows.as');
+	assert.ok(order.includes('ChangedRowsTest') && farther.some((name) => name.startsWith('SoakTest.')));
+	assert.deepEqual([files, of, pages, none, node], [['test/fuzz/kept.test.mjs'], ['starlogo.search.ChangedRows'], undefined, 'true', 'true']);
+	assert.deepEqual(list('src/starlogo/search/ChangedRows.as', '--full').farther, []);
 	assert.deepEqual(list('BoxTest.rotatesAboutTheOrigin').order, ['BoxTest.rotatesAboutTheOrigin']);
 	const page = list('terrain.md');
 	assert.deepEqual([page.node, page.pages], [undefined, 'docs/terrain.md']);

@@ -8,7 +8,7 @@
  *
  *   AllTests.as        a class that lists the test classes that the machine's SWF has. The samples of the documentation in FOLDER are test classes too
  *   choice.json        what Node runs of a choice, as run.mjs reads it
- *   tests.properties   what Ant has to know: picked, which of AllTests.as run, if it is not all; elsewhere, what Node runs in place of Ruffle, as in-node.txt
+ *   tests.properties   what Ant has to know: picked, which of AllTests.as run, if it is not all; inNode, what Node runs in place of Ruffle, as in-node.txt
  *                      lists it; allocations, the tests of allocations among those picked; none, if the SWF has no test; node, if Node runs some; pages, those
  *                      of the pages named that have samples in JavaScript; away3d, how many tests need Away3D, of those named and those of a named adapter
  *
@@ -22,7 +22,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { root } from '../structure/sources.mjs';
-import { choose, fartherTests, inNodeAlone, nearestNames, readTests, testsBefore, testsBeside, testsIn, testsOfPages } from './chosen.mjs';
+import { choose, chooseAll, fartherTests, inNodeAlone, nearestNames, readTests, testFilesOf, testsBefore, testsIn, testsOfPages } from './chosen.mjs';
 import { NOT_HERE } from './not-here.mjs';
 
 const simpleName = (name) => name.split('.').pop();
@@ -38,37 +38,72 @@ const pattern = given === '@changed' ? changedFiles() : given;
 const isShared = !isFull && (isNode || machine === 'ruffle');
 
 const { classes: all, sources } = readTests();
-if (!isNode) {
+if (!isNode) addSamples();
+const needsAway3d = (name) => /^(starlogo\.away3d|docs)\.Away3d/.test(name);
+const classes = new Map([...all].filter(([name]) => needsAway3d(name) === (machine === 'away3d')));
+
+const choice = given === '' ? chooseAll(classes) : choose(pattern, classes, sources);
+const { tests, usersOnly, farther, named } = choice;
+const ofPages = testsOfPages(choice.pages);
+const ofAdapters = testsWithAway3d();
+if (given !== '@changed' && tests.size + ofAdapters.length + (isNode ? ofPages : choice.pages).length === 0) refuse();
+
+const inNode = isShared ? inNodeAlone() : new Set();
+const inSwf = isNode ? new Map() : testsOfSwf();
+const order = given === '' ? [] : [...tests.keys()].filter((name) => !isShared || !farther.has(name)).flatMap(leftToNode);
+const fartherInNode = isShared ? fartherTests(choice, classes, sources).filter(([name]) => !inSwf.has(name)).map(([name, test]) => `${simpleName(name)}.${test}`) : [];
+const files = isShared ? testFilesOf(named) : [];
+
+sayChoice();
+write('AllTests.as', allTests([...inSwf.keys()]));
+write('choice.json', JSON.stringify({ order, files, farther: fartherInNode, of: named }));
+write('tests.properties', Object.entries(properties()).filter(([, value]) => value !== false).map(([name, value]) => `${name}=${value}\n`).join(''));
+
+/** The sources, test classes and pages that differ from the last commit, with commas between. Says so of other files, which have no tests of their own. */
+function changedFiles() {
+	const git = (...words) => execFileSync('git', words, { cwd: root, encoding: 'utf8' }).split('\n').filter((file) => file !== '');
+	const changed = [...git('diff', '--name-only', 'HEAD'), ...git('ls-files', '--others', '--exclude-standard')];
+	const hasTests = (file) => /^(src|test|js\/standins\/common)\/.*\.as$|\.md$/.test(file) && existsSync(path.join(root, file));
+	const files = changed.filter(hasTests);
+	const others = changed.filter((file) => !hasTests(file)).map((file) => (existsSync(path.join(root, file)) ? file : `${file} (deleted)`));
+	console.log(`changed since the last commit: ${files.join(', ') || 'no source and no page'}`);
+	if (others.length > 0) console.log(`changed, but ./antw test alone has their tests: ${others.join(', ')}`);
+	return files.join(',');
+}
+
+/** Adds the samples of the documentation to the test classes. */
+function addSamples() {
 	for (const file of readdirSync(path.join(samples, 'docs')).filter((each) => each.endsWith('Test.as')).sort()) {
 		all.set(`docs.${file.slice(0, -3)}`, readFileSync(path.join(samples, 'docs', file), 'utf8'));
 	}
 }
-const needsAway3d = (name) => /^(starlogo\.away3d|docs)\.Away3d/.test(name);
-const classes = new Map([...all].filter(([name]) => needsAway3d(name) === (machine === 'away3d')));
 
-const elsewhere = isShared ? inNodeAlone() : new Set();
-const choice = given === '' ? { tests: new Map([...classes.keys()].map((name) => [name, null])), used: new Set(), farther: new Set(), named: [], pages: [], said: [] } : choose(pattern, classes, sources);
-const { tests, used, farther, named } = choice;
-const ofPages = testsOfPages(choice.pages);
-const ofAdapters = given === '' || machine === 'away3d' || isNode || named.some((name) => !name.startsWith('starlogo.away3d.')) ? [] : [...choose(pattern, all, sources).tests].filter(([name]) => needsAway3d(name));
-if (tests.size + ofAdapters.length + (isNode ? ofPages : choice.pages).length === 0 && given !== '@changed') {
+/** The tests that a SWF with Away3D runs of those that are named; none if all are run, or if what is named is a source that no adapter has. */
+function testsWithAway3d() {
+	if (given === '' || machine === 'away3d' || isNode || named.some((name) => !name.startsWith('starlogo.away3d.'))) return [];
+	return [...choose(pattern, all, sources).tests].filter(([name]) => needsAway3d(name));
+}
+
+/** Says that the pattern names nothing, and what is meant perhaps. Ends the program. */
+function refuse() {
 	const ofClass = testsBefore(pattern, classes).slice(0, 100);
 	const near = ofClass.length > 0 ? ofClass : pattern.split(',').flatMap((part) => nearestNames(part.trim(), all, sources));
 	// antw says such a line last, and not the status of this program
 	console.log(`FAILED -Dtest=${pattern} names nothing: no class of tests, no test, no source file and no page${near.length > 0 ? `; there are ${near.join(', ')}` : ''}`);
 	process.exit(1);
 }
-const inSwf = isNode ? new Map() : withoutElsewhere();
-const order = given === '' ? [] : [...tests.keys()].filter((name) => !isShared || !farther.has(name)).flatMap(leftToNode);
-const then = isShared ? fartherTests(choice, classes, sources).filter(([name]) => !inSwf.has(name)).map(([name, test]) => `${simpleName(name)}.${test}`) : [];
-const beside = isShared ? testsBeside(named) : [];
-for (const line of choice.said) console.log(line);
-if (order.length > 0 && !isNode) console.log(`in Node only: ${order.join(', ')}`);
-if (ofAdapters.length > 0) console.log(`with Away3D: ${ofAdapters.map(([name]) => simpleName(name)).join(', ')}`);
-if (beside.length + ofPages.length > 0) console.log(`in Node, without a class: ${[...beside, ...ofPages].join(', ')}`);
 
-const names = [...inSwf.keys()];
-write('AllTests.as', `package
+/** Says why tests were chosen, and which of them the SWF does not run. */
+function sayChoice() {
+	for (const line of choice.said) console.log(line);
+	if (order.length > 0 && !isNode) console.log(`in Node only: ${order.join(', ')}`);
+	if (ofAdapters.length > 0) console.log(`with Away3D: ${ofAdapters.map(([name]) => simpleName(name)).join(', ')}`);
+	if (files.length + ofPages.length > 0) console.log(`in Node, without a class: ${[...files, ...ofPages].join(', ')}`);
+}
+
+/** The text of a class that lists some test classes. */
+function allTests(names) {
+	return `package
 {
 ${names.map((name) => `    import ${name};`).join('\n')}
 
@@ -79,39 +114,31 @@ ${names.map((name) => `    import ${name};`).join('\n')}
             ${names.join(',\n            ')}];
     }
 }
-`);
-write('choice.json', JSON.stringify({ order, beside, then, of: named }));
-const picked = given === '' ? [] : [...inSwf].flatMap(([name, list]) => list?.map((test) => `${name}.${test}`) ?? [name]);
-const properties = {
-	picked: picked.join(','),
-	elsewhere: [...elsewhere].join(','),
-	allocations: (given === '' ? names : picked).filter((name) => /AllocationTest\b/.test(name)).join(','),
-	none: inSwf.size === 0,
-	node: order.length + then.length + beside.length > 0,
-	pages: ofPages.length > 0 && choice.pages.join(','),
-	away3d: ofAdapters.length > 0 && ofAdapters.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0),
-};
-write('tests.properties', Object.entries(properties).filter(([, value]) => value !== false).map(([name, value]) => `${name}=${value}\n`).join(''));
-
-/** The sources, test classes and pages that differ from the last commit, with commas between. Says so of other files, which have no tests of their own. */
-function changedFiles() {
-	const git = (...words) => execFileSync('git', words, { cwd: root, encoding: 'utf8' }).split('\n').filter((file) => file !== '' && existsSync(path.join(root, file)));
-	const files = [...git('diff', '--name-only', 'HEAD'), ...git('ls-files', '--others', '--exclude-standard')];
-	const hasTests = (file) => /^(src|test)\/.*\.as$|\.md$/.test(file);
-	const others = files.filter((file) => !hasTests(file));
-	console.log(`changed since the last commit: ${files.filter(hasTests).join(', ') || 'no source and no page'}`);
-	if (others.length > 0) console.log(`changed, but ./antw test alone has their tests: ${others.join(', ')}`);
-	return files.filter(hasTests).join(',');
+`;
 }
 
-/** The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther on. */
-function withoutElsewhere() {
+/** What Ant has to know. */
+function properties() {
+	const picked = given === '' ? [] : [...inSwf].flatMap(([name, list]) => list?.map((test) => `${name}.${test}`) ?? [name]);
+	return {
+		picked: picked.join(','),
+		inNode: [...inNode].join(','),
+		allocations: (given === '' ? [...inSwf.keys()] : picked).filter((name) => /AllocationTest\b/.test(name)).join(','),
+		none: inSwf.size === 0,
+		node: order.length + fartherInNode.length + files.length > 0,
+		pages: ofPages.length > 0 && choice.pages.join(','),
+		away3d: ofAdapters.length > 0 && ofAdapters.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0),
+	};
+}
+
+/** The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther off. */
+function testsOfSwf() {
 	if (!isShared) return tests;
 	return new Map([...tests].flatMap(([name, list]) => {
-		if (!used.has(name)) return [[name, list]];
-		if (elsewhere.has(name) || (farther.has(name) && !NOT_HERE.has(name))) return [];
+		if (!usersOnly.has(name)) return [[name, list]];
+		if (inNode.has(name) || (farther.has(name) && !NOT_HERE.has(name))) return [];
 		const own = testsIn(classes.get(name));
-		const here = own.filter((test) => !elsewhere.has(`${name}.${test}`));
+		const here = own.filter((test) => !inNode.has(`${name}.${test}`));
 		return here.length === own.length ? [[name, null]] : here.length > 0 ? [[name, here]] : [];
 	}));
 }

@@ -7,11 +7,11 @@
  * TESTS is what the build made of the engine and the tests together. With --choice only some of them run: FILE has JSON as list-tests.mjs writes it.
  *
  *   order    classes, or tests as CLASS.test: these run first, in this order
- *   beside   files that run next, if none has failed: each as node --test, with TESTS as its engine
- *   then     tests farther off, which run last, until one fails or they have taken their time. What they print is shown only of one that fails
+ *   files    files of tests without a class that run next, if none has failed: each as node --test, with TESTS as its engine
+ *   farther  tests farther off, which run last, until one fails or they have taken their time. What they print is shown only of one that fails
  *   of       the sources that all these are tests of
  *
- * Once the file of --until is there, no more of beside and then begin: the player writes it when a test fails there. With --first all ends when one fails.
+ * Once the file of --until is there, no more of files and farther begin: the player writes it when a test fails there. With --first all ends when one fails.
  * With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines of TESTS that it
  * runs. The first line has those that run when TESTS is loaded.
  */
@@ -68,9 +68,9 @@ process.on("uncaughtException", (error) => {
 });
 
 const simpleName = ({ name }) => name.split(".").pop();
-const { order, beside, then, of } = { beside: [], then: [], of: [], ...options.choice && JSON.parse(readFileSync(options.choice, "utf8")) };
+const { order, files, farther, of } = { files: [], farther: [], of: [], ...options.choice && JSON.parse(readFileSync(options.choice, "utf8")) };
 const classes = order ? inOrder(order) : tests.CLASSES.map((each) => ({ ...each, isRun: () => true }));
-const farther = inOrder(then);
+const fartherClasses = inOrder(farther);
 
 /** Some classes and tests, by the class's name. A class whose tests follow one another is begun once. */
 function inOrder(names) {
@@ -85,7 +85,7 @@ function inOrder(names) {
 }
 
 for (const each of classes) await runClass(each, () => true);
-for (const file of beside) if (!isOver()) runBeside(file);
+for (const file of files) if (!isOver()) runFile(file);
 await runFarther();
 
 /** Whether a test has failed, here or in the player, so that what is farther off need not run. */
@@ -94,7 +94,7 @@ function isOver() {
 }
 
 /** Runs a file of tests without a player on the module that is tested. */
-function runBeside(file) {
+function runFile(file) {
 	const { status, stdout, stderr } = spawnSync(process.execPath, ["--test", "--test-reporter=tap", file], { encoding: "utf8", maxBuffer: 1e9, env: { ...process.env, ENGINE: path.resolve(positionals[0]), OF: of.join(",") } });
 	if (status === 0) passed++;
 	else {
@@ -116,7 +116,7 @@ async function runFarther() {
 	const before = passed + skipped;
 	let late = 0;
 	isFarther = true;
-	for (const each of farther) late += await runClass(each, isNext);
+	for (const each of fartherClasses) late += await runClass(each, isNext);
 	const done = passed + skipped + failed - before;
 	if (farther.length > 0) console.log(`of the tests farther off ${done} ran${late > 0 ? `, ${late} did not: ${isOver() ? "one failed" : `the time for all is ${ENOUGH_S} s`}` : ""}`);
 }
@@ -194,7 +194,7 @@ if (!options.choice && only.size > 0) {
 	failed++;
 	console.log(`FAILED: no such test, though not-here.mjs lists it: ${[...only].join(", ")}`);
 }
-if (passed + failed + skipped === 0 && farther.length === 0 && beside.length === 0) {
+if (passed + failed + skipped === 0 && farther.length === 0 && files.length === 0) {
 	failed++;
 	console.log("FAILED: no test was run");
 }

@@ -74,9 +74,9 @@ test("a test that does not end is named, and the counts of those before it are k
 
 test("what is farther off does not begin once a test has failed in the player", () => {
 	const until = path.join(folder, "failed.txt");
-	const beside = path.join(folder, "passes.test.mjs");
-	writeFileSync(beside, "import test from 'node:test';\ntest('passes', () => {});\n");
-	const runAll = () => run({ order: ["LaterTest.isSkipped"], beside: [beside], then: ["LaterTest.passes"] }, [`--until=${until}`]);
+	const file = path.join(folder, "passes.test.mjs");
+	writeFileSync(file, "import test from 'node:test';\ntest('passes', () => {});\n");
+	const runAll = () => run({ order: ["LaterTest.isSkipped"], files: [file], farther: ["LaterTest.passes"] }, [`--until=${until}`]);
 	assert.match(runAll().stdout, /^of the tests farther off 1 ran\n.*: 2 passed, 0 failed, 1 skipped,/);
 	writeFileSync(until, "ATest.is\n");
 	const { stdout, status } = runAll();
@@ -100,7 +100,7 @@ test("a failure names the sources that it is a test of, and files beside the cla
 	const file = path.join(folder, "beside.test.mjs");
 	writeFileSync(file, "import assert from 'node:assert/strict';\nimport test from 'node:test';\ntest('engine', () => assert.equal(process.env.ENGINE, 'none'));\n");
 	assert.match(run({ order: ["LaterTest.waits"], of: ["a.Low"] }).stdout, /FAILED LaterTest.waits \(a test of a.Low\): Error: it came/);
-	const { stdout, status } = run({ order: ["LaterTest.passes"], beside: [file], of: ["a.Low"] });
+	const { stdout, status } = run({ order: ["LaterTest.passes"], files: [file], of: ["a.Low"] });
 	assert.match(stdout, /FAILED \S*beside.test.mjs \(a test of a.Low\):[^]*tests.mjs[^]*: 1 passed, 1 failed,/);
 	assert.equal(status, 1);
 });

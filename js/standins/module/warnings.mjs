@@ -4,6 +4,7 @@ import { parametersOf } from "./contacts.mjs";
 const $MOST_LOOKED_AT = 1000;
 const $MOST_LOOKED_AT_AGAIN = 100;
 const $LONG_SILENCE = 300;
+const $LONG_WAIT = 3000;
 const $LONG_FALL = 200;
 const $LONG_STRIDE = 2;
 const $MANY_STOPS = 10;
@@ -20,17 +21,16 @@ const $checkedObjects = /* @__PURE__ */ new WeakSet();
 const $looksAt = /* @__PURE__ */ new WeakMap();
 const $silentFrames = /* @__PURE__ */ new WeakMap();
 const $updates = /* @__PURE__ */ new WeakMap();
+const $updatesBefore = /* @__PURE__ */ new WeakMap();
 const $falls = /* @__PURE__ */ new WeakMap();
 const $walks = /* @__PURE__ */ new Map();
 const $stops = /* @__PURE__ */ new Map();
 const $breedsOf = /* @__PURE__ */ new WeakMap();
 const $additions = /* @__PURE__ */ new WeakMap();
 const $lists = /* @__PURE__ */ new WeakMap();
-const $replaced = /* @__PURE__ */ new WeakMap();
 const $angles = { count: 0, least: 0, most: 0 };
 let $anglesToSee = 20000;
 let $frames = 0;
-let $updatesBefore = 0;
 let $sender = { agent: null, dx: 0, dy: 0, dz: 0, x: 0, y: 0, rays: 0 };
 let $asked = null;
 let $askedFrame = 0;
@@ -277,10 +277,18 @@ export function $warnOfStale(queries, agents, mover) {
 	if (moved) $warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${$frames - last.frameThen} frames ago: call it once a frame, or refresh(agent)`, "stale");
 }
 
-/** Warns of a forgotten collision.update(): questions about a Collision with handlers are updated hundreds of times, and no Collision is. */
+/**
+ * Warns of a forgotten collision.update(): questions about a Collision with handlers are updated thousands of times, and the Collision never is. It
+ * waits long, because a game may ask its questions before its first frame.
+ */
 export function $warnOfNoFrames(queries) {
-	if ($frames > 0 || ++$updatesBefore < $LONG_SILENCE) return;
-	if (queries._source._handlers?._lists.length > 0) $warn(`questions were updated ${$LONG_SILENCE} times, and their Collision never, so no handler runs: call collision.update(agents) once a frame, too`);
+	const collision = queries._source;
+	if (!(collision._handlers?._lists.length > 0) || $silentFrames.has(collision)) return;
+	const updates = ($updatesBefore.get(collision) ?? 0) + 1;
+	$updatesBefore.set(collision, updates);
+	if (updates !== $LONG_WAIT) return;
+	const [breeds] = $additions.get(collision)?.keys() ?? [];
+	$warn(`questions were updated ${updates} times, and their Collision with handlers${breeds ? ` for ${breeds}` : ""} never, so no handler runs: call collision.update(agents) once a frame, too`);
 }
 
 /**
@@ -288,6 +296,7 @@ export function $warnOfNoFrames(queries) {
  * compares with the ray before, which began in an agent.
  */
 export function $warnOfSender(agent, origin) {
+	if ($warned.has("sender")) return;
 	const before = $sender;
 	const [dx, dy, dz] = [origin.x - agent.x, origin.y - agent.y, origin.z - agent.z];
 	const isBeside = agent === before.agent && Math.abs(dx - before.dx) + Math.abs(dy - before.dy) + Math.abs(dz - before.dz) < 1e-9 * agent.size;
@@ -298,11 +307,14 @@ export function $warnOfSender(agent, origin) {
 
 /** Warns of a built-in model that takes the place of one of other lengths, because neither has got a name. */
 export function $warnOfReplaced(receiver, model) {
-	if (Object.getPrototypeOf(model ?? {})?.constructor?.name !== "BuiltInModel" || model.name !== "box" && model.name !== "capsule") return;
-	const models = $replaced.get(receiver) ?? {};
-	const before = models[model.name];
-	$replaced.set(receiver, { ...models, [model.name]: model });
-	if (before && before.vertices.join() !== model.vertices.join()) $warn(`a ${model.name} of other lengths takes the place of the first, because both are called "${model.name}": BuiltInModel.${model.name}() takes a name last`);
+	if (!$isBuiltIn(model) || model.name !== "box" && model.name !== "capsule") return;
+	const before = receiver.$choice ? receiver.$choice.$modelOf(model.name) : receiver.modelOf(model.name); // a LevelShapes has its models in its choice
+	if ($isBuiltIn(before) && before.vertices.join() !== model.vertices.join()) $warn(`a ${model.name} of other lengths takes the place of the first, because both are called "${model.name}": BuiltInModel.${model.name}() takes a name last`);
+}
+
+/** Whether an object is a BuiltInModel itself, and none of a game's subclass. */
+function $isBuiltIn(model) {
+	return Object.getPrototypeOf(model ?? {})?.constructor?.name === "BuiltInModel";
 }
 
 /** Warns of arguments that a constructor does not take: `new CombinationCollider(greatLand, { exact: true })`, `new GreatLand({ loadHulls: true })`. */

@@ -60,8 +60,8 @@ package starlogo.libraries
         }
 
         /**
-         * The algorithms that are compared when a model is added. You may change the list or replace it at any time. The default: the naive
-         * sphere, the oriented box, and the capsule of that box. The box is then computed only once.
+         * The algorithms that are compared when a model is added. You may change the list or replace it at any time; this counts for models that
+         * are added afterwards. The default: the naive sphere, the oriented box, and the capsule of that box. The box is then computed only once.
          *
          * @throws ArgumentError if you set it to null, to an empty list or to a list that contains null
          */
@@ -212,7 +212,7 @@ package starlogo.libraries
          * @param name the shape's name
          * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL. In place of a hull it may be a sphere
          * @param vertices the vertices of the shape's model
-         * @throws ArgumentError if the library has nothing of this name, or none of the fitters has found this kind
+         * @throws ArgumentError if the library has nothing of this name, or no fitter found this kind when the model was added
          * @private
          */
         engine function ofKind(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
@@ -228,7 +228,7 @@ package starlogo.libraries
             }
             if (shape.smallest[kind] == null)
             {
-                throw new ArgumentError("shape \"" + name + "\" cannot be a " + BoundingStructure.NAMES[kind] + ": none of the library's fitters finds one");
+                throw new ArgumentError("shape \"" + name + "\" cannot be a " + BoundingStructure.NAMES[kind] + ": no fitter found one when its model was added");
             }
             return shape.smallest[kind];
         }

@@ -20,7 +20,7 @@ package starlogo.models
      * has its name; if none is bound, the symbol is its name. Names are ids where there are no names. Both are numbered from 0 in the order of
      * the scene.</p>
      *
-     * <p>If the scene has surfaces, points that no triangle of them uses are left out. If it has none, the points of the geometries make a model
+     * <p>If there are triangles, points that no triangle uses are left out. If there are none, all points of the geometries make a model
      * without triangles. In a mirrored node, the corner order of each triangle is reversed, so that triangles still face outwards.</p>
      *
      * <p>A scene may have a million vertices and two million triangles, and a small file fewer. More is an error, because a small file can

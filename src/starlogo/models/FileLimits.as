@@ -24,6 +24,7 @@ package starlogo.models
 
         private var _bytes:Number;
         private var _numbers:Number;
+        private var _zeros:Number;
         private var _elements:Number;
         private var _cornerTestsLeft:Number;
 
@@ -41,7 +42,7 @@ package starlogo.models
         /** Counts anew, because what the file has is read once more. */
         public function restart():void
         {
-            _numbers = _elements = 0;
+            _numbers = _zeros = _elements = 0;
             _cornerTestsLeft = CORNER_TESTS + TESTS_PER_BYTE * _bytes;
         }
 
@@ -63,6 +64,13 @@ package starlogo.models
         {
             _numbers += more;
             require(_numbers, 100000, 16, 40000000, "numbers, each counted as often as it is used", place);
+        }
+
+        /** Counts numbers that a file declares without data, so they are 0. @throws ModelError if these are too many */
+        public function countZeros(more:Number, place:Object):void
+        {
+            _zeros += more;
+            require(_zeros, 0, 1, Infinity, "numbers without data", place);
         }
 
         /** Counts elements, values, nodes, transforms and instances, as often as they are placed. @throws ModelError if these are too many */

@@ -19,7 +19,7 @@ package starlogo.models
         /** Turns, scales and moves the model; null for none. The caller's, or the scale that the file's unit asks for. */
         public var transform:ModelTransform = null;
 
-        /** The axis that points up in the vertices, before they are turned to z up: "x", "y" or "z". With a transform it is "z". */
+        /** The axis that points up in the vertices: "x", "y" or "z". They are turned to z up before the transform. */
         public var upAxis:String = "z";
 
         /** How much of the file is read, from 0 to 1. */

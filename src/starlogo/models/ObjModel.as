@@ -15,7 +15,7 @@ package starlogo.models
      * counts for a face. Everything else is ignored: texture coordinates, normals, material libraries, lines, points, curves, and faces of fewer
      * than three corners.</p>
      *
-     * <p>If a file has faces, vertices that no triangle of them uses are left out. If it has none, all vertices make a model without triangles. Cost:
+     * <p>If there are triangles, vertices that no triangle uses are left out. If there are none, all vertices make a model without triangles. Cost:
      * linear in the text; for concave polygons up to quadratic in their corners.</p>
      */
     public class ObjModel extends Model

@@ -11,7 +11,7 @@ package starlogo.models
     /** What a file only declares, or repeats, is refused before it costs more memory or time than the file's bytes pay for. */
     public class FileLimitsTest
     {
-        private static const MANY:int = 900000;
+        private static const MANY:int = 30000;
         private static const CORNER:Array = [0, 0, 0, 1, 0, 0, 0, 1, 0];
 
         [Test]
@@ -175,7 +175,7 @@ package starlogo.models
             file.json.nodes.push({mesh: 0, skin: 0});
             file.json.skins = [ {joints: [0]}];
             var error:ModelError = Failures.of(GltfModel.fromBytes, "a", file.toBinary());
-            assertTrue(error.message, /more than \d+ numbers, each counted|expected "VEC4"/.test(error.message));
+            assertTrue(error.message, /more than \d+ numbers without data|expected "VEC4"/.test(error.message));
         }
 
         // Points that have sets of joints, all of one accessor.

@@ -57,11 +57,15 @@ package starlogo.models.gltf
             _divisor = isNormalised && LARGEST[componentType] > 0 ? LARGEST[componentType] : 0;
             var view:int = json.reference("bufferView", "bufferViews");
             var offset:int = json.whole("byteOffset", int.MAX_VALUE, 0);
-            if (view >= 0)
+            if (view < 0)
+            {
+                file.limits.countZeros(Number(count) * width, json.place);
+            }
+            else
             {
                 addRows(file, view, offset);
+                file.limits.countNumbers(Number(count) * width, json.place);
             }
-            file.limits.countNumbers(Number(count) * width, json.place);
             numbers = new Vector.<Number>(count * width);
         }
 

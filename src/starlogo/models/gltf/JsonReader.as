@@ -50,9 +50,6 @@ package starlogo.models.gltf
         private var _open:Array = [];
         private var _key:String;
 
-        // how many values this step has read
-        private var _valueCount:int = 0;
-
         /**
          * @param text possible JSON
          * @param limits limit the values
@@ -71,7 +68,6 @@ package starlogo.models.gltf
         public function step():Boolean
         {
             var end:int = Math.min(_at + CHARACTERS_PER_STEP, _text.length);
-            _valueCount = 0;
             while (_at < end)
             {
                 var code:int = _text.charCodeAt(_at++);
@@ -80,7 +76,6 @@ package starlogo.models.gltf
                     readMark(_text.charAt(_at - 1));
                 }
             }
-            _limits.countElements(ELEMENTS_PER_VALUE * _valueCount, this);
             refuseIf(_at == _text.length && _allowed != "", "it is cut off");
             return _at < _text.length;
         }
@@ -211,7 +206,7 @@ package starlogo.models.gltf
         private function put(value:*):void
         {
             var around:Object = _open.length == 0 ? null : _open[_open.length - 1];
-            _valueCount++;
+            _limits.countElements(ELEMENTS_PER_VALUE, this);
             if (around == null)
             {
                 root = value;

@@ -56,11 +56,11 @@ package starlogo.models.loading
         }
 
         /**
-         * The reader of a file.
+         * The builder of a file's model.
          *
          * @param name the model's name
-         * @param bytes the file in a binary form, if there is no text
-         * @param text the file's text
+         * @param bytes the file
+         * @param text its text, null if it is binary
          * @param url the file's address; null if it has none
          * @param upAxis the axis that points up, if the file does not say it; or a ModelTransform
          * @param scaling as for Model's constructor

@@ -62,6 +62,14 @@ package starlogo.models.gltf
             }
         }
 
+        [Test]
+        public function namesTheValueThatIsTooMany():void
+        {
+            var limits:FileLimits = new FileLimits("a", 0);
+            limits.countElements(49999, "");
+            Failures.assertFails("character 8", "more than 50000 elements", finish, new JsonReader("[0,0,0,0,0,0,0]", limits));
+        }
+
         private static function read(text:String):*
         {
             var reader:JsonReader = new JsonReader(text, new FileLimits("a", text.length));

@@ -172,7 +172,8 @@ package starlogo
          * @param usesTransforms the loader's <code>usesTransforms</code>
          * @throws ArgumentError as addModel
          * @throws RangeError as addModel
-         * @throws ModelError if the up axis is another one, or if the model's place in its source is not finite numbers, because a factor was extremely small or large
+         * @throws ModelError if the up axis is another one, or if the model's place in its source is not finite numbers, because a factor was
+         *     extremely small or large
          */
         public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {

@@ -613,7 +613,7 @@ package starlogo.agents
             requireName("breed", value);
             if (Breeds.isReserved(value) || (idNumber != 0 && isOfWorld))
             {
-                var reason:String = value == Breeds.ANY_BREED ? "it stands for any breed" : "only the ground and the edges of the world have such a breed, and they keep it";
+                var reason:String = value == Breeds.ANY_BREED ? "it stands for any breed" : "it is for the ground and the edges of the world alone";
                 throw new ArgumentError(this + ": breed must not be \"" + value + "\": " + reason);
             }
         }

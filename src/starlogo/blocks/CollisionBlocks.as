@@ -203,7 +203,10 @@ package starlogo.blocks
             return _search.areColliding(agent, other) ? system.equivalentCollider.contactIn(_search, agent, other, new Contact()) : null;
         }
 
-        /** @private Moves an agent out of another one by the shortest way, from where both are now. Returns their contact before; null if they did not touch. */
+        /**
+         * @private Moves an agent out of another one by the shortest way, from where both are now. Returns their contact before; null if they did not
+         *     touch.
+         */
         engine function pushOut(agent:Agent, other:Agent):Contact
         {
             var contact:Contact = contactNow(agent, other);

@@ -9,8 +9,8 @@ package starlogo.convex
      * <p>In a triangle the point is located along the longest edge first and then across it. The direction to it is the triangle's own normal where
      * that is more precise than the vector to the point. So needles and tiny distances lose no digits.</p>
      *
-     * <p>All methods take the corners w of the simplex, x, y, z of each, and the indices i, j, k of some. <code>newest</code> is the corner that was added last: no
-     * part without it is tried, because the simplex before was nearer than that. It is -1 if all parts are. <code>out</code> has the nearest point so
+     * <p>All methods take the corners w of the simplex, x, y, z of each, and the indices i, j, k of some. <code>newest</code> is the corner that was added last:
+     * no part without it is tried, because the simplex before was nearer than that. It is -1 if all parts are. <code>out</code> has the nearest point so
      * far, and receives a nearer one.</p>
      */
     internal final class SimplexPart

@@ -146,11 +146,12 @@ package starlogo.ground
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
             var origin:Placement = _pairs.origin;
+            var kernel:TriangleKernel = _pairs.kernel;
             boundDistance(out);
             _pairs.begin(RelativeMotion.NONE, out.distance);
             while (_pairs.next())
             {
-                if (_pairs.kernel.findCloser(_pairs.triangle.corners, out))
+                if (kernel.findCloser(_pairs.triangle.corners, out))
                 {
                     _pairs.leaveOutFarther(out.distance);
                 }

@@ -75,6 +75,20 @@ package starlogo.ground
             _pairs.moveToWorld(out);
         }
 
+        /** Whether a piece of the model touches the surface. */
+        public function isOnSurface():Boolean
+        {
+            _pairs.begin(RelativeMotion.NONE, 0);
+            while (_pairs.next())
+            {
+                if (_kernel.areTouching())
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
         /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
         public function isDeeper(depth:Number):Boolean
         {

@@ -47,6 +47,8 @@ package starlogo.ground
         private var _holders:int = 0;
 
         private var _point:GroundPoint = new GroundPoint();
+
+        // Bounds of the heights around a place.
         private var _around:HeightRange = new HeightRange();
 
         // A grid that has been a copy of this one, or of which this one is a copy; or null.

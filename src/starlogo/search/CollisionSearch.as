@@ -1,7 +1,7 @@
 // This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; CandidateTests keeps the pairs of
 // near rows that touch, by the NarrowPhase, which has a PairTests for each kind of pairs (pairs/); FoundPairs has the pairs in the order of the list;
 // and ChangedRows finds the few rows whose pairs may differ from those of the last frame. Read this file first, then AgentTable for the rows,
-// CandidateTests and NarrowPhase for the tests, and TreeExitSearch and GroundExitSearch (penetration/) for depths.
+// CandidateTests and NarrowPhase for the tests, and ExitSearch (penetration/) for depths.
 package starlogo.search
 {
     import starlogo.agents.Agent;

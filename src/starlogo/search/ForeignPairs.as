@@ -45,7 +45,7 @@ package starlogo.search
             requireGiven("what the collision system has found", pairs);
             if (pairs.length % 2 != 0)
             {
-                throw new ArgumentError("the collision system has found pairs of " + pairs.length + " agents, which must be an even number: a0, b0, a1, b1, ...");
+                throw new ArgumentError("the collision system has found pairs of " + pairs.length + " agents: that must be an even number");
             }
             _pairs.begin();
             _known.clear();
@@ -55,7 +55,8 @@ package starlogo.search
                 var b:int = rowAt(i + 1, pairs);
                 if (a == b)
                 {
-                    throw new ArgumentError("the collision system has found " + pairs[i] + " with itself: it is at " + i + " and " + (i + 1) + " of what it has found");
+                    throw new ArgumentError("the collision system has found " + pairs[i] + " with itself: it is at " + i + " and " + (i + 1) +
+                            " of what it has found");
                 }
                 if (_known.set (Math.min(a, b), Math.max(a, b), i) >= 0)
                 {

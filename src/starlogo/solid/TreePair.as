@@ -96,7 +96,10 @@ package starlogo.solid
             throw new IllegalOperationError(this + " does not implement findTouch");
         }
 
-        /** Finds the contact of the first model's root with the second one's root, or with the structure. The parameters are those of <code>findTouch()</code>. */
+        /**
+         * Finds the contact of the first model's root with the second one's root, or with the structure. The parameters are those of
+         * <code>findTouch()</code>.
+         */
         internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
         {
             throw new IllegalOperationError(this + " does not implement findContactOfRoots");

@@ -45,7 +45,8 @@ package starlogo.terrain
          * @throws ArgumentError if the terrain is null
          * @throws RangeError if a border is not a number
          */
-        public function TerrainSurface(terrain:Terrain, minX:Number = Number.NEGATIVE_INFINITY, minY:Number = Number.NEGATIVE_INFINITY, maxX:Number = Infinity, maxY:Number = Infinity)
+        public function TerrainSurface(terrain:Terrain, minX:Number = Number.NEGATIVE_INFINITY, minY:Number = Number.NEGATIVE_INFINITY,
+                maxX:Number = Infinity, maxY:Number = Infinity)
         {
             requireGiven("terrain", terrain);
             if (isNaN(minX) || isNaN(minY) || isNaN(maxX) || isNaN(maxY))

@@ -248,6 +248,35 @@ package starlogo.terrain
             _wrong.assertNone();
         }
 
+        /**
+         * A rod along a slope may be wholly under the ground. Then its first contact lifts it, from the bottom of the box around it. The middle of the
+         * bottom is far from the rod, and much deeper.
+         */
+        [Test]
+        public function rodsUnderASteepSlopeAreLeftAcrossIt():void
+        {
+            var random:SeededRandom = new SeededRandom(16);
+            _land.addModel(BuiltInModel.box(6, 0.05, 0.05, "rod"));
+            for (var i:int = Effort.choose(10, 1000, 4); i > 0; i--)
+            {
+                var angle:Number = random.between(50, 62);
+                var slope:Number = Math.tan(angle * Math.PI / 180);
+                var terrain:Terrain = columns(21, 21, function(column:int, row:int):Number
+                    {
+                        return slope * (column - 10) + random.between(-0.25, 0.25);
+                    });
+                terrain.isBlocky = false;
+                var rod:Agent = new Agent("rod");
+                rod.size = 0.6;
+                rod.pitch = -angle;
+                var x:Number = random.between(-3, 3);
+                rod.moveTo(x, random.between(-3, 3), slope * x - random.between(3, 5.5));
+                check("hierarchies, rod " + i, EachCollider.make("hierarchies", _land), rod, terrain);
+                check("triangles, rod " + i, EachCollider.make("triangles", _land), rod, terrain);
+            }
+            _wrong.assertNone();
+        }
+
         private function jaggedAt(from:Number):Terrain
         {
             var terrain:Terrain = new Terrain(5, 5, 1, from - 2, from - 2);

@@ -16,6 +16,7 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.DisplacedPair;
+    import starlogo.search.penetration.ExitBounds;
     import starlogo.search.penetration.ExitSearch;
     import starlogo.search.penetration.PlacesAbove;
     import starlogo.search.TreeLimits;
@@ -27,7 +28,7 @@ package starlogo.search.pairs
      *
      * @private
      */
-    public final class GroundPairTests extends PairTests
+    public final class GroundPairTests extends PairTests implements ExitBounds
     {
         // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
         private static const CELL_SHARE:Number = 1e-4;
@@ -46,7 +47,7 @@ package starlogo.search.pairs
         {
             _limits = limits;
             var pair:DisplacedPair = new DisplacedPair(this);
-            _separation = new ExitSearch(pair, new PlacesAbove(pair));
+            _separation = new ExitSearch(pair, this, new PlacesAbove(pair));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -110,15 +111,28 @@ package starlogo.search.pairs
             _separation.find(a, b, motion, out);
         }
 
-        /** The way out leads straight up, above all ground under the body. @inheritDoc */
-        override public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
+        /**
+         * The cover of the ground is all below its greatest height under the body, so the way out leads straight up.
+         *
+         * @inheritDoc
+         */
+        public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
             queryOf(a, b).penetration.findLift(out);
         }
 
-        /** @inheritDoc */
-        override public function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number
+        /**
+         * The deepest point of the contact, half of the depth behind its point, has to get out.
+         *
+         * @inheritDoc
+         */
+        public function leastExit(a:Body, b:Body, contact:ContactPoint, maxLength:Number):Number
         {
+            if (!queryOf(a, b).penetration.isOnSurface())
+            {
+                // the contact may be the lift, whose deepest point need not be of the body
+                return 0;
+            }
             var back:Number = contact.depth / 2;
             return gridOf(b).leastExit(contact.x - back * contact.normalX, contact.y - back * contact.normalY, contact.z - back * contact.normalZ, maxLength);
         }

@@ -185,25 +185,5 @@ package starlogo.search.pairs
         {
             OverlapMiddle.movePoint(a, b, out);
         }
-
-        /**
-         * Finds the contact of convex covers of two bodies, where they are. The way out of the covers leads out of the bodies too. Only tests whose
-         * contacts need a search have it.
-         */
-        public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
-        {
-            throw new IllegalOperationError(this + " does not implement findContactOfCovers");
-        }
-
-        /**
-         * A lower bound for the lengths of the exits from a body; 0 if none is known. Exits that are longer than <code>maxLength</code> do not count.
-         *
-         * @param b the second body of a contact
-         * @param contact its deepest point, half of the depth behind the contact's point, has to get out
-         */
-        public function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number
-        {
-            return 0;
-        }
     }
 }

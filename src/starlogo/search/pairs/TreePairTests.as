@@ -14,6 +14,7 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.DisplacedPair;
+    import starlogo.search.penetration.ExitBounds;
     import starlogo.search.penetration.ExitSearch;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
@@ -29,7 +30,7 @@ package starlogo.search.pairs
      *
      * @private
      */
-    public final class TreePairTests extends PairTests
+    public final class TreePairTests extends PairTests implements ExitBounds
     {
         private static const POINT:Sphere = new Sphere(new Vector3D(), 0);
 
@@ -59,7 +60,7 @@ package starlogo.search.pairs
             _counts = counts;
             _trees = new TwoTrees(counts);
             _treeAndStructure = new TreeAndStructure(counts);
-            _separation = new ExitSearch(new DisplacedPair(this), null);
+            _separation = new ExitSearch(new DisplacedPair(this), this, null);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -123,11 +124,17 @@ package starlogo.search.pairs
         }
 
         /** The covers are the structures around the trees. @inheritDoc */
-        override public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
+        public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
             _pose.relate(a.placement, b.placement);
             PairTable.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
             RelativePose.moveContactToWorld(out, a.placement, RelativeMotion.NONE);
+        }
+
+        /** No bound is known. @inheritDoc */
+        public function leastExit(a:Body, b:Body, contact:ContactPoint, maxLength:Number):Number
+        {
+            return 0;
         }
 
         /** @inheritDoc */

@@ -163,19 +163,6 @@ package starlogo.search.penetration
             _tests.findImpact(first, second, motion, out);
         }
 
-        /** Finds the contact of covers of the two at the touch. See PairTests.findContactOfCovers. */
-        public function findContactOfCovers(out:ContactPoint):void
-        {
-            putBack();
-            _tests.findContactOfCovers(first, second, out);
-        }
-
-        /** A lower bound for the lengths of the exits. See PairTests.leastExit. */
-        public function leastExit(contact:ContactPoint, maxLength:Number):Number
-        {
-            return _tests.leastExit(second, contact, maxLength);
-        }
-
         /** Finds the contact of two parts where the first body is. See PairTests.findContactOfParts. */
         public function findContactOfParts(out:ContactPoint):void
         {

@@ -20,6 +20,7 @@ package starlogo.search.penetration
         private static const LEAST_SHARE:Number = 0.68;
 
         private var _pair:DisplacedPair;
+        private var _bounds:ExitBounds;
         private var _directions:DirectionSearch;
         private var _pushOut:PushOut;
 
@@ -33,11 +34,13 @@ package starlogo.search.penetration
 
         /**
          * @param pair the two bodies are those of its last beginning
+         * @param bounds of such pairs
          * @param placesAbove of the pair; null if the second body is not the ground
          */
-        public function ExitSearch(pair:DisplacedPair, placesAbove:PlacesAbove)
+        public function ExitSearch(pair:DisplacedPair, bounds:ExitBounds, placesAbove:PlacesAbove)
         {
             _pair = pair;
+            _bounds = bounds;
             _directions = new DirectionSearch(pair);
             _pushOut = new PushOut(pair, _directions);
             _placesAbove = placesAbove;
@@ -65,6 +68,7 @@ package starlogo.search.penetration
         {
             _first.copyFrom(out);
             out.depth = Infinity;
+            _pushOut.begin();
             _pushOut.find(_first, Infinity, out);
             if (DisplacedPair.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
@@ -73,7 +77,7 @@ package starlogo.search.penetration
                 _other.depth = 0;
                 _pushOut.find(_other, DirectionSearch.GAIN * out.depth, out);
             }
-            if (out.depth > _pair.room && !(_pair.leastExit(_first, out.depth) >= LEAST_SHARE * out.depth))
+            if (!isShortEnough(out.depth))
             {
                 tryOutOfCovers(out);
                 if (_placesAbove != null)
@@ -83,10 +87,22 @@ package starlogo.search.penetration
             }
         }
 
+        // Whether no other way is tried, because a depth is short, or because no exit is much shorter.
+        private function isShortEnough(depth:Number):Boolean
+        {
+            if (depth <= _pair.room)
+            {
+                return true;
+            }
+            _pair.putBack();
+            return _bounds.leastExit(_pair.first, _pair.second, _first, depth) >= LEAST_SHARE * depth;
+        }
+
         // Tries the shortest way out of covers of the two. It is taken if there is no push.
         private function tryOutOfCovers(out:ContactPoint):void
         {
-            _pair.findContactOfCovers(_other);
+            _pair.putBack();
+            _bounds.findContactOfCovers(_pair.first, _pair.second, _other);
             if (out.depth == Infinity)
             {
                 _directions.findAlong(_other, out);

@@ -57,7 +57,7 @@ package starlogo.search.penetration
             _shortest.copyFrom(out);
             for (var push:int = 0; push < pushOut.blockedEnd; push += 2)
             {
-                tryAbove(pushOut.blocked[push], pushOut.blocked[int(push + 1)]);
+                tryAbove(pushOut.blockedPlaces[push], pushOut.blockedPlaces[int(push + 1)]);
             }
             for (var i:int = 0; i < PLACES; i++)
             {

@@ -1,6 +1,5 @@
 package starlogo.search.penetration
 {
-    import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.geometry.Tolerances;
 
@@ -18,8 +17,14 @@ package starlogo.search.penetration
         // surfaces touch.
         private static const SLACK:Number = 0.001;
 
-        /** Where the pushes of the last search end that do not free the body: x and y of each. Read only. */
-        public var blocked:Vector.<Number> = new Vector.<Number>(2 * MOST_CONTACTS, true);
+        // The most searches between two calls of begin().
+        private static const MOST_SEARCHES:int = 2;
+
+        /** Where the pushes end that do not free the body, in all searches since <code>begin()</code>: x and y of each. Read only. */
+        public var blockedPlaces:Vector.<Number> = new Vector.<Number>(2 * MOST_CONTACTS * MOST_SEARCHES, true);
+
+        /** The end of the numbers of <code>blockedPlaces</code>. Read only. */
+        public var blockedEnd:int = 0;
 
         // The number of contacts so far; those that decide about the push and the one after it, with depths from where the body was at the beginning;
         // and the push out of these.
@@ -44,6 +49,12 @@ package starlogo.search.penetration
         {
             _pair = pair;
             _directions = directions;
+        }
+
+        /** Begins with a pair. Forgets the places of the last one. */
+        public function begin():void
+        {
+            blockedEnd = 0;
         }
 
         /**
@@ -71,12 +82,6 @@ package starlogo.search.penetration
             }
         }
 
-        /** The end of the numbers of <code>blocked</code>. */
-        public function get blockedEnd():int
-        {
-            return 2 * (_count - 1);
-        }
-
         // Adds a contact: the next push leads out of it too. The more planes the last push ended on, the farther the next one leads out of the new contact.
         private function add(found:ContactPoint):void
         {
@@ -90,9 +95,8 @@ package starlogo.search.penetration
         // Adds the contact of the first body, which is blocked on its way along the push.
         private function addBlock():void
         {
-            var at:int = blockedEnd;
-            blocked[at] = _push.displacement.x;
-            blocked[int(at + 1)] = _push.displacement.y;
+            blockedPlaces[blockedEnd++] = _push.displacement.x;
+            blockedPlaces[blockedEnd++] = _push.displacement.y;
             _pair.findContactOfParts(_next);
             // the body is a little farther than the push
             _next.depth += (_tried.distance - _push.length) * (_next.normalX * _tried.x + _next.normalY * _tried.y + _next.normalZ * _tried.z);

@@ -138,8 +138,8 @@ package starlogo.solid.interior
             return shell.enclosing == null || shell.enclosing.length > 0 && _windingCount < WINDINGS_PER_TRIANGLE * _items.length;
         }
 
-        // Finds the shells that enclose a point of a triangle of a shell. The triangle is the one that was taken. The point is near a corner, or in the middle for corner 3,
-        // and a little inside of the shell.
+        // Finds the shells that enclose a point of a triangle of a shell. The triangle is the one that was taken. The point is near a corner, or in the
+        // middle for corner 3, and a little inside of the shell.
         private function findEnclosing(number:int, slot:int, corner:int):void
         {
             var inwards:Number = INWARDS * _extremes.extentOf(number);

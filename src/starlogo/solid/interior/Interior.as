@@ -6,9 +6,10 @@ package starlogo.solid.interior
      * What is inside of the surface that a model's triangles make: the surface's parts, and what counts its windings. An InteriorBuilder makes it.
      *
      * <p>The package solid.interior says which points are inside of a model whose triangles come from a file: with seams, holes, shells that overlap
-     * and cavities. Engines whose meshes are hollow need none of it. A <i>shell</i> is connected over edges, a <i>part</i> over vertices. The SurfaceBuilder finds the SurfaceTopology in steps: Welding finds equal vertices, the EdgeMatcher pairs triangles at edges,
-     * the ShellFinder follows them, the CavityFinder decides which shells bound cavities. Read this class first, then WindingCounter, then
-     * SurfaceTopology and SurfaceBuilder.</p>
+     * and cavities. Engines whose meshes are hollow need none of it. A <i>shell</i> is connected over edges, a <i>part</i> over vertices. The
+     * SurfaceBuilder finds the SurfaceTopology in steps: Welding finds equal vertices, the EdgeMatcher pairs triangles at edges, the ShellFinder
+     * follows them, the CavityFinder decides which shells bound cavities. Read this class first, then WindingCounter, then SurfaceTopology and
+     * SurfaceBuilder.</p>
      *
      * @private
      */
@@ -22,7 +23,7 @@ package starlogo.solid.interior
 
         /**
          * For each part of the surface, the vertices with the smallest and largest x, y and z. A part is connected. So a
-         * part that does not touch another surface is inside or outside of it as a whole, or that surface is inside of the part.
+         * part that does not touch another surface is inside or outside of it as a whole, and one of its points decides.
          */
         public var partPoints:Vector.<Number>;
 

@@ -1,0 +1,26 @@
+package starlogo.search.penetration
+{
+    import starlogo.convex.ContactPoint;
+    import starlogo.search.Body;
+
+    /**
+     * What an ExitSearch knows about the lengths of the ways out of two bodies: a way that leads out, and a length that all ways have. Tests of pairs
+     * whose contacts need a search implement it.
+     *
+     * @private
+     */
+    public interface ExitBounds
+    {
+        /** Finds the contact of convex covers of two bodies, where they are. The way out of the covers leads out of the bodies too. */
+        function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void;
+
+        /**
+         * A lower bound for the lengths of the exits from a body; 0 if none is known. Exits that are longer than <code>maxLength</code> do not count.
+         *
+         * @param a the first body of the contact, where it was found
+         * @param b the second body
+         * @param contact of parts of the two
+         */
+        function leastExit(a:Body, b:Body, contact:ContactPoint, maxLength:Number):Number;
+    }
+}

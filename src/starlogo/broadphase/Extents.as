@@ -81,17 +81,21 @@ package starlogo.broadphase
             var middleZ:Number = z[row];
             var fromPlace:Number = offset[row];
             var distanceSquared:Number = Math.max(middleX * middleX + middleY * middleY + middleZ * middleZ, fromPlace * fromPlace);
-            var width:Number = levelWidths[level[row]];
-            var end:Number = width * BinLevel.MAX_DISTANCE;
-            if (2 * half <= width && (4 * half > width || width == BinLevel.LEAST_WIDTH) && distanceSquared < end * end)
+            var least:Number = Math.max(2 * half, Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
+            if (!isFinestFor(least, level[row]))
             {
-                return;
+                level[row] = finestFor(least);
             }
-            level[row] = levelFor(Math.max(2 * half, Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE));
+        }
+
+        // Whether a level is what finestFor() returns. Most rows keep their level, and this is quicker.
+        private function isFinestFor(least:Number, index:int):Boolean
+        {
+            return index > 0 && levelWidths[index] >= least && (index == 1 || levelWidths[index - 1] < least);
         }
 
         // The finest level whose width is at least this large.
-        private function levelFor(least:Number):int
+        private function finestFor(least:Number):int
         {
             var index:int = 1;
             while (levelWidths[index] < least && levelWidths[index] < Infinity)

@@ -78,6 +78,7 @@ package starlogo.search
          * Tests the members among some rows with the ground, or with the edges of the world, if there are any and handlers for them.
          *
          * @param worldRow GROUND_ROW or EDGES_ROW of ListedAgents
+         * @param rows the rows; those that are no members are left out
          */
         public function testWithWorldAgent(worldRow:int, rows:IntList):void
         {
@@ -100,14 +101,14 @@ package starlogo.search
         private function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
             // a field would be read again for each candidate
-            var rows:AgentTable = _table;
-            var tests:NarrowPhase = rows.narrowPhase;
-            if (tests.choice.areSpheres)
+            var table:AgentTable = _table;
+            var narrowPhase:NarrowPhase = table.narrowPhase;
+            if (narrowPhase.choice.areSpheres)
             {
-                return tests.sphereTests.keepTouching(rows, row, others, count, level);
+                return narrowPhase.sphereTests.keepTouching(table, row, others, count, level);
             }
-            var body:Body = rows.bodyOf(row);
-            var extents:Extents = rows.extents;
+            var body:Body = table.bodyOf(row);
+            var extents:Extents = table.extents;
             var slack:Number = level.slack;
             // two spheres or two boxes need no test of their extents, except for the heights
             var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
@@ -115,11 +116,11 @@ package starlogo.search
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var isNear:Boolean = rows.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
+                var isNear:Boolean = table.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
                 if (isNear)
                 {
-                    var otherBody:Body = rows.bodyOf(other);
-                    if (tests.pairTestsFor(body, otherBody).areTouching(body, otherBody))
+                    var otherBody:Body = table.bodyOf(other);
+                    if (narrowPhase.pairTestsFor(body, otherBody).areTouching(body, otherBody))
                     {
                         others[kept] = other;
                         kept++;

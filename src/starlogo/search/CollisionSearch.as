@@ -44,7 +44,7 @@ package starlogo.search
         // The motions in the search; null if no agent sweeps in it.
         private var _motions:RowMotions = null;
 
-        // The members of a search in which some rows may be none.
+        // The members of a search in which some rows are no members.
         private var _members:IntList = new IntList();
 
         // For questions: the bodies of agents that have changed since the search.
@@ -113,7 +113,7 @@ package starlogo.search
             _bins.findPairs(extents, members, _tests);
             for (var worldRow:int = ListedAgents.GROUND_ROW; worldRow <= ListedAgents.EDGES_ROW; worldRow++)
             {
-                _tests.testWithWorldAgent(worldRow, table.list.rows);
+                _tests.testWithWorldAgent(worldRow, members);
             }
             _pairs.putInOrder(_motions != null);
             _mayBeKept = mayKeep && _changedRows.noteSearch(members, input, _motions);

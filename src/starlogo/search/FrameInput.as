@@ -18,19 +18,19 @@ package starlogo.search
      */
     public final class FrameInput
     {
-        /** The list of agents. If there is a filter it is a copy, because a filter may change the game's list. */
+        /** The list of agents. If there is a filter it is a copy, because a filter may change the game's list. Read only. */
         public var agents:Vector.<Agent> = null;
 
-        /** By index in the list: whether the filter admits the agent; null without a filter. */
+        /** By index in the list: whether the filter admits the agent; null without a filter. Read only. */
         public var admitted:Vector.<Boolean> = null;
 
-        /** The pairs of breeds that count; null for all. It must not be null if there is ground or there are edges. */
+        /** The pairs of breeds that count; null for all. It must not be null if there is ground or there are edges. Read only. */
         public var interests:BreedInterests = null;
 
-        /** The ground, or null. */
+        /** The ground, or null. Read only. */
         public var ground:WorldAgent = null;
 
-        /** The edges of the world, or null. */
+        /** The edges of the world, or null. Read only. */
         public var edges:WorldAgent = null;
 
         // What a filter fills: the copy of the list, and its answers.
@@ -50,7 +50,7 @@ package starlogo.search
         /**
          * The members of the search among all rows of a table.
          *
-         * @param spare receives them if some rows are none
+         * @param spare receives them if some rows are no members
          * @return the members: all rows, or spare
          */
         public function findMembers(table:AgentTable, spare:IntList):IntList

@@ -99,6 +99,70 @@ package starlogo.collision
             _wrong.assertNone();
         }
 
+        // A gap may be a tiny part of the large one, and still have a direction.
+        [Test]
+        public function aSmallOneBesideTheEdgeOfALargeOneHasTheDirectionBetweenThem():void
+        {
+            for each (var kind:String in [Agent.BOX, Agent.SPHERE, Agent.CAPSULE, Agent.HULL])
+            {
+                for each (var sizes:Array in [[1e6, 1, 5e-4], [1e6, 1e-4, 9e-4], [1e6, 1e-4, 1e-5], [100, 1e-4, 5e-8], [1, 1, 5e-10], [1, 1, 1e-11]])
+                {
+                    checkBesideEdge(kind, sizes[0], sizes[1], sizes[2]);
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        private function checkBesideEdge(kind:String, large:Number, small:Number, gap:Number):void
+        {
+            var collider:Collider = new TightestFitCollider(_greatLand);
+            var queries:AgentQueries = new AgentQueries(collider);
+            var cube:Agent = new Agent("cube");
+            cube.collideAs = Agent.BOX;
+            cube.size = large;
+            var other:Agent = new Agent("cube");
+            other.collideAs = kind;
+            other.size = small;
+            if (kind == Agent.BOX || kind == Agent.HULL)
+            {
+                // from edge to edge
+                var x:Number = (large + small) / 2;
+                other.moveTo(x + 0.6 * gap, x + 0.5 * gap, large / 4);
+            }
+            else
+            {
+                moveToGap(queries, cube, other, gap);
+            }
+            var first:Vector3D = new Vector3D();
+            var second:Vector3D = new Vector3D();
+            queries.distance(other, cube, first, second);
+            var direction:Vector3D = first.subtract(second);
+            direction.normalize();
+            var contact:Contact = collider.contactOf(other, cube);
+            _wrong.addIf(!(contact.normal.dotProduct(direction) > 0.999), kind, contact + ", and " + direction + " between " + cube + " and " + other);
+        }
+
+        // Moves an agent on a diagonal beside an edge of a cube, to about this distance.
+        private function moveToGap(queries:AgentQueries, cube:Agent, other:Agent, gap:Number):void
+        {
+            var touching:Number = 0;
+            var free:Number = 2 * other.size + gap;
+            for (var i:int = 0; i < 60; i++)
+            {
+                var middle:Number = (touching + free) / 2;
+                other.moveTo(cube.size / 2 + middle, cube.size / 2 + 0.8 * middle, cube.size / 4);
+                if (queries.distance(cube, other) < gap)
+                {
+                    touching = middle;
+                }
+                else
+                {
+                    free = middle;
+                }
+            }
+            other.moveTo(cube.size / 2 + free, cube.size / 2 + 0.8 * free, cube.size / 4);
+        }
+
         // Two of the three cubes stand at the same height, as legs do. The point between them belongs to nothing.
         [Test]
         public function theNearestPointToAnEdgeIsTheAgentsOwn():void

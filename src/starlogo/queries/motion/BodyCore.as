@@ -77,6 +77,7 @@ package starlogo.queries.motion
         /**
          * Becomes the core of a body on a motion, with an inset of a slop, and finds the motion's tolerances.
          *
+         * @param body the whole body
          * @param rows the rows that may be in the way
          * @param from where the motion begins
          * @param motion the whole motion

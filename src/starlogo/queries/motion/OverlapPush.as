@@ -23,53 +23,61 @@ package starlogo.queries.motion
         // The core of the body where it stands.
         private var _core:BodyCore = new BodyCore();
 
-        // A push, the contact of the deepest overlap, and that of another one.
+        // A push, and the contact of an overlap.
         private var _motion:Vector3D = new Vector3D();
-        private var _deepest:ContactPoint = new ContactPoint();
         private var _overlap:ContactPoint = new ContactPoint();
 
         /**
-         * Pushes a body out of what it overlaps.
+         * Pushes a body out of what it overlaps at a place, which is more than nothing: see <code>findDepth()</code>.
          *
-         * @param most how far at most
          * @param place the place of the body, which changes
+         * @param depth the sum of the depths of all overlaps there, which is how far the body is pushed at most
+         * @param deepest the contact of the deepest overlap there, which changes
          */
-        public function pushOut(body:MovingBody, most:Number, place:Vector3D):void
+        public function pushOut(body:MovingBody, place:Vector3D, depth:Number, deepest:ContactPoint):void
         {
-            var left:Number = most;
-            for (var i:int = 0; i < MOST_PUSHES && left > 0 && findDepth(body, place) > 0; i++)
+            var left:Number = depth;
+            var pushes:int = 0;
+            do
             {
-                var length:Number = Math.min(left, _deepest.depth);
+                var length:Number = Math.min(left, deepest.depth);
                 left -= length;
                 _motion.setTo(0, 0, 0);
-                _deepest.push(_motion, length);
+                deepest.push(_motion, length);
                 _slider.slide(body, body.rows, place, _motion, SlideLimits.NONE, _slid);
                 place.copyFrom(_slid.place);
+                pushes++;
             }
+            while (pushes < MOST_PUSHES && left > 0 && findDepth(body, place, deepest) > 0);
         }
 
-        /** The sum of the depths of all overlaps of a body at a place. The deepest one is kept for a push. */
-        public function findDepth(body:MovingBody, place:Vector3D):Number
+        /**
+         * Finds how deep a body overlaps others at a place.
+         *
+         * @param deepest receives the contact of the deepest overlap, with the depth 0 if there is no overlap
+         * @return the sum of the depths of all overlaps
+         */
+        public function findDepth(body:MovingBody, place:Vector3D, deepest:ContactPoint):Number
         {
             var sum:Number = 0;
-            _deepest.depth = 0;
+            deepest.depth = 0;
             _core.beginStanding(body, body.rows, place);
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 if (findOverlap(_core, body.rows.numbers[i], place, _overlap))
                 {
                     sum += _overlap.depth;
-                    if (_overlap.depth > _deepest.depth)
+                    if (_overlap.depth > deepest.depth)
                     {
-                        _deepest.copyFrom(_overlap);
+                        deepest.copyFrom(_overlap);
                     }
                 }
             }
             return sum;
         }
 
-        // Finds how a body overlaps a row. A push along the contact's normal by its depth leads a clearance out of the row. Returns whether the overlap counts:
-        // not if it is shallow, or with a one-way row.
+        // Finds how a body overlaps a row. A push along the contact's normal by its depth leads a clearance out of the row. Returns whether the overlap
+        // counts. It does not if it is shallow, if the row is one-way, or if the way out of a tree is too long.
         private static function findOverlap(core:BodyCore, row:int, place:Vector3D, out:ContactPoint):Boolean
         {
             var body:MovingBody = core.body;

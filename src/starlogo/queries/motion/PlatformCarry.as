@@ -62,7 +62,7 @@ package starlogo.queries.motion
             }
         }
 
-        // Finds how a platform carries an agent. @param now where the platform is now @param motion receives the motion. Returns the turn about the z axis
+        // Finds how a platform carries an agent to where the platform is now: the motion, which it writes, and the turn about the z axis, which it returns.
         private static function findMotion(link:PlatformLink, now:Placement, motion:Vector3D):Number
         {
             var from:Placement = link.platformPlace;

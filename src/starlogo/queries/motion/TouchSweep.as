@@ -58,7 +58,7 @@ package starlogo.queries.motion
          * @param wanted how many of the first ones are wanted, or Collector.ALL
          * @param hits receives how the body touches each row
          * @param first receives the answer for the first row, or the free end of the motion
-         * @return what has the rows
+         * @return the wanted rows, with their times as keys
          */
         public function findTouches(body:MovingBody, motion:Vector3D, wanted:int, hits:Hits, first:MotionResult):Collector
         {
@@ -107,15 +107,10 @@ package starlogo.queries.motion
             return mayLift;
         }
 
-        /**
-         * Finds whether and when a row stops a motion of a body from <code>body.from</code>, as if there were no others.
-         *
-         * @param motion the whole motion
-         * @param common how it starts among all rows
-         * @param out receives the answer. Rounding may hide the touch at its place: see <code>goIntoTouch()</code>
-         * @return whether the start among all rows may change the answer: if the row alone lifts the body, or stops it at once in a shallow overlap
-         */
-        public function findTouch(body:MovingBody, row:int, motion:Vector3D, common:MotionStart, out:MotionResult):Boolean
+        // Finds whether and when a row stops a motion of a body from where the body begins, as if there were no others. The common start is that among all
+        // rows. Rounding may hide the touch at its place: see goIntoTouch. Returns whether the start among all rows may change the answer: if the row
+        // alone lifts the body, or stops it at once in a shallow overlap.
+        private function findTouch(body:MovingBody, row:int, motion:Vector3D, common:MotionStart, out:MotionResult):Boolean
         {
             _rows.count = 0;
             _rows.add(row);

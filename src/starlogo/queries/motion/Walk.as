@@ -2,6 +2,7 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.convex.ContactPoint;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
 
@@ -46,6 +47,9 @@ package starlogo.queries.motion
 
         /** Where the agent is now. */
         public var place:Vector3D = new Vector3D();
+
+        /** The contact of the deepest overlap where the walk begins. A filter may walk another agent before the push. */
+        public var deepest:ContactPoint = new ContactPoint();
 
         /** How far the agent was pushed out of what it overlapped, and then the part of the motion that it has made. See Footing. */
         public var pushed:Number = 0;

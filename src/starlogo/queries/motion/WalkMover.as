@@ -99,11 +99,11 @@ package starlogo.queries.motion
                 return stands;
             }
             walk.place.copyFrom(walk.start);
-            var depth:Number = _push.findDepth(walk.body, walk.place);
+            var depth:Number = _push.findDepth(walk.body, walk.place, walk.deepest);
             if (depth > 0)
             {
                 findNear(walk, depth);
-                _push.pushOut(walk.body, depth, walk.place);
+                _push.pushOut(walk.body, walk.place, depth, walk.deepest);
             }
             walk.pushed = Vector3D.distance(walk.place, walk.start);
             walk.start.copyFrom(walk.place);

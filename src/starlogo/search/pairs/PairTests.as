@@ -26,8 +26,12 @@ package starlogo.search.pairs
      */
     public class PairTests
     {
-        // For depthToleranceOf: the tolerance is at least this many times the gap across which two touch because places are rounded.
+        // A tolerance in patches is at least this many times the gap across which two touch because places are rounded.
         private static const GAPS_OF_ROUNDING:Number = 4;
+
+        // Rounding hides the direction between two points that are nearer than this fraction of the extent. Smaller than 1e-14: normals are rounding
+        // errors. Larger: a small body beside the edge of a large one gets the normal of a side of the large one.
+        private static const HIDDEN_DIRECTION:Number = 10 * Tolerances.ROUNDING;
 
         // The closest points of two bodies whose contact is asked for although they do not touch.
         private var _closest:ClosestPoints = new ClosestPoints();
@@ -85,7 +89,8 @@ package starlogo.search.pairs
 
         /**
          * Changes a contact of parts of two bodies that do not touch where they are: its point becomes half way between the points where they are
-         * nearest, its normal points from one of these points to the other, and its depth becomes 0.
+         * nearest, its normal points from one of these points to the other, and its depth becomes 0. If rounding hides the direction between these
+         * points, the point and the normal stay those of the contact of parts.
          */
         protected function separateApart(a:Body, b:Body, out:ContactPoint):void
         {
@@ -95,9 +100,8 @@ package starlogo.search.pairs
             {
                 _closest.swap();
             }
-            if (areStructures(a, b) && _closest.distance <= depthToleranceOf(a, b))
+            if (areStructures(a, b) && _closest.distance <= toleranceOf(a, b, HIDDEN_DIRECTION))
             {
-                // rounding hides the direction between the two points; the contact of parts has the one in which structures part
                 out.depth = 0;
                 return;
             }
@@ -160,7 +164,13 @@ package starlogo.search.pairs
         /** How far a depth may be off, in patches: Tolerances.SEPARATION of the extent. Far from the origin, rounding decides instead. */
         public function depthToleranceOf(a:Body, b:Body):Number
         {
-            return Math.max(Tolerances.SEPARATION * extentOf(a, b), GAPS_OF_ROUNDING * roundingGapOf(a, b));
+            return toleranceOf(a, b, Tolerances.SEPARATION);
+        }
+
+        // A fraction of the extent in patches, but not less than the rounding of places.
+        private function toleranceOf(a:Body, b:Body, fraction:Number):Number
+        {
+            return Math.max(fraction * extentOf(a, b), GAPS_OF_ROUNDING * roundingGapOf(a, b));
         }
 
         /**

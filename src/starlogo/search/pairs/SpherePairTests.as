@@ -1,6 +1,8 @@
 package starlogo.search.pairs
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Sphere;
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
@@ -21,7 +23,7 @@ package starlogo.search.pairs
     use namespace engine;
 
     /**
-     * Tests two bodies that are spheres. A sphere has the same width as its extents, so it needs no structure in the world.
+     * Tests two bodies that are spheres. A sphere is as wide as its extents, so whether, when and how two touch needs no structure in the world.
      *
      * @private
      */
@@ -31,6 +33,10 @@ package starlogo.search.pairs
         private static const TWO_SPHERES:int = BoundingStructure.KIND_COUNT * BoundingStructure.SPHERE + BoundingStructure.SPHERE;
 
         private var _counts:TestCounts;
+
+        // The spheres of two bodies, for their contact. A structure in the world would take memory for each row, and it is wider than its body.
+        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
+        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
 
         // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch, with all that
         // Touching names. So the time of impact includes that too.
@@ -117,7 +123,18 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _kernel.findContact(a.worldStructure(), b.worldStructure(), motion, out);
+            readSphere(a, _sphereA);
+            readSphere(b, _sphereB);
+            _kernel.findContact(_sphereA, _sphereB, motion, out);
+        }
+
+        private static function readSphere(body:Body, out:Sphere):void
+        {
+            var center:Vector3D = out.center;
+            center.x = body.x;
+            center.y = body.y;
+            center.z = body.z;
+            out.radius = body.halfX;
         }
 
         /** @inheritDoc */

@@ -15,6 +15,7 @@ package starlogo.queries.motion
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.queries.SeenAgents;
+    import starlogo.queries.rays.Hits;
     import starlogo.search.Body;
     import support.Complaints;
     import support.EachCollider;
@@ -38,6 +39,7 @@ package starlogo.queries.motion
         private var _seen:SeenAgents = new SeenAgents(EachCollider.make("triangles", landOf(_model)));
         private var _body:MovingBody = new MovingBody(_seen);
         private var _sweep:TouchSweep = new TouchSweep(_seen);
+        private var _hits:Hits = new Hits(_seen);
         private var _result:MotionResult = new MotionResult();
         private var _corners:Vector.<Number> = new Vector.<Number>();
         private var _wrong:Complaints = new Complaints();
@@ -111,7 +113,7 @@ package starlogo.queries.motion
             {
                 _body.readStructure(new Sphere(from, 0.1));
                 _body.findRowsAlong(motion.x, motion.y, motion.z, null, null);
-                _sweep.findTouch(_body, _seen.rowOf(agent), motion, startWithoutLift(), _result);
+                _sweep.findTouches(_body, motion, 1, _hits, _result);
                 assertTrue(motion + ": deep", _result.isDeep);
             }
         }
@@ -134,7 +136,7 @@ package starlogo.queries.motion
                 _body.readStructure(make(middle.add(side), _structures.frame()));
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
                 _body.findRowsAlong(motion.x, motion.y, motion.z, null, null);
-                _sweep.findTouch(_body, _seen.rowOf(agent), motion, startWithoutLift(), _result);
+                _sweep.findTouches(_body, motion, 1, _hits, _result);
                 if (_result.row >= 0)
                 {
                     check(_seen.table.bodyOf(_result.row));
@@ -142,13 +144,6 @@ package starlogo.queries.motion
             }
             _wrong.assertNone();
             assertTrue(_met + " met, " + _deep + " begin deep", _met > 60 && _deep > 30);
-        }
-
-        private function startWithoutLift():MotionStart
-        {
-            var start:MotionStart = new MotionStart();
-            start.place.copyFrom(_body.from);
-            return start;
         }
 
         private function check(tree:Body):void

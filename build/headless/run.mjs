@@ -19,12 +19,13 @@
  * The SWF's side of it is src/headless/Host.as. Exit status: the SWF's own; 70 when it threw, crashed the player or
  * stalled; 130 at Ctrl+C; 69 when there is no browser, or no shell; 64 for wrong arguments.
  */
-import { access, mkdir, writeFile } from 'node:fs/promises';
+import { access, mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { thereIs } from '../nearest.mjs';
 import { play } from './player.mjs';
 import * as avmshell from './shell.mjs';
+import { problemOf } from './swf.mjs';
 
 const USAGE = 64;
 const NO_PLAYER = 69;
@@ -127,9 +128,13 @@ async function start(options, on) {
 
 /** Plays the SWF to its end; resolves with its exit status. */
 async function run(options) {
-	await access(options.swf).catch(() => {
+	const file = await readFile(options.swf).catch(() => {
 		throw new RunError(`there is no SWF at ${options.swf}`, USAGE);
 	});
+	const problem = problemOf(file);
+	if (problem) {
+		throw new RunError(`${options.swf} ${problem}`, USAGE);
+	}
 	let lastSign = Date.now();
 	let frames = 0;
 	let framesBefore = 0;
@@ -152,7 +157,7 @@ async function run(options) {
 			console.log(text);
 		},
 		error: (text) => end.fail(`the SWF threw: ${text}`),
-		crash: (text) => end.fail(`the player failed (out of memory, if the SWF allocates much in one call): ${text}`),
+		crash: (text) => end.fail(`the player failed (${/call stack/.test(text) ? 'a function calls itself without end' : 'out of memory, if the SWF allocates much in one call'}): ${text}`),
 		writeFile: (file, text) => {
 			sign();
 			writes.push(save(options.out, file, text));

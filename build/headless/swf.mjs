@@ -29,6 +29,20 @@ export function readSwf(file) {
 	return { head: Buffer.concat([Buffer.from('FWS'), file.subarray(3, 8), body.subarray(0, start)]), tags };
 }
 
+/** Why a file cannot be played, or an empty text: it is no SWF, or its end is missing. The length of a SWF in LZMA is not looked at. */
+export function problemOf(file) {
+	const signature = file.toString('latin1', 0, 3);
+	if (!['FWS', 'CWS', 'ZWS'].includes(signature) || file.length < 8) {
+		return 'is no SWF';
+	}
+	try {
+		const length = signature === 'FWS' ? file.length : signature === 'CWS' ? inflateSync(file.subarray(8)).length + 8 : Infinity;
+		return length < file.readUInt32LE(4) ? 'is no whole SWF: its end is missing' : '';
+	} catch {
+		return 'is no whole SWF: its end is missing, or its bytes are damaged';
+	}
+}
+
 /** Puts one together, uncompressed. */
 export function writeSwf({ head, tags }) {
 	const file = Buffer.concat([head, ...tags.map(({ bytes }) => bytes)]);

@@ -29,11 +29,13 @@ if (classes.length === 0) {
 	process.exit(64);
 }
 
-/** What FlexUnit would leave out, or would fail without a place: [a line that names it, whether it is an error]. */
+/** What FlexUnit would leave out, what the player does not see, or would fail without a place: [a line that names it, whether it is an error]. */
 function oddFunctions(name) {
 	const source = texts.get(name).replace(/\/\*[^]*?\*\/|\/\/.*/g, (comment) => comment.replace(/[^\n]/g, ' '));
+	const ofClass = [...source.matchAll(/\[(Suite|RunWith|Ignore)\b[^\]]*\]\s*(?:\[[^\]]*\]\s*)*(?:\w+\s+)*class\b/g)].map((found) => [
+		`${files.get(name)}:${source.slice(0, found.index).split('\n').length}: [${found[1]}] of a class does nothing here: the embedded player does not see the metadata of classes`, false]);
 	const isOld = /\bextends\s+TestCase\b/.test(source);
-	return [...source.matchAll(/((?:\[[^\]]*\]\s*)*)((?:\w+\s+)*)function\s+(\w+)\s*\([^)]*\)\s*(?::\s*(\w+))?/g)].flatMap((found) => {
+	const ofFunctions = [...source.matchAll(/((?:\[[^\]]*\]\s*)*)((?:\w+\s+)*)function\s+(\w+)\s*\([^)]*\)\s*(?::\s*(\w+))?/g)].flatMap((found) => {
 		const [, metadata, words, called, type = 'void'] = found;
 		const line = source.slice(0, found.index + found[0].indexOf('function')).split('\n').length;
 		const tag = /\[(Test|Before|After)\b/.exec(metadata)?.[1];
@@ -44,6 +46,7 @@ function oddFunctions(name) {
 		}
 		return !isOld && metadata === '' && /\bpublic\b/.test(words) && /^test[A-Z]/.test(called) ? say('has no [Test], so FlexUnit does not run it', false) : [];
 	});
+	return [...ofClass, ...ofFunctions];
 }
 
 /** Where each function of a class begins, as lines of ActionScript: the player's stack traces have no lines. */

@@ -47,6 +47,10 @@ test('a function that FlexUnit would leave out is named', () => {
 	const forgotten = run('src,tests');
 	assert.equal(forgotten.status, 0);
 	assert.equal(forgotten.stderr, 'tests/game/world/TurtleTest.as:5: testSwims() has no [Test], so FlexUnit does not run it\n');
+	writeFileSync(file, '[Ignore("later")]\n[RunWith("a.Runner")]\npublic class TurtleTest\n{\n    [Ignore]\n    [Test]\n    public function swims():void {}\n');
+	const ofClass = run('src,tests');
+	assert.equal(ofClass.status, 0);
+	assert.equal(ofClass.stderr, 'tests/game/world/TurtleTest.as:1: [Ignore] of a class does nothing here: the embedded player does not see the metadata of classes\n');
 	writeFileSync(file, '');
 });
 

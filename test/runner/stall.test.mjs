@@ -6,6 +6,8 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { deflateSync } from 'node:zlib';
+import { problemOf } from '../../build/headless/swf.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const folder = path.join(root, 'bin/generated/stall-test');
@@ -88,6 +90,23 @@ test('the last test that a client\'s SWF has begun is the one that did not end',
 	const waiting = spawnSync(process.execPath, [path.join(root, 'test/runner/client-tests-run.mjs'), swf('waiting-client.swf', traced('  1/1 game.MeetTest.waits')), '5', path.join(folder, 'others.txt')], { encoding: 'utf8' });
 	assert.match(waiting.stdout, /^FAILED game\.MeetTest\.waits: did not end within 5 s, but \d+ frames: it (?!.*Host)/m);
 	assert.equal(readFileSync(counts, 'utf8'), '2 passed, 1 failed, 0 ignored, 2 not run');
+});
+
+test('a file that is no SWF, or not all of one, is not played', () => {
+	const file = swf('whole.swf');
+	const whole = readFileSync(file);
+	const refused = (bytes) => {
+		writeFileSync(path.join(folder, 'odd.swf'), bytes);
+		return run(path.join(folder, 'odd.swf'), 1);
+	};
+	assert.match(refused('# A page of text').stderr, /^headless: .*odd\.swf is no SWF\n$/);
+	assert.match(refused(whole.subarray(0, -1)).stderr, /^headless: .*odd\.swf is no whole SWF: its end is missing\n$/);
+	const packed = Buffer.concat([Buffer.from('CWS'), whole.subarray(3, 8), deflateSync(whole.subarray(8))]);
+	const cut = refused(packed.subarray(0, -9));
+	assert.equal(cut.status, 64);
+	assert.match(cut.stderr, /is no whole SWF: its end is missing, or its bytes are damaged\n$/);
+	assert.equal(problemOf(packed), '');
+	assert.equal(problemOf(whole), '');
 });
 
 test('a wrong option is refused, with the nearest', () => {

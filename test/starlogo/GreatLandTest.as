@@ -100,6 +100,7 @@ package starlogo
             {
                 assertThrows(ModelError, /^model "cube": the up axis must be "x", "y" or "z", or a ModelTransform, not/, _greatLand.cook, BuiltInModel.cube(), wrong);
             }
+            assertThrows(ModelError, /ModelTransform, not "Z"$/, _greatLand.cook, BuiltInModel.cube(), "Z");
             for each (var right:* in ["x", "y", "z", new ModelTransform()])
             {
                 assertTrue(_greatLand.cook(BuiltInModel.cube(), right).length > 0);

@@ -43,7 +43,6 @@ const COLD = {
 /** How many there may be in a function: none of them is of a Number. */
 export const ALLOWED = {
 	'starlogo.agents.Agent.collideAs': { count: 2, why: 'the text of an error' },
-	'starlogo.agents.Agent.requireName': { count: 2, why: 'the text of an error' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
 	'starlogo.handlers.requireParameters': { count: 2, why: 'the text of an error' },
 	'starlogo.queries.Footing.toString': { count: 2, why: 'the text of a trace' },

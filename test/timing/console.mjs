@@ -45,7 +45,7 @@ export function comparison(changed, olderDate) {
 		return `Since ${olderDate}: nothing is faster or slower beyond the noise.`;
 	}
 	const rows = changed.map(({ key, before, after, change }) => [key, ratio(before.multiple), ratio(after.multiple),
-		`${time(before.value)} to ${time(after.value)}`, change > 1 ? `${ratio(change)} slower` : `${ratio(1 / change)} faster`]);
+		`${time(before.value)} to ${time(after.value)}`, change > 1 ? `${ratio(change)} as long` : `${ratio(1 / change)} as fast`]);
 	return `Since ${olderDate}, beyond the noise, as multiples of the sphere-sphere test:\n\n`
 		+ table([['what', 'before', 'now', 'time', '']], rows, 1);
 }

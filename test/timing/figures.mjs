@@ -149,7 +149,10 @@ export function growth(entries) {
 
 const FRAME_MS = 40;
 
-/** Up to how many agents each collider has frames of at most 40 ms, 25 a second, in the games that were measured: a row for each cast. */
+/**
+ * Up to how many agents each collider has frames of at most 40 ms, 25 a second, in the games that were measured: a row for each cast. A game
+ * whose range includes 40 ms does not count.
+ */
 export function holding(entries) {
 	return [...new Set(entries.map((entry) => castOf(entry)))].map((cast) => [cast, ...collidersOf(entries)
 		.map((name) => most(entries.filter((entry) => entry.variant === name && castOf(entry) === cast)))]);
@@ -157,8 +160,8 @@ export function holding(entries) {
 
 function most(games) {
 	const agents = (condition) => games.filter(condition).map((entry) => entry.agents);
-	const holds = Math.max(...agents((entry) => entry.value && entry.value <= FRAME_MS));
-	const fails = Math.min(...agents((entry) => entry.value > FRAME_MS));
+	const holds = Math.max(...agents((entry) => entry.value && entry.high <= FRAME_MS));
+	const fails = Math.min(...agents((entry) => entry.value && entry.low > FRAME_MS));
 	if (holds === -Infinity) {
 		return fails === Infinity ? (games.length > 0 ? 'noisy' : '') : `fewer than ${fails}`;
 	}

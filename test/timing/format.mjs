@@ -22,11 +22,6 @@ export function quoted(ms) {
 	return `${Number((ms * factor).toPrecision(9))} ${unit}`;
 }
 
-/** A ratio of times in words: how much faster than the other, or slower. */
-export function inWords(value) {
-	return value >= 1 ? `${ratio(value)} faster` : `${ratio(1 / value)} slower`;
-}
-
 /** How many times as much: two significant digits, three of large numbers. */
 export function ratio(value) {
 	return `${value < 99.5 ? significant(value, 2) : Number(value.toPrecision(3)).toLocaleString('en')}×`;

@@ -32,7 +32,7 @@ export function wasDisturbed({ load, machine }) {
 
 /** The load at the start and the end of a run, in words. */
 export function loadText({ start, end }, cores) {
-	const others = isBusy({ start, end }, cores) ? '. Something else was running, so times may be too long, and many too noisy' : '';
+	const others = isBusy({ start, end }, cores) ? '. Something else was running, so times and multiples may be too long, and many too noisy' : '';
 	return `Load of the machine: ${start ?? '?'} before the run, ${end} after it, on ${cores} cores${others}.`;
 }
 

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
-import { DISTURBED, FIGURES, bySubject, faster } from './figures.mjs';
-import { inWords, ratio, time } from './format.mjs';
+import { DISTURBED, FIGURES, bySubject, faster, measured } from './figures.mjs';
+import { ratio } from './format.mjs';
 import { loadText, wasDisturbed } from './machine.mjs';
 
 const library = new URL('../../node_modules/chart.js/dist/chart.umd.min.js', import.meta.url);
@@ -30,7 +30,7 @@ amber the thesis's algorithms as it describes them in the same player, grey the 
 ${wasDisturbed(report) ? `<p class="warning">${escape(loadText(report.load, report.machine.cores))}</p>` : ''}
 ${report.isComplete === false ? '<p class="warning">The run ended early. The report has what was measured before.</p>' : ''}
 ${leftOut(report.entries)}
-<dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${value}</dd></div>`).join('')}</dl>
+<dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${mark(value)}</dd></div>`).join('')}</dl>
 </header>
 <main>
 ${FIGURES.map((figure) => section(figure, report, charts)).join('\n')}
@@ -112,24 +112,29 @@ function tiles({ entries, exponents }) {
 	const found = [];
 	const tests = Object.fromEntries(bySubject(of('tests')));
 	if (tests.sphereSphere?.engine.value) {
-		found.push([time(tests.sphereSphere.engine.value), 'a sphere-sphere test']);
+		found.push([measured(tests.sphereSphere.engine), 'a sphere-sphere test']);
 	}
 	if (faster(tests.boxBox?.engine, tests.boxBox?.literal)) {
-		found.push([inWords(faster(tests.boxBox.engine, tests.boxBox.literal)), 'than the thesis\'s box-box test in the same run']);
+		found.push(compared(faster(tests.boxBox.engine, tests.boxBox.literal), 'the thesis\'s box-box test in the same run'));
 	}
 	const fits = bySubject(of('fits')).map(([, fit]) => faster(fit.engine, fit.literal)).filter(Boolean).sort((a, b) => a - b);
 	if (fits.length > 0) {
-		found.push([inWords(fits[fits.length >> 1]), 'than the thesis\'s search for the tightest fit (median of the models)']);
+		found.push(compared(fits[fits.length >> 1], 'the thesis\'s search for the tightest fit (median of the models)'));
 	}
 	const bears = Object.fromEntries(bySubject(of('crowds')))['100 bears'];
 	if (bears?.TightestFitCollider?.value) {
-		found.push([time(bears.TightestFitCollider.value), 'a frame of 100 colliding bears, TightestFitCollider (thesis: 1300 ms)']);
+		found.push([measured(bears.TightestFitCollider), 'a frame of 100 colliding bears, TightestFitCollider (thesis: 1300 ms)']);
 	}
 	const exponent = exponents.find(({ cast }) => cast.endsWith('as dense'))?.exponents.TightestFitCollider;
 	if (exponent !== undefined) {
 		found.push([ratio(2 ** exponent), 'as long for twice as many agents, scattered at the same density']);
 	}
 	return found;
+}
+
+/** A tile for how many times as long as the engine another takes. */
+function compared(value, other) {
+	return value >= 1 ? [ratio(value), `as fast as ${other}`] : [ratio(1 / value), `as long as ${other}`];
 }
 
 const words = (name) => name.replace(/GB$/, ' in GB').replace(/^memory$/, 'memory');

@@ -243,10 +243,11 @@ export function $warnOfSilence(collision, agents) {
 	if (frames < $LONG_SILENCE || !Array.isArray(agents)) return;
 	const breeds = [...new Set(agents.map((agent) => agent?.breed))];
 	const missing = collision.breedsWithoutAgents;
-	["terrain", "bounds"].forEach((setting, breed) => {
-		if (collision._handlers.interests.$isNamed(breed) && collision[setting] === null) $warn(`in ${frames} frames no handler was called, and handlers for ${Object.values($WORLD_NAMES)[breed]} need the Collision's ${setting}, which is null`);
-	});
-	if (missing.length > 0 && breeds.length > 0) $warn(`in ${frames} frames no handler was called, and no agent is of the breed ${missing.map((name) => JSON.stringify(name)).join(" or ")}. The agents' breeds are ${breeds.slice(0, 5).map((name) => JSON.stringify(name)).join(", ")}`);
+	const missingOfAgents = missing.filter((name) => !$WORLD_BREEDS.includes(name));
+	for (const [breed, setting] of [["*terrain", "terrain"], ["*edge", "bounds"]]) {
+		if (missing.includes(breed)) $warn(`in ${frames} frames no handler was called, and handlers for ${$WORLD_NAMES[breed]} need the Collision's ${setting}, which is null`);
+	}
+	if (missingOfAgents.length > 0 && breeds.length > 0) $warn(`in ${frames} frames no handler was called, and no agent is of the breed ${missingOfAgents.map((name) => JSON.stringify(name)).join(" or ")}. The agents' breeds are ${breeds.slice(0, 5).map((name) => JSON.stringify(name)).join(", ")}`);
 }
 
 /**

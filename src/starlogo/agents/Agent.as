@@ -622,7 +622,7 @@ package starlogo.agents
         {
             if (value == null || value == "")
             {
-                throw new ArgumentError(this + ": " + trait + " must be a name, not " + (value == "" ? "\"\"" : textOf(value)));
+                throw new ArgumentError(this + ": " + trait + " must be a name, not " + textOf(value));
             }
         }
     }

@@ -159,12 +159,22 @@ package starlogo.collision
 
         /**
          * The breeds that the handlers of the last frame name and that none of its agents had. One of them may be misspelt. A handler that you add or
-         * remove after that frame counts from the next one on. Before the first frame, and after <code>reset()</code>, there are none. The breeds are
-         * found when you ask, so a frame pays nothing.
+         * remove after that frame counts from the next one on. Before the first frame, and after <code>reset()</code>, there are none. TERRAIN is
+         * among them while <code>terrain</code> is null, and EDGE while <code>bounds</code> is null. The breeds are found when you ask, so a frame
+         * pays nothing.
          */
         public function get breedsWithoutAgents():Vector.<String>
         {
-            return _handlers.breedsWithout(_lastFrame.agents);
+            var all:Vector.<Agent> = _lastFrame.agents.slice();
+            if (terrain != null)
+            {
+                all.push(terrain.agent);
+            }
+            if (bounds != null)
+            {
+                all.push(bounds.agent);
+            }
+            return _handlers.breedsWithout(all);
         }
 
         /** The counts of its last frame, for a trace. */
@@ -185,7 +195,7 @@ package starlogo.collision
          *     <code>contact:Contact</code>. The engine computes contacts only for handlers that take them. A parameter counts whether it has
          *     a default value or not. A handler <code>function(...all):void</code> gets the two agents. A handler that takes no arguments
          *     at all passes here, but Adobe's player throws an ArgumentError when it is called
-         * @throws ArgumentError if one is null or a breed has no name. In Flash also if the handler has one parameter, or more than three
+         * @throws ArgumentError if one is null, a breed has no name, or each breed is TERRAIN or EDGE. In Flash also if the handler has one parameter, or more than three
          */
         public function onCollision(breed:String, otherBreed:String, handler:Function):void
         {

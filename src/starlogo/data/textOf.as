@@ -1,7 +1,7 @@
 package starlogo.data
 {
     /**
-     * The text that an error message uses for an object of any class. JavaScript callers can pass such objects, because they have no types. The
+     * The text that an error message uses for an object of any class. A string stands in quotes. JavaScript callers can pass such objects, because they have no types. The
      * ES module has its own version of this function.
      *
      * @param wanted the type that was expected, for example "an Agent"
@@ -10,6 +10,6 @@ package starlogo.data
      */
     public function textOf(value:Object, wanted:String = null):String
     {
-        return String(value);
+        return value is String ? "\"" + value + "\"" : String(value);
     }
 }

@@ -58,7 +58,13 @@ package starlogo.handlers
         {
             requireArguments(breed, otherBreed, callback);
             requireParameters(breed, otherBreed, callback, kind);
-            addToList(new CollisionHandler(kind, breed, otherBreed, callback, _nextSerial));
+            var handler:CollisionHandler = new CollisionHandler(kind, breed, otherBreed, callback, _nextSerial);
+            if (Breeds.isOfWorld(handler.colliderBreed) && Breeds.isOfWorld(handler.collideeBreed))
+            {
+                throw new ArgumentError("the ground and the edges of the world do not collide with each other: one of \"" + breed + "\" and \"" + otherBreed
+                        + "\" must be a breed of agents or ANY_BREED");
+            }
+            addToList(handler);
             _nextSerial++;
             _hasChanged = true;
         }
@@ -158,8 +164,9 @@ package starlogo.handlers
             {
                 isThere[agent.breedNumber] = true;
             }
+            isThere[Breeds.ANY] = true;
             var missing:Vector.<String> = new Vector.<String>();
-            for (var number:int = Breeds.ANY + 1; number < Breeds.NAMES.count; number++)
+            for (var number:int = 0; number < Breeds.NAMES.count; number++)
             {
                 if (!isThere[number] && interests.isNamed(number))
                 {
@@ -225,7 +232,7 @@ package starlogo.handlers
         {
             if (!breed)
             {
-                throw new ArgumentError(argument + " must be the name of a breed or ANY_BREED, not " + (breed == "" ? "\"\"" : textOf(breed)));
+                throw new ArgumentError(argument + " must be the name of a breed or ANY_BREED, not " + textOf(breed));
             }
         }
     }

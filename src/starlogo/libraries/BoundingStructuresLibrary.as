@@ -249,7 +249,7 @@ package starlogo.libraries
             var shape:ModelStructures = models.entryOf(name).structures;
             if (shape == null)
             {
-                throw ModelTable.missing("bounding structure", name, "loadTightestFit");
+                throw models.missing("bounding structure", name, "loadTightestFit");
             }
             return shape;
         }

@@ -135,7 +135,7 @@ package starlogo.libraries
         {
             if (!has(name))
             {
-                throw ModelTable.missing("hierarchy", name, "loadHierarchies");
+                throw _models.missing("hierarchy", name, "loadHierarchies");
             }
             return _models.entryOf(name).builtTree();
         }

@@ -1,5 +1,7 @@
 package starlogo.libraries
 {
+    import starlogo.data.hintOfName;
+
     /**
      * The data of a game under the names of shapes. Its revision increases when data is replaced, removed or posed. Results derived from the
      * data are then out of date.
@@ -81,15 +83,16 @@ package starlogo.libraries
         }
 
         /**
-         * The error for something that is missing under a name.
+         * The error for something that is missing under a name. If the name is unknown, it tells those that are known.
          *
          * @param what the thing that is missing
          * @param name the name
          * @param flag the flag that makes addModel compute it
          */
-        public static function missing(what:String, name:String, flag:String):ArgumentError
+        public function missing(what:String, name:String, flag:String):ArgumentError
         {
-            return new ArgumentError("there is no " + what + " for shape \"" + name + "\": add its model first, with " + flag + " set");
+            var remedy:String = names.indexOf(name) < 0 ? "to this library first" + hintOfName(name, names) : "first, with " + flag + " set";
+            return new ArgumentError("there is no " + what + " for shape \"" + name + "\": add its model " + remedy);
         }
     }
 }

@@ -9,6 +9,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
+    import starlogo.terrain.WorldBounds;
     import support.OwnVectorSystem;
     import support.assertThrows;
     import support.create;
@@ -49,6 +50,7 @@ package starlogo.collision
             assertThrows(ArgumentError, /handler/, _collision.onCollision, "bears", "bears", null);
             assertThrows(ArgumentError, /^breed must be the name.*""/, _collision.onCollision, "", "bears", note("x"));
             assertThrows(ArgumentError, /^otherBreed must be the name.*null/, _collision.onCollision, "bears", null, note("x"));
+            assertThrows(ArgumentError, /^the ground and the edges .* one of "\*terrain" and "\*edge" must be a breed of agents/, _collision.onCollision, "*terrain", "*edge", note("x"));
             assertThrows(ArgumentError, /collisionSystem/, create, Collision, null);
             _agents.pop();
             _collision.update(_agents);
@@ -103,7 +105,8 @@ package starlogo.collision
             _collision.onCollision("bears", Collision.EDGE, note("x"));
             assertEquals("before the first frame", "", _collision.breedsWithoutAgents.join());
             _collision.update(_agents);
-            assertEquals("bals,traps", _collision.breedsWithoutAgents.sort(Array.CASEINSENSITIVE).join());
+            assertEquals("*edge,bals,traps", _collision.breedsWithoutAgents.sort(Array.CASEINSENSITIVE).join());
+            _collision.bounds = new WorldBounds(-50, -50, 0, 50, 50, 50);
             addAll("traps");
             _collision.update(_agents);
             assertEquals("bals", _collision.breedsWithoutAgents.join());

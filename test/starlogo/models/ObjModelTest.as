@@ -77,9 +77,10 @@ package starlogo.models
         [Test]
         public function refusesOtherTextsByTheirBeginning():void
         {
-            var expected:RegExp = /no OBJ text: it begins with "<!doctype html>"\. A ColladaModel/;
+            var expected:RegExp = /no OBJ text: it begins with "<!doctype html>"\. It is a web page: is the address right\?$/;
             assertThrows(ModelError, expected, create, ObjModel, "a", "\n  <!doctype html>\n<p>404</p>");
-            assertThrows(ModelError, /begins with "<\?xml version=.*\.\.\."/, create, ObjModel, "a", "<?xml version=\"1.0\"?><COLLADA" + new Array(99).join(" "));
+            assertThrows(ModelError, /"<HTML>"\. It is a web page/, create, ObjModel, "a", "<HTML>");
+            assertThrows(ModelError, /begins with "<\?xml version=.*\.\.\."\. A ColladaModel reads COLLADA$/, create, ObjModel, "a", "<?xml version=\"1.0\"?><COLLADA" + new Array(99).join(" "));
         }
 
         [Test]

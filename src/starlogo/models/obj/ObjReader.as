@@ -45,8 +45,7 @@ package starlogo.models.obj
             var name:String = data.name;
             refuseIf(text == null, name, "there is no text to read");
             refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
-            var tag:Array = text.substr(0, 1000).match(/^\s*(<[^\n\r]*)/);
-            refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && shortened(tag[1])) + "\". A ColladaModel reads COLLADA");
+            refuseMarkup(name, text);
             _data = data;
             _lines = new LineReader(name, text);
             _limits = new FileLimits(name, text.length);
@@ -65,6 +64,17 @@ package starlogo.models.obj
         {
             var data:ModelData = ModelData.forFile(name, upAxis, scaling);
             return new ModelBuilder(data, new ObjReader(data, text));
+        }
+
+        // Throws if the text begins with a tag. A server may answer with a web page if it has no such file.
+        private static function refuseMarkup(name:String, text:String):void
+        {
+            var tag:Array = text.substr(0, 1000).match(/^\s*(<[^\n\r]*)/);
+            if (tag != null)
+            {
+                var hint:String = /^<(!doctype )?html/i.test(tag[1]) ? "It is a web page: is the address right?" : "A ColladaModel reads COLLADA";
+                throw new ModelError(name, "", "this is no OBJ text: it begins with \"" + shortened(tag[1]) + "\". " + hint);
+            }
         }
 
         private function readSome():Boolean

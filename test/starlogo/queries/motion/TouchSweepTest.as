@@ -91,31 +91,39 @@ package starlogo.queries.motion
 
         // Its sweep meets no surface, or the surface from inside.
         [Test]
-        public function whatBeginsInsideOfAClosedModelIsDeep():void
+        public function nothingStopsWhatBeginsInsideOfAClosedModel():void
         {
-            assertDeep(new Vector3D(0.1, 0.2, 2), new <Vector3D>[new Vector3D(0, 0.1, 0), new Vector3D(9, 0, 0)]);
+            var from:Vector3D = new Vector3D(0.1, 0.2, 2);
+            assertStops(false, from, new Vector3D(0, 0.1, 0));
+            assertStops(false, from, new Vector3D(9, 0, 0));
         }
 
-        // Its sweep begins with a contact, also if it leaves the surface or runs along it.
+        // Its sweep begins with a contact, also if it leaves the surface.
         [Test]
-        public function whatBeginsAcrossASurfaceIsDeep():void
+        public function whatBeginsAcrossASurfaceIsStoppedOnTheWayInwards():void
         {
-            assertDeep(new Vector3D(2, 0, 2), new <Vector3D>[new Vector3D(-0.5, 0, 0), new Vector3D(9, 0, 0), new Vector3D(0, 0.1, 0), new Vector3D(0, 0, 9)]);
+            var from:Vector3D = new Vector3D(2, 0, 2);
+            assertStops(true, from, new Vector3D(-0.5, 0, 0));
+            assertTrue("deep", _result.isDeep);
+            assertStops(false, from, new Vector3D(9, 0, 0));
         }
 
-        private function assertDeep(from:Vector3D, motions:Vector.<Vector3D>):void
+        private function assertStops(isStopped:Boolean, from:Vector3D, motion:Vector3D):void
+        {
+            sweepSphere(from, motion);
+            assertEquals(motion.toString(), isStopped, _result.row >= 0);
+        }
+
+        // Sweeps a small sphere among the triangles of a large one.
+        private function sweepSphere(from:Vector3D, motion:Vector3D):void
         {
             var agent:Agent = agentAt(_model.name, 0, 0, 0);
             agent.size = 4;
             agent.hierarchical = true;
             _seen.update(new <Agent>[agent]);
-            for each (var motion:Vector3D in motions)
-            {
-                _body.readStructure(new Sphere(from, 0.1));
-                _body.findRowsAlong(motion.x, motion.y, motion.z, null, null);
-                _sweep.findTouches(_body, motion, 1, _hits, _result);
-                assertTrue(motion + ": deep", _result.isDeep);
-            }
+            _body.readStructure(new Sphere(from, 0.1));
+            _body.findRowsAlong(motion.x, motion.y, motion.z, null, null);
+            _sweep.findTouches(_body, motion, 1, _hits, _result);
         }
 
         private function compare(make:Function):void

@@ -165,16 +165,7 @@ package starlogo.collision
          */
         public function get breedsWithoutAgents():Vector.<String>
         {
-            var all:Vector.<Agent> = _lastFrame.agents.slice();
-            if (terrain != null)
-            {
-                all.push(terrain.agent);
-            }
-            if (bounds != null)
-            {
-                all.push(bounds.agent);
-            }
-            return _handlers.breedsWithout(all);
+            return _handlers.breedsWithout(_lastFrame.agents.concat(new <Agent>[ground, edges]));
         }
 
         /** The counts of its last frame, for a trace. */

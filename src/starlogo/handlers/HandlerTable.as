@@ -61,8 +61,7 @@ package starlogo.handlers
             var handler:CollisionHandler = new CollisionHandler(kind, breed, otherBreed, callback, _nextSerial);
             if (Breeds.isOfWorld(handler.colliderBreed) && Breeds.isOfWorld(handler.collideeBreed))
             {
-                throw new ArgumentError("the ground and the edges of the world do not collide with each other: one of \"" + breed + "\" and \"" + otherBreed
-                        + "\" must be a breed of agents or ANY_BREED");
+                throw new ArgumentError("TERRAIN and EDGE do not collide with each other");
             }
             addToList(handler);
             _nextSerial++;
@@ -156,13 +155,13 @@ package starlogo.handlers
             return handlersOf(pairs.firstOf(pair).breedNumber, pairs.secondOf(pair).breedNumber);
         }
 
-        /** The breeds that handlers of the last frame name, and that none of these agents has. */
+        /** The breeds that handlers of the last frame name, and that none of these agents has. An agent may be null. */
         public function breedsWithout(agents:Vector.<Agent>):Vector.<String>
         {
             var isThere:Vector.<Boolean> = new Vector.<Boolean>(Breeds.NAMES.count);
             for each (var agent:Agent in agents)
             {
-                isThere[agent.breedNumber] = true;
+                isThere[agent == null ? Breeds.ANY : agent.breedNumber] = true;
             }
             isThere[Breeds.ANY] = true;
             var missing:Vector.<String> = new Vector.<String>();

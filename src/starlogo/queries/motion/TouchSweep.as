@@ -22,8 +22,9 @@ package starlogo.queries.motion
      */
     public final class TouchSweep
     {
-        // The number of places that are tried in order to find one at which the two touch. A sweep may end some 30 gaps before a triangle of the ground.
-        private static const STEPS_INTO_TOUCH:int = 64;
+        // The number of places that are tried in order to find one at which the two touch, half a gap apart. A sweep may end some 30 gaps before a triangle
+        // of the ground, and some 40 before the touch of a point.
+        private static const STEPS_INTO_TOUCH:int = 128;
 
         // How often the way to where the core touches is halved. The rest is less than rounding.
         private static const HALVINGS:int = 40;

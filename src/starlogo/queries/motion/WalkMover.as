@@ -105,7 +105,10 @@ package starlogo.queries.motion
                 findNear(walk, depth);
                 _push.pushOut(walk.body, walk.place, depth, walk.deepest);
             }
-            walk.pushed = Vector3D.distance(walk.place, walk.start);
+            var x:Number = walk.place.x - walk.start.x;
+            var y:Number = walk.place.y - walk.start.y;
+            var z:Number = walk.place.z - walk.start.z;
+            walk.pushed = Math.sqrt(x * x + y * y + z * z);
             walk.start.copyFrom(walk.place);
             return goDown(walk, walk.closeDepth, _straight);
         }

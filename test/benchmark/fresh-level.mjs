@@ -1,6 +1,6 @@
 /**
  * Prints the milliseconds of the processors from a level that three.js has read to its first ray, in code that has never run: node fresh-level.mjs NAME
- * FILE. The name is "engine" or "three-mesh-bvh". benchmark.mjs copies it into a folder in which all that it imports is installed.
+ * FILE. The name is "engine" or "three-mesh-bvh". module.mjs copies it into a folder in which all that it imports is installed.
  */
 import { readFileSync } from "node:fs";
 import { BufferGeometry, Ray, Vector3 } from "three";

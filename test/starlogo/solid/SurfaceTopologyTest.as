@@ -34,6 +34,21 @@ package starlogo.solid
             assertFalse(surfaceOf(new <Number>[0, 0, 0], new <uint>[0, 0, 0]).hasClosedShell);
         }
 
+        /** A face of a tetrahedron has a sheet at its place, there and back. It is a shell of its own, in any order of the triangles. */
+        [Test]
+        public function aDoubledFaceIsMatchedWithItself():void
+        {
+            var corners:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+            var sheet:Array = [0, 1, 2, 0, 2, 1];
+            var tetrahedron:Array = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
+            for each (var numbers:Array in [sheet.concat(tetrahedron), tetrahedron.concat(sheet)])
+            {
+                var surface:SurfaceTopology = surfaceOf(corners, Vector.<uint>(numbers));
+                assertEquals(numbers.join(), "-1,-1", surface.shellStates.join());
+                assertEquals(numbers.join(), 1, surface.partCount);
+            }
+        }
+
         [Test]
         public function seamsThatRoundingPartedAreClosed():void
         {

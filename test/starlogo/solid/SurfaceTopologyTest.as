@@ -51,13 +51,6 @@ package starlogo.solid
             }
         }
 
-        // The state of the shell that has a triangle.
-        private static function stateOf(triangle:int, vertices:Vector.<Number>, triangles:Array):int
-        {
-            var surface:SurfaceTopology = surfaceOf(vertices, Vector.<uint>(triangles));
-            return surface.shellStates[surface.shellOf(triangle)];
-        }
-
         [Test]
         public function seamsThatRoundingPartedAreClosed():void
         {
@@ -224,6 +217,13 @@ package starlogo.solid
                 turned = turned.concat(groups[0].length < groups[1].length ? groups[0] : groups[1]);
             }
             return turned;
+        }
+
+        // The state of the shell that has a triangle.
+        private static function stateOf(triangle:int, vertices:Vector.<Number>, triangles:Array):int
+        {
+            var surface:SurfaceTopology = surfaceOf(vertices, Vector.<uint>(triangles));
+            return surface.shellStates[surface.shellOf(triangle)];
         }
 
         private static function surfaceOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SurfaceTopology

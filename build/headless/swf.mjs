@@ -14,7 +14,7 @@ export function readSwf(file) {
 	if (!['FWS', 'CWS'].includes(signature)) {
 		throw new Error(`this is no SWF that can be read here: it begins with ${signature}`);
 	}
-	const body = signature === 'CWS' ? inflateSync(file.subarray(8)) : file.subarray(8);
+	const body = bodyOf(file);
 	// a rectangle of four numbers with as many bits as its first five bits say, then the frame rate and the frames
 	const start = Math.ceil((5 + 4 * (body[0] >> 3)) / 8) + 4;
 	const tags = [];
@@ -29,6 +29,12 @@ export function readSwf(file) {
 	return { head: Buffer.concat([Buffer.from('FWS'), file.subarray(3, 8), body.subarray(0, start)]), tags };
 }
 
+/** What is behind the first eight bytes of a SWF, which is not in LZMA. */
+function bodyOf(file) {
+	const body = file.subarray(8);
+	return file.toString('latin1', 0, 3) === 'CWS' ? inflateSync(body) : body;
+}
+
 /** Why a file cannot be played, or an empty text: it is no SWF, or its end is missing. The length of a SWF in LZMA is not looked at. */
 export function problemOf(file) {
 	const signature = file.toString('latin1', 0, 3);
@@ -36,7 +42,7 @@ export function problemOf(file) {
 		return 'is no SWF';
 	}
 	try {
-		const length = signature === 'FWS' ? file.length : signature === 'CWS' ? inflateSync(file.subarray(8)).length + 8 : Infinity;
+		const length = signature === 'ZWS' ? Infinity : 8 + bodyOf(file).length;
 		return length < file.readUInt32LE(4) ? 'is no whole SWF: its end is missing' : '';
 	} catch {
 		return 'is no whole SWF: its end is missing, or its bytes are damaged';

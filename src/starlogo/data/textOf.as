@@ -1,8 +1,8 @@
 package starlogo.data
 {
     /**
-     * The text that an error message uses for an object of any class. A string stands in quotes. JavaScript callers can pass such objects, because they have no types. The
-     * ES module has its own version of this function.
+     * The text that an error message uses for an object of any class. A string stands in quotes. JavaScript callers can pass such objects,
+     * because they have no types. The ES module has its own version of this function.
      *
      * @param wanted the type that was expected, for example "an Agent"
      *

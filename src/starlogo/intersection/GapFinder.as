@@ -10,8 +10,8 @@ package starlogo.intersection
 
     /**
      * Finds the gap between the cores of two structures, by which RoundKernel answers its questions: from a sphere's centre or a capsule's axis to a
-     * capsule's axis or a box. Each pair of kinds has a formula. They are in one class, because a call
-     * that meets more than four classes is slow in V8.
+     * capsule's axis or a box. Each pair of kinds has a formula. They are in one class, because a call that meets more than
+     * four classes is slow in V8.
      */
     internal final class GapFinder
     {

@@ -1,31 +1,35 @@
-/** The page of calls: what it says that a frame passes is what runs, as V8 counts it. Checks starlogo.collision. */
+/** The page of calls: what it says that a frame, a question and a walk pass is what runs, as V8 counts it. Checks starlogo.collision. */
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { Agent, BuiltInModel, Collision, GreatLand, TightestFitCollider } from "../../bin/module/starlogo-collision.js";
+import { Agent, AgentFilter, AgentQueries, BuiltInModel, Collision, CombinationCollider, GreatLand, TightestFitCollider } from "../../bin/module/starlogo-collision.js";
 import { beginCoverage } from "../runner/coverage.mjs";
 
 const at = (file) => fileURLToPath(new URL(`../../${file}`, import.meta.url));
 const code = readFileSync(at("bin/module/starlogo-collision.js"), "utf8");
-const page = readFileSync(at("docs/calls.md"), "utf8").split("\n## ")[1];
+const sections = readFileSync(at("docs/calls.md"), "utf8").split("\n## ");
+const section = (title) => sections.find((text) => text.startsWith(title + "\n"));
+const namesIn = (text) => [...new Set([...text.matchAll(/`([A-Z]\w+)/g)].map(([, name]) => name))];
 
-const ROOMS = ["agents", "broadphase", "search", "handlers", "collision"];
-const inRooms = new Set(ROOMS.flatMap((room) => readdirSync(at(`src/starlogo/${room}`), { recursive: true }))
+/** The classes of some rooms, with their folders. */
+const classesOf = (...rooms) => new Set(rooms.flatMap((room) => readdirSync(at(`src/starlogo/${room}`), { recursive: true }))
 	.filter((file) => file.endsWith(".as")).map((file) => file.split(/[\\/]/).pop().slice(0, -3)));
+const FRAME = classesOf("agents", "broadphase", "search", "handlers", "collision");
+const QUERIES = classesOf("queries");
 
 // a class's static methods are functions behind it: Name$method
 const parts = [...code.matchAll(/^(?:(?:const \w+ = .*)?class (\w+)|function ([A-Z][a-zA-Z\d]*)\$)/gm)]
 	.map(({ 1: ofClass, 2: ofFunction, index }) => ({ name: ofClass ?? ofFunction, start: index, end: code.indexOf("\n}", index) }));
 
-/** The classes of the rooms of which something runs in a call. */
-function classesThatRun(call) {
+/** The classes, of those that are given, of which something runs in a call. */
+function classesThatRun(among, call) {
 	const take = beginCoverage(false);
 	take();
 	call();
 	const { functions } = take().find(({ url }) => url.endsWith("starlogo-collision.js"));
 	const starts = functions.map(({ ranges }) => ranges[0]).filter(({ count }) => count > 0).map(({ startOffset }) => startOffset);
-	const ran = parts.filter(({ name, start, end }) => inRooms.has(name) && starts.some((each) => each >= start && each < end));
+	const ran = parts.filter(({ name, start, end }) => among.has(name) && starts.some((each) => each >= start && each < end));
 	return [...new Set(ran.map(({ name }) => name))];
 }
 
@@ -43,10 +47,43 @@ test("docs/calls.md lists the classes that a frame passes, and those that it lea
 	}
 	move();
 	const before = calls;
-	const ran = classesThatRun(() => collision.update(agents));
+	const ran = classesThatRun(FRAME, () => collision.update(agents));
 	assert.ok(calls - before > 1000, "handlers ran");
+	const page = section("A frame");
 	const listed = [...page.matchAll(/^\d+\. `(\w+)`/gm)].map(([, name]) => name);
 	const leftOut = [...page.match(/leaves out ([^]*?)\.\n\n/)[1].matchAll(/`(\w+)`/g)].map(([, name]) => name);
 	assert.match(page, new RegExp(`passes ${listed.length} classes`));
-	assert.deepEqual([...listed, ...leftOut].filter((name) => inRooms.has(name)).sort(), ran.sort());
+	assert.deepEqual([...listed, ...leftOut].filter((name) => FRAME.has(name)).sort(), ran.sort());
+});
+
+test("docs/calls.md lists the classes of queries that nearest passes", () => {
+	const land = new GreatLand();
+	land.addModel(BuiltInModel.cube());
+	const queries = new AgentQueries(new CombinationCollider(land));
+	const agents = Array.from({ length: 400 }, (_, i) => Object.assign(new Agent("cube", i % 2 ? "sheep" : "wolves"), { x: i % 20, y: Math.floor(i / 20) }));
+	queries.update(agents);
+	const sheep = new AgentFilter({ breeds: ["sheep"] });
+	let found = null;
+	const ran = classesThatRun(QUERIES, () => found = queries.nearest(agents[2], 20, sheep));
+	assert.equal(found.breed, "sheep");
+	const listed = namesIn(section("A question").match(/^1\. [^]*?\n\n/m)[0]);
+	assert.deepEqual(listed.sort(), ran.filter((name) => name !== "AgentFilter").sort());
+});
+
+test("docs/calls.md names the classes of queries that a walk passes", () => {
+	const land = new GreatLand();
+	for (const model of [BuiltInModel.box(40, 40, 8, "ground"), BuiltInModel.box(40, 1, 9, "wall"), BuiltInModel.capsule(0.3, 1.8, "hero"), BuiltInModel.cube()]) {
+		land.addModel(model);
+	}
+	const queries = new AgentQueries(new CombinationCollider(land));
+	const agents = [["ground", 0, -8], ["wall", 3, -2], ["cube", 0, -0.7], ["hero", -3, 0]].map(([shape, y, z]) => Object.assign(new Agent(shape), { y, z }));
+	queries.update(agents);
+	const hero = agents[3];
+	const ran = classesThatRun(QUERIES, () => {
+		for (let i = 0; i < 200; i++) queries.walk(hero, i < 100 ? 0.005 : 0.1, 0.06);
+	});
+	assert.ok(hero.y > 1 && hero.y < 3 && hero.x > 5, "it crosses the step, and slides along the wall");
+	const named = [...namesIn(section("A question") + section("A walk")), "WalkOptions", "Footing"];
+	assert.ok(ran.length > 15, ran.join());
+	assert.deepEqual(ran.filter((name) => !named.includes(name)), []);
 });

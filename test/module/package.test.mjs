@@ -613,6 +613,36 @@ test("while a game is developed, settings that a constructor does not take, leve
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
 
+test("while a game is developed, a level that collides as the structure around it is warned of, once", () => {
+	const program = (module) => `import { Agent, BuiltInModel, Collision, CombinationCollider, GreatLand, HierarchicalCollider, Model, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const land = new GreatLand();
+		const cube = BuiltInModel.cube();
+		const triangles = Array.from({ length: 10001 }, (_, i) => [...cube.triangles.slice(0, 3)]).flat();
+		land.addModel(new Model("level", cube.vertices, triangles));
+		land.addModel(new Model("figure", cube.vertices, triangles.slice(3)));
+		const seenBy = (system, shape, traits) => {
+			const handled = new Collision(system);
+			handled.onCollision("a", "a", () => {});
+			for (let i = 0; i < 2; i++) handled.update([0, 1].map(() => Object.assign(new Agent(shape, "a"), traits)));
+			return said.splice(0);
+		};
+		console.log(JSON.stringify([
+			seenBy(new HierarchicalCollider(land), "level", {}),
+			seenBy(new CombinationCollider(land), "level", { hierarchical: true }),
+			seenBy(new TightestFitCollider(land), "level", { collideAs: "box" }),
+			seenBy(new TightestFitCollider(land), "figure", {}),
+			seenBy(new TightestFitCollider(land), "level", {}),
+			seenBy(new CombinationCollider(land), "level", {}),
+		]));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const said = run("starlogo-collision.js");
+	assert.deepEqual(said.map((texts) => texts.length), [0, 0, 0, 0, 1, 1], JSON.stringify(said));
+	assert.match(said[4][0], /\(breed "a", shape "level"\) has 10001 triangles, and collides as the structure around them: for a level set hierarchical to true in a CombinationCollider/);
+	assert.ok(run("starlogo-collision.min.js").every((texts) => texts.length === 0));
+});
+
 test("while a game is developed, walks that stop before what has a handler with the walker are warned of, once, unless the two meet otherwise", () => {
 	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, Collision, GreatLand, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];

@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.data.requireGiven;
+    import starlogo.data.warn;
     import starlogo.engine;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.search.pairs.StructurePairTests;
@@ -17,6 +18,9 @@ package starlogo.search
      */
     public final class TightestFitChoice extends BaseShapeChoice
     {
+        // A model of more triangles is probably a level.
+        private static const MOST_TRIANGLES:int = 10000;
+
         /** @param greatLand the models' structures */
         public function TightestFitChoice(greatLand:GreatLand)
         {
@@ -52,6 +56,18 @@ package starlogo.search
                 return;
             }
             shape.setStructure(library.tightestFit(model));
+            warnOfLevel(model, agent);
+        }
+
+        // A level is one large model, and a structure around it is hardly what a game wants.
+        private function warnOfLevel(model:String, agent:Agent):void
+        {
+            var triangles:Vector.<uint> = greatLand.modelOf(model).triangles;
+            if (triangles != null && triangles.length > 3 * MOST_TRIANGLES)
+            {
+                warn(agent + " has " + triangles.length / 3 + " triangles, and collides as the structure around them: for a level set hierarchical to true in a "
+                        + "CombinationCollider; for a figure choose a structure with collideAs");
+            }
         }
     }
 }

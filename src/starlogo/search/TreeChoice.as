@@ -1,6 +1,5 @@
 package starlogo.search
 {
-    import starlogo.data.warn;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
@@ -21,9 +20,6 @@ package starlogo.search
     {
         // The kind of a model's shape that is its tree. The shapes of TightestFitChoice have lower kinds.
         private static const TREE_KIND:int = BoundingStructure.KIND_COUNT;
-
-        // A model of more triangles is probably a level.
-        private static const MOST_TRIANGLES:int = 10000;
 
         private var _fits:TightestFitChoice;
 
@@ -57,7 +53,6 @@ package starlogo.search
             if (shape.kind != TREE_KIND)
             {
                 _fits.bind(shape, agent);
-                warnOfLevel(shape, agent);
                 return;
             }
             if (!greatLand.hierarchies.has(shape.modelName))
@@ -65,17 +60,6 @@ package starlogo.search
                 throw new ArgumentError(agent + ": its model was added while loadHierarchies was false; set it to true, and add the model again");
             }
             shape.setTree(greatLand.hierarchies.treeOf(shape.modelName));
-        }
-
-        // A level is one large model, and a box around it is hardly what a game wants.
-        private function warnOfLevel(shape:ModelShape, agent:Agent):void
-        {
-            var triangles:Vector.<uint> = greatLand.modelOf(shape.modelName).triangles;
-            if (shape.kind == Agent.ANY_KIND && triangles != null && triangles.length > 3 * MOST_TRIANGLES)
-            {
-                warn(agent + " has " + triangles.length / 3 + " triangles, and collides as the structure around them: set hierarchical to true for a level, "
-                        + "or choose a structure with collideAs");
-            }
         }
     }
 }

@@ -189,7 +189,7 @@ package starlogo.models
          */
         public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).setFile(bytes, null);
+            add(name, upAxis, scaling).addReading(bytes, null);
         }
 
         /**
@@ -202,7 +202,7 @@ package starlogo.models
          */
         public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).setFile(null, text);
+            add(name, upAxis, scaling).addReading(null, text);
         }
 
         /**
@@ -214,7 +214,7 @@ package starlogo.models
         public function loadFrom(maker:ModelMaker):void
         {
             requireGiven("the maker of the model", maker);
-            add(maker.name, "z", Model.FOOTPRINT).setMaker(maker);
+            add(maker.name, "z", Model.FOOTPRINT).addMaking(maker);
         }
 
         /**

@@ -21,7 +21,7 @@ package starlogo.models.loading
      *
      * <p>Each method adds the steps that come after it. <code>fetch</code> fetches the list of cooked files, if there is one. Then
      * <code>fetchCooked</code> and <code>readCooked</code> try the cooked file. If that gives no model, <code>fetchFile</code> fetches the model's own
-     * file and its transform file. <code>setFile</code> decodes the file. <code>setMaker</code> has its reader make the model, which may fetch other
+     * file and its transform file. <code>addReading</code> decodes the file. <code>addMaking</code> has its reader make the model, which may fetch other
      * files (<code>fetchBeside</code>), and <code>keepModel</code> gives it to the receiver.</p>
      *
      * @private
@@ -123,8 +123,8 @@ package starlogo.models.loading
             call(fetchCooked);
         }
 
-        /** Sets the file to read, as bytes or as text. The other is null. */
-        public function setFile(bytes:ByteArray, text:String):void
+        /** Adds the steps that read a file, as bytes or as text. The other is null. */
+        public function addReading(bytes:ByteArray, text:String):void
         {
             call(function():void
                 {
@@ -134,12 +134,12 @@ package starlogo.models.loading
                     }
                 }).call(function():void
                 {
-                    setMaker(ModelFormat.newBuilder(name, bytes, text, _url, _upAxis, _scaling, fetchBeside));
+                    addMaking(ModelFormat.newBuilder(name, bytes, text, _url, _upAxis, _scaling, fetchBeside));
                 });
         }
 
-        /** Sets what makes the model: the reader of its file, or the game's own maker. */
-        public function setMaker(maker:ModelMaker):void
+        /** Adds the steps of what makes the model: the reader of its file, or the game's own maker. */
+        public function addMaking(maker:ModelMaker):void
         {
             _downloads.length = 0;
             _maker = maker;
@@ -227,7 +227,7 @@ package starlogo.models.loading
                 var transform:ModelTransform = ModelTransform.fromText(bytes.readUTFBytes(bytes.length));
                 _upAxis = transform.isIdentity ? _upAxis : transform;
             }
-            setFile(file.bytes, null);
+            addReading(file.bytes, null);
         }
 
         // Starts to fetch a file that the model's file names. The maker's next step is done when it has come.

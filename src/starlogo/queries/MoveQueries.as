@@ -130,11 +130,12 @@ package starlogo.queries
         // The body of a question that begins now.
         private function nestedBody():MovingBody
         {
-            while (_bodies.length <= _seen.nesting)
+            var at:int = _seen.nesting;
+            while (_bodies.length <= at)
             {
                 _bodies.push(new MovingBody(_seen));
             }
-            return _bodies[_seen.nesting];
+            return _bodies[at];
         }
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number

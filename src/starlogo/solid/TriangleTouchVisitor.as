@@ -92,18 +92,15 @@ package starlogo.solid
             for (var i:int = 0; i < 6; i += 2)
             {
                 size += Math.max(Math.abs(extents[i]), Math.abs(extents[int(i + 1)]));
-            }
-            var rounding:Number = Tolerances.EXTENTS * size;
-            _radius = shape.radius + shape.margin + rounding;
-            _search.setExtents(extents, shape.margin + rounding);
-            _search.setMotion(motion);
-            _separatingAxes.setTo(shape, _radius, motion);
-            _sweep.copyVector(motion);
-            for (i = 0; i < 6; i += 2)
-            {
                 extents[i] += shape.radius;
                 extents[int(i + 1)] -= shape.radius;
             }
+            var rounding:Number = Tolerances.EXTENTS * size;
+            _radius = shape.radius + shape.margin + rounding;
+            _search.setExtents(extents, _radius);
+            _search.setMotion(motion);
+            _separatingAxes.setTo(shape, _radius, motion);
+            _sweep.copyVector(motion);
             sweepExtents();
         }
 

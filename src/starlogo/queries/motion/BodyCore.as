@@ -105,7 +105,7 @@ package starlogo.queries.motion
             clearance = slop / 4;
             _mostInset = slop + SHALLOW * largest;
             setInset(slop);
-            isFlat = shrink * body.source.leastHalf < FLAT * slop;
+            isFlat = shrink * body.whole.leastHalf < FLAT * slop;
         }
 
         /** Becomes the core of a body that stands at a place. */
@@ -142,7 +142,7 @@ package starlogo.queries.motion
         {
             _inset = width;
             _place.x = NaN;
-            shrink = shrinkOf(body.source, width);
+            shrink = shrinkOf(body.whole, width);
         }
 
         /** The core when the body stands at a place. It is valid until the next call. */
@@ -150,7 +150,7 @@ package starlogo.queries.motion
         {
             if (place.x != _place.x || place.y != _place.y || place.z != _place.z)
             {
-                _core.readShrunk(body.source, place, shrink);
+                _core.readShrunk(body.whole, place, shrink);
                 _place.copyFrom(place);
             }
             return _core;

@@ -130,18 +130,18 @@ package starlogo.queries.motion
         public function findTouchTime(core:BodyCore, from:Vector3D, motion:Vector3D, impact:Impact):Number
         {
             var contact:ContactPoint = impact.contact;
-            var source:Body = core.body.source;
+            var whole:Body = core.body.whole;
             var shrink:Number = core.shrink;
-            var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + source.offsetX + impact.time * motion.x - contact.x)
-                    + contact.normalY * (from.y + source.offsetY + impact.time * motion.y - contact.y)
-                    + contact.normalZ * (from.z + source.offsetZ + impact.time * motion.z - contact.z));
+            var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + whole.offsetX + impact.time * motion.x - contact.x)
+                    + contact.normalY * (from.y + whole.offsetY + impact.time * motion.y - contact.y)
+                    + contact.normalZ * (from.z + whole.offsetZ + impact.time * motion.z - contact.z));
             var expected:Number = Math.max(0, Math.min(1, impact.time + recess / contact.along(motion)));
             if (!(recess < 0))
             {
                 return expected;
             }
             setAlong(from, motion, 1, _end);
-            var whole:Body = core.body.wholeAt(_end);
+            core.body.wholeAt(_end);
             var other:Body = core.body.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
             core.body.narrowPhase.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);

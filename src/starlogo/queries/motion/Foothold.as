@@ -59,7 +59,7 @@ package starlogo.queries.motion
         // Whether an edge is more than a step above the lowest point of the agent, where the piece began or at its place.
         private static function isTooHigh(walk:Walk, contact:ContactPoint, place:Vector3D):Boolean
         {
-            var body:Body = walk.body.source;
+            var body:Body = walk.body.whole;
             var bottom:Number = body.z - body.halfZ - body.placement.z;
             return contact.z > Math.min(walk.start.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
         }

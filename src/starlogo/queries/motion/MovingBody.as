@@ -40,8 +40,11 @@ package starlogo.queries.motion
         // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
         private static const WITH_ROOM:Number = 2.1;
 
-        /** The body where it begins: a copy, because a filter's <code>accepts</code> may move the agent. Read only. */
-        public var source:Body = new Body();
+        /**
+         * The whole body where it was tested last: a copy, because a filter's <code>accepts</code> may move the agent. Only <code>wholeAt()</code> moves
+         * it. Read only.
+         */
+        public var whole:Body = new Body();
 
         /** The rows that count and are near its way, in the order of the list. Read only. */
         public var rows:IntList = new IntList();
@@ -54,8 +57,7 @@ package starlogo.queries.motion
         // Finds the rows near its way.
         private var _search:SweptBoxSearch = new SweptBoxSearch();
 
-        // The body at the place of its last test, and the contact with a one-way row.
-        private var _whole:Body = new Body();
+        // The contact with a one-way row.
         private var _contact:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows, and decides which of them touch */
@@ -73,10 +75,10 @@ package starlogo.queries.motion
         public function readAgent(agent:Agent, turn:Number = 0):void
         {
             _seen.requirePlaced(agent);
-            source.copyFrom(_seen.bodyOf(agent));
+            whole.copyFrom(_seen.bodyOf(agent));
             if (turn != 0 && hasShape)
             {
-                source.turn(agent, turn);
+                whole.turn(agent, turn);
             }
             begin();
         }
@@ -91,11 +93,11 @@ package starlogo.queries.motion
             var body:Body = _seen.bodyOf(agent);
             if (body.shape == null || body.form >= ModelShape.TREE)
             {
-                source.copyFrom(body);
+                whole.copyFrom(body);
             }
             else
             {
-                source.readPlaced(body);
+                whole.readPlaced(body);
             }
             begin();
         }
@@ -103,26 +105,25 @@ package starlogo.queries.motion
         /** Becomes the body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
         public function readStructure(structure:BoundingStructure):void
         {
-            source.readStructure(structure);
+            whole.readStructure(structure);
             begin();
         }
 
         private function begin():void
         {
-            _whole.copyFrom(source);
-            from.setTo(source.placement.x, source.placement.y, source.placement.z);
+            from.setTo(whole.placement.x, whole.placement.y, whole.placement.z);
         }
 
         /** Whether it has a shape: false while the model of its agent is loading. */
         public function get hasShape():Boolean
         {
-            return source.shape != null;
+            return whole.shape != null;
         }
 
         /** Its largest extent. */
         public function get extent():Number
         {
-            return 2 * source.largestHalf;
+            return 2 * whole.largestHalf;
         }
 
         /**
@@ -140,7 +141,7 @@ package starlogo.queries.motion
             rows.count = 0;
             if (hasShape)
             {
-                _search.beginAround(_seen.treeOfExtents(), source);
+                _search.beginAround(_seen.treeOfExtents(), wholeAt(from));
                 _search.moveAlong(dx, dy, dz, 1);
                 found.listRows(_search, rows);
             }
@@ -161,7 +162,7 @@ package starlogo.queries.motion
             rows.count = 0;
             if (hasShape)
             {
-                _search.beginAround(_seen.treeOfExtents(), source);
+                _search.beginAround(_seen.treeOfExtents(), wholeAt(from));
                 _search.widen(range, up, down);
                 found.listRows(_search, rows);
             }
@@ -182,8 +183,8 @@ package starlogo.queries.motion
         /** The whole body at a place. It is valid until the next call. */
         public function wholeAt(place:Vector3D):Body
         {
-            _whole.moveTo(place);
-            return _whole;
+            whole.moveTo(place);
+            return whole;
         }
 
         /** Whether the whole body touches a row when it stands at a place. */
@@ -218,11 +219,11 @@ package starlogo.queries.motion
         public function findContact(row:int, place:Vector3D, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            var tests:PairTests = narrowPhase.pairTestsFor(source, other);
+            var tests:PairTests = narrowPhase.pairTestsFor(whole, other);
             tests.findContactOfParts(wholeAt(place), other, RelativeMotion.NONE, out);
             if (!isShallow(row, out))
             {
-                tests.separate(_whole, other, RelativeMotion.NONE, out);
+                tests.separate(whole, other, RelativeMotion.NONE, out);
             }
         }
 
@@ -230,9 +231,9 @@ package starlogo.queries.motion
         public function findSeparatingContact(row:int, place:Vector3D, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            var tests:PairTests = narrowPhase.pairTestsFor(source, other);
+            var tests:PairTests = narrowPhase.pairTestsFor(whole, other);
             tests.findContactOfParts(wholeAt(place), other, RelativeMotion.NONE, out);
-            tests.separate(_whole, other, RelativeMotion.NONE, out);
+            tests.separate(whole, other, RelativeMotion.NONE, out);
         }
 
         /** Whether a contact with a row is so shallow that rounding in the game can be the cause. */
@@ -260,15 +261,15 @@ package starlogo.queries.motion
         {
             var form:int = bodyOf(row).form;
             var isTree:Boolean = form == ModelShape.TREE;
-            var allowed:Number = source.halfAlong(contact);
+            var allowed:Number = whole.halfAlong(contact);
             if (!isTree)
             {
                 allowed *= WITH_ROOM;
             }
             if (form != ModelShape.GROUND && contact.depth > allowed)
             {
-                var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
-                warnOfInside(_seen.table.list.agents, row, source.shape.modelName, source.placement, below, contact.depth, isTree);
+                var below:Number = whole.placement.r22 == 1 ? whole.halfZ - whole.offsetZ : 0;
+                warnOfInside(_seen.table.list.agents, row, whole.shape.modelName, whole.placement, below, contact.depth, isTree);
             }
         }
     }

@@ -93,7 +93,7 @@ package starlogo.queries.motion
             body.warnIfInside(row, out);
             out.depth += core.clearance;
             // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-            return body.bodyOf(row).form != ModelShape.TREE || out.depth <= body.source.halfAlong(out);
+            return body.bodyOf(row).form != ModelShape.TREE || out.depth <= body.whole.halfAlong(out);
         }
     }
 }

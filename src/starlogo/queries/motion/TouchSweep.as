@@ -116,17 +116,16 @@ package starlogo.queries.motion
             _rows.count = 0;
             _rows.add(row);
             _sweep.findStop(body, _rows, common.place, motion, _start, out);
-            if (out.row < 0)
+            if (out.row >= 0)
             {
-                out.contact.setNormal(0, 0, 0);
+                if (!out.isDeep)
+                {
+                    out.contact.depth = 0;
+                    leaveOutLift(motion, _start, out);
+                }
+                setEnd(body.from, motion, out.fraction, common, out.place);
+                pushBack(body.from, _start, out.place);
             }
-            else if (!out.isDeep)
-            {
-                out.contact.depth = 0;
-                leaveOutLift(motion, _start, out);
-            }
-            setEnd(body.from, motion, out.fraction, common, out.place);
-            pushBack(body.from, _start, out.place);
             return !_start.place.equals(common.place) || (out.fraction == 0 && !out.isDeep);
         }
 

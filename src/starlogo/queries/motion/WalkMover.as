@@ -82,7 +82,7 @@ package starlogo.queries.motion
         {
             var options:WalkOptions = walk.options;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
-            var range:Number = walk.pieces * walk.pieceLength / walk.walkableZ + Math.min(options.fall, walk.body.source.placement.size) / 2
+            var range:Number = walk.pieces * walk.pieceLength / walk.walkableZ + Math.min(options.fall, walk.body.whole.placement.size) / 2
                 + walk.carry.length;
             walk.body.findRowsWithin(range + distance, walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.agent,
                     options.filter);
@@ -238,7 +238,7 @@ package starlogo.queries.motion
             {
                 return true;
             }
-            var longest:Number = Math.min(walk.options.fall, walk.body.source.placement.size);
+            var longest:Number = Math.min(walk.options.fall, walk.body.whole.placement.size);
             slideDown(walk, _fallen, Math.min(left, longest), longest / 2, _slid);
             if (!(walk.place.z - _slid.place.z < REST * walk.body.extent))
             {

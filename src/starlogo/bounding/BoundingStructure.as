@@ -376,6 +376,16 @@ package starlogo.bounding
             }
         }
 
+        /** Checks the ends of an axis and the radius around it, as the methods above do. The last argument is the structure's name in the messages. */
+        internal static function checkAxis(start:Vector3D, end:Vector3D, radius:Number, what:String):void
+        {
+            checkLength(radius, "the radius of " + what);
+            checkVector(start, "the start of " + what);
+            checkVector(end, "the end of " + what);
+            var along:Number = Math.max(Math.abs(end.x - start.x), Math.max(Math.abs(end.y - start.y), Math.abs(end.z - start.z)));
+            checkSize(Math.max(radius, along), what);
+        }
+
         // Placement's own methods are not public, because the ES module checks the arguments of all that is, and these are called for each pair.
 
         /**

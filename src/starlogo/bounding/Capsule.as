@@ -39,10 +39,10 @@ package starlogo.bounding
         public function Capsule(start:Vector3D, end:Vector3D, radius:Number)
         {
             super(CAPSULE);
-            this.radius = checkLength(radius, "the radius of a capsule");
-            this.start = checkVector(start, "the start of a capsule").clone();
-            this.end = checkVector(end, "the end of a capsule").clone();
-            checkSize(Math.max(Math.max(radius, Math.abs(end.x - start.x)), Math.max(Math.abs(end.y - start.y), Math.abs(end.z - start.z))), "a capsule");
+            checkAxis(start, end, radius, "a capsule");
+            this.start = start.clone();
+            this.end = end.clone();
+            this.radius = radius;
         }
 
         /** @inheritDoc */

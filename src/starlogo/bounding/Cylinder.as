@@ -37,10 +37,10 @@ package starlogo.bounding
         public function Cylinder(start:Vector3D, end:Vector3D, radius:Number)
         {
             super(OTHER);
-            this.radius = checkLength(radius, "the radius of a cylinder");
-            this.start = checkVector(start, "the start of a cylinder").clone();
-            this.end = checkVector(end, "the end of a cylinder").clone();
-            checkSize(Math.max(Math.max(radius, Math.abs(end.x - start.x)), Math.max(Math.abs(end.y - start.y), Math.abs(end.z - start.z))), "a cylinder");
+            checkAxis(start, end, radius, "a cylinder");
+            this.start = start.clone();
+            this.end = end.clone();
+            this.radius = radius;
         }
 
         /** @inheritDoc */

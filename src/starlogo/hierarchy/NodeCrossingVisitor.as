@@ -3,19 +3,16 @@ package starlogo.hierarchy
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RaySpan;
+    import starlogo.intersection.ray.SpanFinder;
 
     /** Finds all places where a ray meets the boxes of a tree. @private */
     public final class NodeCrossingVisitor extends NodeVisitor
     {
         private var _ray:Ray = new Ray();
+        private var _span:RaySpan = new RaySpan();
         private var _all:RayCrossings = null;
         private var _search:BoxSearch = new BoxSearch();
-
-        public function NodeCrossingVisitor()
-        {
-            // as in NodeRayVisitor
-            _ray.touchingFactor = 1;
-        }
 
         /**
          * Adds where a ray enters and leaves each node that decides.
@@ -35,7 +32,10 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            _all.addStructure(_ray, tree.boxOf(node), null, Tolerances.ROUNDING * tree.radiusAboutOrigin);
+            if (SpanFinder.findInBox(_ray, tree.boxOf(node), NodeRayVisitor.TOUCHING, _span))
+            {
+                _all.addSpan(_ray, _span, Tolerances.ROUNDING * tree.radiusAboutOrigin);
+            }
         }
     }
 }

@@ -2,7 +2,8 @@ package starlogo.hierarchy
 {
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
-    import starlogo.intersection.ray.rayBox;
+    import starlogo.intersection.ray.RaySpan;
+    import starlogo.intersection.ray.SpanFinder;
 
     /**
      * Finds where a ray first meets the boxes of a tree.
@@ -13,18 +14,16 @@ package starlogo.hierarchy
      */
     public final class NodeRayVisitor extends NodeVisitor
     {
+        /** The factor on a node's half-extents. Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it. */
+        internal static const TOUCHING:Number = 1;
+
         private var _ray:Ray = new Ray();
+        private var _span:RaySpan = new RaySpan();
         private var _entry:RayEntry = new RayEntry();
         private var _search:BoxSearch = new BoxSearch();
 
         // The node that the ray meets first, or -1.
         private var _first:int = -1;
-
-        public function NodeRayVisitor()
-        {
-            // Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it.
-            _ray.touchingFactor = 1;
-        }
 
         /**
          * Finds where a ray first enters a node that decides.
@@ -40,13 +39,13 @@ package starlogo.hierarchy
             _ray.copyFrom(ray);
             _first = -1;
             _search.findAlong(ray, tree, depth, this);
-            return _first >= 0 && rayBox(_ray, tree.boxOf(_first), out);
+            return _first >= 0 && enters(tree, _first, out);
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            if (rayBox(_ray, tree.boxOf(node), _entry) && (_entry.distance < limit || _first < 0))
+            if (enters(tree, node, _entry) && (_entry.distance < limit || _first < 0))
             {
                 _first = node;
                 limit = _entry.distance;
@@ -56,6 +55,11 @@ package starlogo.hierarchy
                     endSearch();
                 }
             }
+        }
+
+        private function enters(tree:BoxTree, node:int, out:RayEntry):Boolean
+        {
+            return SpanFinder.findInBox(_ray, tree.boxOf(node), TOUCHING, _span) && out.enter(_ray, _span);
         }
     }
 }

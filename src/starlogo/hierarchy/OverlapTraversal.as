@@ -113,11 +113,17 @@ package starlogo.hierarchy
                 pair.x = x;
                 pair.y = y;
                 pair.z = z;
-                var overlap:int = overlapBesideFirst(pair, pose, boxesA, atA, boxesB, atB);
+                pair.aX = boxesA[int(atA + 3)] + tolerance;
+                pair.aY = boxesA[int(atA + 4)] + tolerance;
+                pair.aZ = boxesA[int(atA + 5)] + tolerance;
+                pair.bX = halfX * relative.size;
+                pair.bY = halfY * relative.size;
+                pair.bZ = halfZ * relative.size;
+                var overlap:int = overlapBesideFirst(pair);
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && visitor == null;
-                if (overlap == APART || overlap == SHALLOW && doBoxesDecide && !overlapAcrossEdges(pair, pose, boxesA, atA, boxesB, atB))
+                if (overlap == APART || overlap == SHALLOW && doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
                 {
                     continue;
                 }
@@ -169,57 +175,29 @@ package starlogo.hierarchy
 
         // How two boxes overlap that no axis of the first one separates: APART, SHALLOW or DEEP. The distance of b's middle from a is compared with
         // the spheres around b and inside of it; then the axes of b decide.
-        private static function overlapBesideFirst(pair:BoxPair, pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):int
+        private static function overlapBesideFirst(pair:BoxPair):int
         {
-            var axes:BoxAxes = pair.axes;
-            var scaleSquared:Number = pose.placement.size * pose.placement.size;
             var x:Number = pair.x;
             var y:Number = pair.y;
             var z:Number = pair.z;
-            var halfX:Number = boxesA[int(a + 3)] + pose.tolerance;
-            var halfY:Number = boxesA[int(a + 4)] + pose.tolerance;
-            var halfZ:Number = boxesA[int(a + 5)] + pose.tolerance;
-            var bX:Number = boxesB[int(b + 3)];
-            var bY:Number = boxesB[int(b + 4)];
-            var bZ:Number = boxesB[int(b + 5)];
+            var halfX:Number = pair.aX;
+            var halfY:Number = pair.aY;
+            var halfZ:Number = pair.aZ;
+            var bX:Number = pair.bX;
+            var bY:Number = pair.bY;
+            var bZ:Number = pair.bZ;
             include "../intersection/squaredToBox.inc";
-            if (squaredDistance > scaleSquared * (bX * bX + bY * bY + bZ * bZ))
+            if (squaredDistance > bX * bX + bY * bY + bZ * bZ)
             {
                 return APART;
             }
             var least:Number = bX < bY ? bX : bY;
             least = bZ < least ? bZ : least;
-            if (squaredDistance <= scaleSquared * least * least)
+            if (squaredDistance <= least * least)
             {
                 return DEEP;
             }
-            var along:Number = axes.m00 * x + axes.m10 * y + axes.m20 * z;
-            var radius:Number = scaleSquared * bX + axes.abs00 * halfX + axes.abs10 * halfY + axes.abs20 * halfZ;
-            if (along > radius || along < -radius)
-            {
-                return APART;
-            }
-            along = axes.m01 * x + axes.m11 * y + axes.m21 * z;
-            radius = scaleSquared * bY + axes.abs01 * halfX + axes.abs11 * halfY + axes.abs21 * halfZ;
-            if (along > radius || along < -radius)
-            {
-                return APART;
-            }
-            along = axes.m02 * x + axes.m12 * y + axes.m22 * z;
-            radius = scaleSquared * bZ + axes.abs02 * halfX + axes.abs12 * halfY + axes.abs22 * halfZ;
-            return along <= radius && along >= -radius ? SHALLOW : APART;
-        }
-
-        // Whether two boxes also overlap along the axes across an edge of each.
-        private static function overlapAcrossEdges(pair:BoxPair, pose:RelativePose, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int):Boolean
-        {
-            pair.aX = boxesA[int(a + 3)] + pose.tolerance;
-            pair.aY = boxesA[int(a + 4)] + pose.tolerance;
-            pair.aZ = boxesA[int(a + 5)] + pose.tolerance;
-            pair.bX = boxesB[int(b + 3)] * pose.placement.size;
-            pair.bY = boxesB[int(b + 4)] * pose.placement.size;
-            pair.bZ = boxesB[int(b + 5)] * pose.placement.size;
-            return BoxSeparation.overlapAcrossEdges(pair);
+            return BoxSeparation.overlapAlongFacesOfB(pair) ? SHALLOW : APART;
         }
 
         // Returns the child of a node of the first tree that is nearer to the second one's node.

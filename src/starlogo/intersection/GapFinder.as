@@ -67,9 +67,9 @@ package starlogo.intersection
             }
             axes.move(motion);
             axes.findClosest();
-            gap.x = axes.x;
-            gap.y = axes.y;
-            gap.z = axes.z;
+            gap.x = axes.gapX;
+            gap.y = axes.gapY;
+            gap.z = axes.gapZ;
             out.squaredLength = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
             out.closing = -(gap.x * motion.x + gap.y * motion.y + gap.z * motion.z);
             gap.pointX = start.x + axes.shareOfU * axes.uX;

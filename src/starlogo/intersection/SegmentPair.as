@@ -19,13 +19,18 @@ package starlogo.intersection
         public var vY:Number = 0;
         public var vZ:Number = 0;
 
-        /** The vector from v's start to u's. After <code>findClosest()</code> it is the gap, from the closest point of v to that of u. */
+        /** The vector from v's start to u's. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** Where the closest point is on u: from 0 at the start to 1 at the end. */
+        /** Where u's closest point is: from 0 at its start to 1 at its end. <code>findClosest()</code> finds it, and the gap. */
         public var shareOfU:Number = 0;
+
+        /** The gap: the vector from the closest point of v to the closest point of u. */
+        public var gapX:Number = 0;
+        public var gapY:Number = 0;
+        public var gapZ:Number = 0;
 
         /** Sets the axes: that of a from its start to its end, and that of a capsule. */
         public function setTo(startA:Vector3D, endA:Vector3D, b:Capsule):void
@@ -53,7 +58,7 @@ package starlogo.intersection
         }
 
         /**
-         * Finds the closest points (Ericson, "Real-Time Collision Detection", §5.1.9), at s on u and at t on v. The squared distance is smallest
+         * Finds the closest points and the gap (Ericson, "Real-Time Collision Detection", §5.1.9), at s on u and at t on v. The squared distance is smallest
          * where both its derivatives are 0: uu s - uv t + alongU = 0 and uv s - vv t + alongV = 0. After one of s and t is clamped, the other is
          * computed again.
          */
@@ -93,9 +98,9 @@ package starlogo.intersection
                 t /= vv;
             }
             shareOfU = s;
-            x = x + s * uX - t * vX;
-            y = y + s * uY - t * vY;
-            z = z + s * uZ - t * vZ;
+            gapX = x + s * uX - t * vX;
+            gapY = y + s * uY - t * vY;
+            gapZ = z + s * uZ - t * vZ;
         }
     }
 }

@@ -67,7 +67,7 @@ package starlogo.intersection
         pair.z = z;
         pair.setHalves(a, b);
         pair.axes.setTo(a, b);
-        if (!BoxSeparation.overlapAlongFaces(pair))
+        if (!BoxSeparation.overlapAlongFacesOfA(pair) || !BoxSeparation.overlapAlongFacesOfB(pair))
         {
             return false;
         }

@@ -24,6 +24,6 @@ package starlogo.intersection
         axes.setTo(first.start, first.end, areSwapped ? a : b);
         axes.findClosest();
         var touchingDistance:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
-        return axes.x * axes.x + axes.y * axes.y + axes.z * axes.z <= touchingDistance * touchingDistance;
+        return axes.gapX * axes.gapX + axes.gapY * axes.gapY + axes.gapZ * axes.gapZ <= touchingDistance * touchingDistance;
     }
 }

@@ -3,7 +3,7 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
-    import starlogo.intersection.ray.ConvexRay;
+    import starlogo.intersection.ray.ConvexSpanFinder;
     import starlogo.search.pairs.EdgePairTests;
     import starlogo.search.pairs.GroundPairTests;
     import starlogo.search.pairs.PairTests;
@@ -33,8 +33,8 @@ package starlogo.search
         /** Tests pairs of which at least one is a tree; null if none of the shapes is a tree, or only rays are asked for. */
         public var treeTests:TreePairTests = null;
 
-        /** Tests rays and convex structures of a game's own; it comes with structureTests. */
-        public var convexRay:ConvexRay = null;
+        /** Answers for rays and further convex structures: see SpanFinder. It comes with structureTests. */
+        public var convexSpans:ConvexSpanFinder = null;
 
         /** Tests pairs with the ground; null before the first such pair. */
         public var groundTests:GroundPairTests = null;

@@ -24,7 +24,8 @@ package starlogo.solid
      * <p>The package solid says how two models meet if trees, or for exact tests triangles, decide: whether they overlap, when they first touch,
      * how far they are apart. A TreePair answers: TwoTrees by the Traversals of the package hierarchy, TreeAndStructure by its Searches, with the
      * <i>Visitor</i> that decides. A Triangle visitor decides by the triangles of a node, the TrianglePairVisitor by those of two nodes.
-     * The package solid.interior knows what is inside of a surface. Read this class first, then TreePair and TwoTrees, then TrianglePairVisitor.</p>
+     * TriangleContactFinder finds how two triangles touch. The package solid.interior knows what is inside of a surface. Read this class first, then
+     * TreePair and TwoTrees, then TrianglePairVisitor.</p>
      *
      * @private
      */

@@ -12,15 +12,15 @@ package starlogo.solid
      */
     internal final class SweptAxes
     {
-        // The shape, the radius around its core, and its motion.
-        private var _shape:ConvexShape;
-        private var _radius:Number = 0;
-        private var _motion:RelativeMotion;
-
         // How many numbers describe an axis: the axis itself; the least place along it that the shape comes to; the greatest one at time 0; how far the
         // shape moves along it until time 1, which is not negative.
         private static const PER_AXIS:int = 6;
         private static const MOST_AXES:int = 6;
+
+        // The shape, the radius around its core, and its motion.
+        private var _shape:ConvexShape;
+        private var _radius:Number = 0;
+        private var _motion:RelativeMotion;
 
         // The numbers of all axes, and their end.
         private var _axes:Vector.<Number> = new Vector.<Number>(PER_AXIS * MOST_AXES, true);

@@ -1,18 +1,12 @@
 package starlogo.solid
 {
-    import flash.geom.Vector3D;
-    import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
-    import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
-    import starlogo.geometry.Touching;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairVisitor;
-    import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
@@ -22,18 +16,10 @@ package starlogo.solid
     /**
      * Decides by triangles about two nodes: whether they touch, when they first do, and how far they are apart. The triangles of the second node are
      * moved into the first model's space, and kept as long as it is the second node. TriangleKernel decides about two triangles, unless a quick test
-     * rules them out.
+     * rules them out. TriangleContactFinder finds the contact of the two that touch first.
      */
     internal final class TrianglePairVisitor extends NodePairVisitor
     {
-        // The radius of the probe, as a fraction of the extent of a triangle that it is near. Smaller: rounding decides. Larger: the probe meets what is
-        // not at the contact.
-        private static const PROBE:Number = 1e-4;
-
-        // How far the probe is behind a plane, as a fraction of its radius. Smaller: the probe meets what is in the plane. Larger: it misses what leaves
-        // the plane at a small angle, of the square root of twice this fraction.
-        private static const PROBE_GAP:Number = 1e-6;
-
         private var _firstMesh:TriangleMesh = null;
         private var _extentsOfFirst:Vector.<Number> = null;
         private var _cornersOfFirst:Vector.<Number> = new Vector.<Number>(9, true);
@@ -57,11 +43,8 @@ package starlogo.solid
 
         private var _counts:TreeCounts;
 
-        // The largest distance at which triangles of these models touch.
+        // The largest distance at which triangles touch, and that of quick tests: see TwoTrees.
         private var _tolerance:Number = 0;
-
-        // The tolerance of quick tests, which is larger: it includes the margin of the motion and Tolerances.CORES of the two triangles. A second
-        // tolerance is more than those CORES, because it has SURFACES of the radii.
         private var _outerTolerance:Number = 0;
 
         // The plane of the current triangle of the second node.
@@ -70,22 +53,10 @@ package starlogo.solid
         // Chooses the triangles that touch first.
         private var _touch:FirstTouch = new FirstTouch();
 
-        // A small ball behind a plane at a contact, in the first model's space, and what finds triangles there: with the pose of that space in the space
-        // of each model, and the motion of a ball that stands.
-        private var _probe:Sphere = new Sphere(new Vector3D(), 0);
-        private var _touches:TriangleTouchVisitor;
-        private var _toFirst:RelativePose = new RelativePose();
-        private var _toSecond:RelativePose = new RelativePose();
-        private var _still:RelativeMotion = new RelativeMotion();
-
-        // The first model's motion, if the second one stands.
-        private var _reversed:RelativeMotion = new RelativeMotion();
-
         /** @param counts counts the pairs of triangles that are tested or measured */
         public function TrianglePairVisitor(counts:TreeCounts)
         {
             _counts = counts;
-            _touches = new TriangleTouchVisitor(counts);
         }
 
         /**
@@ -105,15 +76,15 @@ package starlogo.solid
             _motion.latest = motion.latest;
             _touch.begin(motion.latest);
             _movedFrom = -1;
-            _tolerance = pair.pose.tolerance + Touching.marginOfSurface(pair.a.boxTree.radius + pair.b.boxTree.radius * _placement.size);
-            _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            _tolerance = pair.tolerance;
+            _outerTolerance = pair.outerTolerance(motion);
             return this;
         }
 
         /** @inheritDoc */
         override public function areTouching(a:int, b:int):Boolean
         {
-            var count:int = move(b);
+            var count:int = moveSecond(b);
             var end:int = _firstMesh.tree.end[a];
             for (var i:int = 0; i < count; i++)
             {
@@ -136,7 +107,7 @@ package starlogo.solid
             var first:int = _firstMesh.tree.first[a];
             var end:int = _firstMesh.tree.end[a];
             // Higher indices come first, as in the traversal.
-            for (var i:int = move(b) - 1; i >= 0 && _touch.time > 0; i--)
+            for (var i:int = moveSecond(b) - 1; i >= 0 && _touch.time > 0; i--)
             {
                 setSecond(i);
                 _planeOfSecond.setTriangle(_moved, 9 * i);
@@ -160,7 +131,7 @@ package starlogo.solid
         override public function findCloser(a:int, b:int, best:BestPair):void
         {
             var points:ClosestPoints = best.points;
-            var count:int = move(b);
+            var count:int = moveSecond(b);
             var end:int = _firstMesh.tree.end[a];
             for (var i:int = 0; i < count && points.distance > 0; i++)
             {
@@ -173,58 +144,9 @@ package starlogo.solid
             best.least = points.distance;
         }
 
-        /**
-         * Finds the contact of two triangles that touch, in the first model's space. If they meet at their borders, faces of both may separate them. A
-         * face counts if it separates all of the other model at the contact: the next triangle may be on the other side of a seam.
-         *
-         * @param pair the two trees
-         * @param best has the slots of the triangles
-         * @param motion of the second model, which is where it is at the motion's time; its start must be 0
-         * @param out receives the contact, with a normal from the first model to the second
-         */
-        public function findContact(pair:TwoTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
-        {
-            _movedFrom = -1;
-            _secondMesh.readTriangle(best.b, _moved);
-            _firstMesh.readTriangle(best.a, _cornersOfFirst);
-            _kernel.setShapeToTriangle(_moved, _placement);
-            _kernel.setTriangle(_cornersOfFirst);
-            _kernel.findContact(motion, out);
-            _kernel.shape.margin = _outerTolerance;
-            Placement.invert(_placement, _toSecond.placement);
-            var plane:TrianglePlane = _kernel.plane;
-            if (plane.isMetBy(_kernel.shape, motion, out) && !hasTriangleBehind(pair.b, _toSecond, motion, out))
-            {
-                out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
-                return;
-            }
-            Placement.placePoints(_placement, _moved, 0, 9, _moved);
-            _kernel.setTriangle(_moved);
-            _kernel.shape.setTriangle(_cornersOfFirst, 0);
-            _kernel.shape.margin = _outerTolerance;
-            _reversed.setReversed(motion);
-            if (plane.isMetBy(_kernel.shape, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, RelativeMotion.NONE, out))
-            {
-                out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
-            }
-        }
-
-        // Whether a model has a triangle at a contact that is, at least in part, behind the plane. The kernel's shape is its triangle that touches there.
-        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, motion:RelativeMotion, contact:ContactPoint):Boolean
-        {
-            var radius:Number = PROBE * _kernel.shape.extent;
-            var back:Number = (1 + PROBE_GAP) * radius + 2 * _tolerance;
-            var normal:Vector3D = _kernel.plane.normal;
-            _probe.radius = radius;
-            _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
-            _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
-            _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
-            return _touches.findTouch(model, _probe, pose, _still) >= 0;
-        }
-
         // Moves the triangles of a node of the second model, and returns their number. The node has no children: two such nodes do not begin with the
         // same triangle.
-        private function move(node:int):int
+        private function moveSecond(node:int):int
         {
             var first:int = _secondMesh.tree.first[node];
             var count:int = _secondMesh.tree.end[node] - first;

@@ -6,6 +6,8 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.DistanceTraversal;
@@ -38,6 +40,7 @@ package starlogo.solid
         // Whether triangles decide, and how.
         private var _isExact:Boolean = false;
         private var _triangles:TrianglePairVisitor;
+        private var _contacts:TriangleContactFinder;
 
         private var _overlaps:OverlapTraversal;
         private var _impacts:ImpactTraversal;
@@ -49,6 +52,7 @@ package starlogo.solid
         {
             _trees.pose = pose;
             _triangles = new TrianglePairVisitor(counts);
+            _contacts = new TriangleContactFinder(counts);
             _overlaps = new OverlapTraversal(counts);
             _impacts = new ImpactTraversal(counts);
             _distances = new DistanceTraversal(counts);
@@ -75,6 +79,21 @@ package starlogo.solid
             return this;
         }
 
+        /** The largest distance at which triangles of the two touch. */
+        internal function get tolerance():Number
+        {
+            return pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
+        }
+
+        /**
+         * The tolerance of quick tests, which is larger: it includes the margin of a motion and Tolerances.CORES of two triangles. A second tolerance is
+         * more than those CORES, because it has SURFACES of the radii.
+         */
+        internal function outerTolerance(motion:RelativeMotion):Number
+        {
+            return 2 * tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+        }
+
         /** @inheritDoc */
         override internal function overlapInPose():Boolean
         {
@@ -95,7 +114,7 @@ package starlogo.solid
             out.triangle = -1;
             if (_isExact)
             {
-                _triangles.findContact(this, best, motion, out);
+                _contacts.find(this, best, motion, out);
             }
             else
             {

@@ -17,6 +17,7 @@ package starlogo.intersection
     public class PairContactTest
     {
         private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX];
+        private static const FACED:Array = [BoundingStructure.BOX, BoundingStructure.HULL];
         private static const TOUCHING:Number = 1e-6;
 
         private var _displacement:RelativeMotion = new RelativeMotion(0);
@@ -90,6 +91,32 @@ package starlogo.intersection
             from.startZ = 0.9;
             PairTable.findContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
             assertPoint("a capsule deep in a face", -0.25, 0, 0.7);
+        }
+
+        /** Structures may be as large as 1e70, though nothing in a game is. */
+        [Test]
+        public function contactsOfHugeStructuresAreThoseOfSmallOnes():void
+        {
+            var random:SeededRandom = new SeededRandom(402);
+            var shapes:RandomStructures = new RandomStructures(random);
+            var huge:ContactPoint = new ContactPoint();
+            for each (var size:Number in [Math.pow(2, 120), Math.pow(2, 175), Math.pow(2, 230)])
+            {
+                var overlapping:int = 0;
+                while (overlapping < 300)
+                {
+                    var a:BoundingStructure = shapes.ofKind(random.pick(FACED), 1, 0.7);
+                    var b:BoundingStructure = shapes.ofKind(random.pick(FACED), 1, 0.7);
+                    if (intersects(a, b))
+                    {
+                        PairTable.findContact(a, b, _displacement, _touch);
+                        PairTable.findContact(a.scale(size), b.scale(size), _displacement, huge);
+                        assertNear("depth at " + size, _touch.depth, huge.depth / size);
+                        assertNear("normal at " + size, 1, _touch.normalX * huge.normalX + _touch.normalY * huge.normalY + _touch.normalZ * huge.normalZ);
+                        overlapping++;
+                    }
+                }
+            }
         }
 
         private function checkParts(name:String, a:BoundingStructure, b:BoundingStructure):void

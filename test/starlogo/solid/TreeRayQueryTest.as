@@ -11,7 +11,8 @@ package starlogo.solid
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
-    import starlogo.intersection.ray.rayStructure;
+    import starlogo.intersection.ray.RaySpan;
+    import starlogo.intersection.ray.SpanFinder;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
@@ -290,7 +291,8 @@ package starlogo.solid
             var entry:RayEntry = new RayEntry();
             part.copyFrom(ray);
             part.from = from;
-            if (!rayStructure(part, node.bounds, null, entry))
+            var span:RaySpan = new RaySpan();
+            if (!SpanFinder.find(part, node.bounds, null, span) || !entry.enter(part, span))
             {
                 return Infinity;
             }

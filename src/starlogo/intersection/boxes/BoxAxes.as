@@ -25,6 +25,9 @@ package starlogo.intersection.boxes
         public var m21:Number = 0;
         public var m22:Number = 1;
 
+        /** The length of the axes. */
+        public var length:Number = 1;
+
         /** The absolute values of the axes. */
         public var abs00:Number = 1;
         public var abs01:Number = 0;
@@ -43,6 +46,7 @@ package starlogo.intersection.boxes
             var bY:Vector3D = b.axisY;
             var bZ:Vector3D = b.axisZ;
             var axis:Vector3D = a.axisX;
+            length = 1;
             m00 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
             m01 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
             m02 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
@@ -64,6 +68,7 @@ package starlogo.intersection.boxes
          */
         public function readAxes(rotation:Placement, length:Number, slack:Number = 0):void
         {
+            this.length = length;
             m00 = rotation.r00 * length;
             m01 = rotation.r01 * length;
             m02 = rotation.r02 * length;

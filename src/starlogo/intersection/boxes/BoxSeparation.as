@@ -7,8 +7,23 @@ package starlogo.intersection.boxes
      */
     public final class BoxSeparation
     {
-        /** Whether two boxes overlap along the normals of their faces: first those of a, then those of b. */
-        public static function overlapAlongFaces(pair:BoxPair):Boolean
+        /** Whether two boxes overlap along the normals of a's faces. */
+        public static function overlapAlongFacesOfA(pair:BoxPair):Boolean
+        {
+            var b:BoxAxes = pair.axes;
+            var bX:Number = pair.bX;
+            var bY:Number = pair.bY;
+            var bZ:Number = pair.bZ;
+            var radius:Number = pair.aX + bX * b.abs00 + bY * b.abs01 + bZ * b.abs02;
+            var overlap:Boolean = pair.x <= radius && pair.x >= -radius;
+            radius = pair.aY + bX * b.abs10 + bY * b.abs11 + bZ * b.abs12;
+            overlap = overlap && pair.y <= radius && pair.y >= -radius;
+            radius = pair.aZ + bX * b.abs20 + bY * b.abs21 + bZ * b.abs22;
+            return overlap && pair.z <= radius && pair.z >= -radius;
+        }
+
+        /** Whether two boxes overlap along the normals of b's faces. */
+        public static function overlapAlongFacesOfB(pair:BoxPair):Boolean
         {
             var b:BoxAxes = pair.axes;
             var x:Number = pair.x;
@@ -17,23 +32,14 @@ package starlogo.intersection.boxes
             var aX:Number = pair.aX;
             var aY:Number = pair.aY;
             var aZ:Number = pair.aZ;
-            var bX:Number = pair.bX;
-            var bY:Number = pair.bY;
-            var bZ:Number = pair.bZ;
-            var radius:Number = aX + bX * b.abs00 + bY * b.abs01 + bZ * b.abs02;
-            var overlap:Boolean = x <= radius && x >= -radius;
-            radius = aY + bX * b.abs10 + bY * b.abs11 + bZ * b.abs12;
-            overlap = overlap && y <= radius && y >= -radius;
-            radius = aZ + bX * b.abs20 + bY * b.abs21 + bZ * b.abs22;
-            overlap = overlap && z <= radius && z >= -radius;
             var along:Number = x * b.m00 + y * b.m10 + z * b.m20;
-            radius = bX + aX * b.abs00 + aY * b.abs10 + aZ * b.abs20;
-            overlap = overlap && along <= radius && along >= -radius;
+            var radius:Number = b.length * pair.bX + aX * b.abs00 + aY * b.abs10 + aZ * b.abs20;
+            var overlap:Boolean = along <= radius && along >= -radius;
             along = x * b.m01 + y * b.m11 + z * b.m21;
-            radius = bY + aX * b.abs01 + aY * b.abs11 + aZ * b.abs21;
+            radius = b.length * pair.bY + aX * b.abs01 + aY * b.abs11 + aZ * b.abs21;
             overlap = overlap && along <= radius && along >= -radius;
             along = x * b.m02 + y * b.m12 + z * b.m22;
-            radius = bZ + aX * b.abs02 + aY * b.abs12 + aZ * b.abs22;
+            radius = b.length * pair.bZ + aX * b.abs02 + aY * b.abs12 + aZ * b.abs22;
             return overlap && along <= radius && along >= -radius;
         }
 

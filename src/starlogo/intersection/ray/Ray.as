@@ -2,10 +2,10 @@ package starlogo.intersection.ray
 {
     import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
 
     /**
-     * A part of a line, which is asked about. The tests of a ray do not change it, and write where it enters a shape to a RayEntry.
+     * A part of a line, which is asked about. The tests of a ray do not change it. They write where it is inside of a shape to a RaySpan, and where it
+     * enters the shape to a RayEntry.
      *
      * <p>A place on the line is given by its distance along the direction from the point (x, y, z). The direction has length 1.
      * That point should be near the shapes that are asked about, because the rounding error grows with their distance from it. The part may
@@ -35,9 +35,6 @@ package starlogo.intersection.ray
         /** Where the part ends. */
         public var to:Number = Infinity;
 
-        /** The factor on a shape's extents at which the line still touches it. */
-        public var touchingFactor:Number = Tolerances.TOUCHING;
-
         /** Sets the line to another ray's line, or its own, transformed into a model's space. The part has to be set after that. */
         public function bringInto(placement:Placement, line:Ray):void
         {
@@ -55,7 +52,7 @@ package starlogo.intersection.ray
             directionZ = placement.r02 * toX + placement.r12 * toY + placement.r22 * toZ;
         }
 
-        /** Copies the line and the part of another ray, without the factor of touching. */
+        /** Copies the line and the part of another ray. */
         public function copyFrom(other:Ray):void
         {
             x = other.x;
@@ -66,20 +63,6 @@ package starlogo.intersection.ray
             directionZ = other.directionZ;
             from = other.from;
             to = other.to;
-        }
-
-        /** Becomes another ray's line in the opposite direction, from its end back to where the other ray begins. */
-        public function setReversed(other:Ray):void
-        {
-            x = other.x;
-            y = other.y;
-            z = other.z;
-            directionX = -other.directionX;
-            directionY = -other.directionY;
-            directionZ = -other.directionZ;
-            from = -Infinity;
-            to = -other.from;
-            touchingFactor = other.touchingFactor;
         }
 
         /** Whether the products of the line's numbers are finite. */

@@ -1,7 +1,5 @@
 package starlogo.intersection.ray
 {
-    import starlogo.bounding.BoundingStructure;
-
     /**
      * Where a ray crosses the surface of one shape: the crossings, in any order.
      *
@@ -42,8 +40,7 @@ package starlogo.intersection.ray
         /** The unit normal at each crossing, against the ray: x, y, z. */
         public var normals:Vector.<Number> = new Vector.<Number>();
 
-        // The ray of addStructure() in the opposite direction. A place where a ray begins, or where it enters a structure.
-        private var _reversed:Ray = new Ray();
+        // A place where a ray begins, or where it enters or leaves a shape.
         private var _entry:RayEntry = new RayEntry();
 
         /**
@@ -72,30 +69,22 @@ package starlogo.intersection.ray
         }
 
         /**
-         * Adds where a ray enters a structure and where it leaves it. If it begins inside, it enters where it begins. If it ends inside, it does not
+         * Adds where a ray enters a convex shape and where it leaves it. If it begins inside, it enters where it begins. If it ends inside, it does not
          * leave.
          *
-         * @param ray in the space of the structure
-         * @param structure see rayStructure
-         * @param convex see rayStructure
+         * @param span the part of the ray's line inside of the shape
          * @param slack how far a distance may be wrong because of rounding
          */
-        public function addStructure(ray:Ray, structure:BoundingStructure, convex:ConvexRay, slack:Number):void
+        public function addSpan(ray:Ray, span:RaySpan, slack:Number):void
         {
-            var entry:RayEntry = _entry;
-            if (!rayStructure(ray, structure, convex, entry))
+            if (!_entry.enter(ray, span))
             {
                 return;
             }
-            var entered:Number = entry.distance;
-            add(entry, entered > ray.from ? slack : 0, entered, ENTERS);
-            // the same line in the opposite direction enters where the ray leaves
-            _reversed.setReversed(ray);
-            if (rayStructure(_reversed, structure, convex, entry) && -entry.distance <= ray.to)
+            add(_entry, _entry.distance > ray.from ? slack : 0, _entry.distance, ENTERS);
+            if (_entry.leave(ray, span))
             {
-                entry.setNormal(ray, entry.normalX, entry.normalY, entry.normalZ);
-                entry.distance = -entry.distance > entered ? -entry.distance : entered;
-                add(entry, slack, entry.distance, LEAVES);
+                add(_entry, slack, _entry.distance, LEAVES);
             }
         }
 

@@ -28,25 +28,47 @@ package starlogo.intersection.ray
             triangle = -1;
         }
 
-        /** Sets the normal to the direction of a vector, which points out of the shape. If its length is 0, the normal stays. */
-        public function setOutwards(x:Number, y:Number, z:Number):void
+        /**
+         * Sets it to where a ray enters a convex shape.
+         *
+         * @param span the part of the ray's line inside of the shape
+         * @return whether the ray enters it, and does not begin beyond it or end before it
+         */
+        public function enter(ray:Ray, span:RaySpan):Boolean
+        {
+            begin(ray);
+            if (span.near > ray.from)
+            {
+                distance = span.entrance <= ray.to ? span.entrance : span.near;
+                setNormal(ray, span.nearX, span.nearY, span.nearZ);
+            }
+            return distance <= span.far && distance <= ray.to;
+        }
+
+        /**
+         * Goes on from where a ray enters a convex shape to where it leaves it.
+         *
+         * @param span the part of the ray's line inside of the shape
+         * @return whether the ray leaves it, and does not end inside
+         */
+        public function leave(ray:Ray, span:RaySpan):Boolean
+        {
+            distance = Math.max(distance, span.exit);
+            setNormal(ray, span.farX, span.farY, span.farZ);
+            return distance <= ray.to;
+        }
+
+        /** Sets the normal to the direction of a vector, or to the opposite one if the vector points along the ray. If its length is 0, the normal stays. */
+        public function setNormal(ray:Ray, x:Number, y:Number, z:Number):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             if (length > 0)
             {
+                length = x * ray.directionX + y * ray.directionY + z * ray.directionZ > 0 ? -length : length;
                 normalX = x / length;
                 normalY = y / length;
                 normalZ = z / length;
             }
-        }
-
-        /** Sets the normal to a unit vector, or to its opposite if the vector points along the ray. */
-        public function setNormal(ray:Ray, x:Number, y:Number, z:Number):void
-        {
-            var side:int = x * ray.directionX + y * ray.directionY + z * ray.directionZ > 0 ? -1 : 1;
-            normalX = side * x;
-            normalY = side * y;
-            normalZ = side * z;
         }
     }
 }

@@ -197,12 +197,11 @@ package starlogo.intersection.ray
             {
                 out.distance = _stretch * (sideA * aW + sideB * bW + sideC * cW) / sum;
             }
-            else
+            else if (!passEdges(points, a, b, c, isInside ? 3 * EDGE_ON * _margin : _margin, out))
             {
-                var gap:Number = isInside ? 3 * EDGE_ON * _margin : _margin;
-                passEdges(points, a, b, c, gap, out);
+                return false;
             }
-            // NaN is skipped too
+            // the comparison is false for NaN too
             if (!(out.distance >= _ray.from))
             {
                 return false;
@@ -236,18 +235,20 @@ package starlogo.intersection.ray
             out.side = RayCrossings.EDGE_ON;
         }
 
-        // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a gap. The distance is NaN if no edge is
-        // near, or none after the ray's beginning.
-        private function passEdges(points:Vector.<Number>, a:int, b:int, c:int, gap:Number, out:TriangleCrossing):void
+        // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a gap. Returns whether there is such a place
+        // where the ray begins or later.
+        private function passEdges(points:Vector.<Number>, a:int, b:int, c:int, gap:Number, out:TriangleCrossing):Boolean
         {
             out.distance = Infinity;
             out.end = -Infinity;
             passEdge(points, a, b, gap, out);
             passEdge(points, b, c, gap, out);
             passEdge(points, c, a, gap, out);
-            out.distance = out.end >= _ray.from ? Math.max(out.distance, _ray.from) : NaN;
+            out.distance = Math.max(out.distance, _ray.from);
+            return out.end >= _ray.from;
         }
 
+        // Widens the crossing by the place where the ray passes an edge, if that is within a gap.
         private function passEdge(points:Vector.<Number>, from:int, to:int, gap:Number, out:TriangleCrossing):void
         {
             var fromW:Number = points[from + _w] - _originW;

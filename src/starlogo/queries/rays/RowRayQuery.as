@@ -5,7 +5,8 @@ package starlogo.queries.rays
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
-    import starlogo.intersection.ray.rayStructure;
+    import starlogo.intersection.ray.RaySpan;
+    import starlogo.intersection.ray.SpanFinder;
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -30,6 +31,7 @@ package starlogo.queries.rays
     {
         private var _seen:SeenAgents;
         private var _inModel:Ray = new Ray();
+        private var _span:RaySpan = new RaySpan();
         private var _solid:TreeRayQuery = new TreeRayQuery();
 
         /** @param seen has the rows */
@@ -100,7 +102,7 @@ package starlogo.queries.rays
                 var limits:TreeLimits = _seen.table.narrowPhase.treeLimits;
                 return _solid.find(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
             }
-            return rayStructure(line, shape.structure, _seen.table.narrowPhase.convexRay, out);
+            return SpanFinder.find(line, shape.structure, _seen.table.narrowPhase.convexSpans, _span) && out.enter(line, _span);
         }
     }
 }

@@ -4,6 +4,8 @@ package starlogo.queries.rays
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
+    import starlogo.intersection.ray.RaySpan;
+    import starlogo.intersection.ray.SpanFinder;
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -21,6 +23,7 @@ package starlogo.queries.rays
     {
         private var _seen:SeenAgents;
         private var _inModel:Ray = new Ray();
+        private var _span:RaySpan = new RaySpan();
         private var _trees:TreeCrossingQuery = new TreeCrossingQuery();
 
         // All crossings with a row's shape, those that are surfaces, and one of them.
@@ -79,7 +82,10 @@ package starlogo.queries.rays
                 var limits:TreeLimits = _seen.table.narrowPhase.treeLimits;
                 return _trees.findAll(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
             }
-            out.addStructure(line, shape.structure, _seen.table.narrowPhase.convexRay, 0);
+            if (SpanFinder.find(line, shape.structure, _seen.table.narrowPhase.convexSpans, _span))
+            {
+                out.addSpan(line, _span, 0);
+            }
             return false;
         }
     }

@@ -6,7 +6,7 @@ package starlogo.search.pairs
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.intersection.PairTable;
-    import starlogo.intersection.ray.ConvexRay;
+    import starlogo.intersection.ray.ConvexSpanFinder;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
     import starlogo.search.TestCounts;
@@ -33,7 +33,7 @@ package starlogo.search.pairs
         {
             SpherePairTests.addTo(narrowPhase);
             narrowPhase.structureTests ||= new StructurePairTests(narrowPhase.counts);
-            narrowPhase.convexRay ||= new ConvexRay();
+            narrowPhase.convexSpans ||= new ConvexSpanFinder();
         }
 
         /** @inheritDoc */

@@ -57,7 +57,7 @@ package starlogo.solid.interior
             {
                 _shells = new Vector.<ClosedShell>(balances.length, true);
                 _extremes = new OutermostPoints(_mesh, balances.length);
-                slices(_items.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orient);
+                slices(_items.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orientShells);
             }
         }
 
@@ -70,46 +70,46 @@ package starlogo.solid.interior
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var number:int = _surface.shellOf(_items[slot]);
-                if (!isTwoSided(number))
+                var index:int = _surface.shellOf(_items[slot]);
+                if (!isTwoSided(index))
                 {
                     continue;
                 }
-                _shells[number] ||= new ClosedShell(_mesh.corners[3 * slot]);
-                _extremes.add(number, slot);
-                takeTriangle(slot);
+                _shells[index] ||= new ClosedShell(_mesh.corners[3 * slot]);
+                _extremes.add(index, slot);
+                readTriangle(slot);
                 var vertices:Vector.<Number> = _mesh.vertices;
-                var from:int = _shells[number].origin;
+                var from:int = _shells[index].origin;
                 var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[0] - vertices[from])
                         + _plane.normal.y * (_corners[1] - vertices[from + 1]) + _plane.normal.z * (_corners[2] - vertices[from + 2]));
-                _shells[number].volume += _surface.isReversed(_items[slot]) ? -volume : volume;
+                _shells[index].volume += _surface.isReversed(_items[slot]) ? -volume : volume;
             }
         }
 
         // Sets _corners and _plane to those of a triangle.
-        private function takeTriangle(slot:int):void
+        private function readTriangle(slot:int):void
         {
             _mesh.readTriangle(slot, _corners);
             _plane.setTriangle(_corners, 0);
         }
 
         // A shell has the orientation of most of its triangles. If both are equally frequent, its triangles face outwards.
-        private function orient():void
+        private function orientShells():void
         {
             var isFound:Vector.<Boolean> = new Vector.<Boolean>(3, true);
-            for (var number:int = 0; number < _shells.length; number++)
+            for (var index:int = 0; index < _shells.length; index++)
             {
-                var shell:ClosedShell = _shells[number];
+                var shell:ClosedShell = _shells[index];
                 if (shell != null)
                 {
                     var sign:int = shell.volume > 0 ? 1 : (shell.volume < 0 ? -1 : 0);
-                    shell.orientation = _balances[number] > 0 ? sign : (_balances[number] < 0 ? -sign : sign * sign);
+                    shell.orientation = _balances[index] > 0 ? sign : (_balances[index] < 0 ? -sign : sign * sign);
                     isFound[shell.orientation + 1] = true;
                 }
             }
             if (isFound[0] && isFound[2])
             {
-                slices(_items.length, TRIANGLES_PER_STEP, testPoints).call(decide);
+                slices(_items.length, TRIANGLES_PER_STEP, testPoints).call(findCavities);
             }
         }
 
@@ -118,16 +118,16 @@ package starlogo.solid.interior
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var number:int = _surface.shellOf(_items[slot]);
-                takeTriangle(slot);
-                if (_plane.isFlat || !isTwoSided(number))
+                var index:int = _surface.shellOf(_items[slot]);
+                readTriangle(slot);
+                if (_plane.isFlat || !isTwoSided(index))
                 {
                     continue;
                 }
-                for (var corner:int = 3; corner >= 0 && isUndecided(_shells[number]); corner--)
+                for (var corner:int = 3; corner >= 0 && isUndecided(_shells[index]); corner--)
                 {
-                    findEnclosing(number, slot, corner);
-                    keepEnclosing(number);
+                    findEnclosing(index, slot, corner);
+                    keepEnclosing(index);
                 }
             }
         }
@@ -140,10 +140,10 @@ package starlogo.solid.interior
 
         // Finds the shells that enclose a point of a triangle of a shell. The triangle is the one that was taken. The point is near a corner, or in the
         // middle for corner 3, and a little inside of the shell.
-        private function findEnclosing(number:int, slot:int, corner:int):void
+        private function findEnclosing(index:int, slot:int, corner:int):void
         {
-            var inwards:Number = INWARDS * _extremes.extentOf(number);
-            inwards = _surface.isReversed(_items[slot]) == _shells[number].volume > 0 ? inwards : -inwards;
+            var inwards:Number = INWARDS * _extremes.extentOf(index);
+            inwards = _surface.isReversed(_items[slot]) == _shells[index].volume > 0 ? inwards : -inwards;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
@@ -156,15 +156,15 @@ package starlogo.solid.interior
 
         // Keeps those of the shells around a shell that enclose the last point too; after its first point, all larger shells that do. Keeps none if all
         // of them have the orientation of this shell.
-        private function keepEnclosing(number:int):void
+        private function keepEnclosing(index:int):void
         {
-            var shell:ClosedShell = _shells[number];
+            var shell:ClosedShell = _shells[index];
             var kept:Vector.<int> = new Vector.<int>();
             var hasOpposite:Boolean = false;
             markEnclosing(true);
             for each (var other:int in shell.enclosing || _enclosingPoint)
             {
-                if (shell.enclosing == null ? isLarger(other, number) : _shells[other].enclosesPoint)
+                if (shell.enclosing == null ? isLarger(other, index) : _shells[other].enclosesPoint)
                 {
                     kept.push(other);
                     hasOpposite ||= _shells[other].orientation == -shell.orientation;
@@ -177,11 +177,11 @@ package starlogo.solid.interior
 
         private function markEnclosing(enclosesPoint:Boolean):void
         {
-            for each (var number:int in _enclosingPoint)
+            for each (var index:int in _enclosingPoint)
             {
-                if (_shells[number] != null)
+                if (_shells[index] != null)
                 {
-                    _shells[number].enclosesPoint = enclosesPoint;
+                    _shells[index].enclosesPoint = enclosesPoint;
                 }
             }
         }
@@ -193,17 +193,17 @@ package starlogo.solid.interior
                 && _extremes.contains(outer, inner, LARGER);
         }
 
-        // Decides about the largest shells first. A shell that encloses another one is larger.
-        private function decide():void
+        // Finds the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.
+        private function findCavities():void
         {
             var sizes:Array = [];
             for each (var shell:ClosedShell in _shells)
             {
                 sizes.push(shell == null ? 0 : -Math.abs(shell.volume));
             }
-            for each (var number:int in sizes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
+            for each (var index:int in sizes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
             {
-                shell = _shells[number];
+                shell = _shells[index];
                 if (shell == null || shell.enclosing == null)
                 {
                     continue;
@@ -218,7 +218,7 @@ package starlogo.solid.interior
                 }
                 if (isTwoSided(innermost) && _shells[innermost].orientation == -shell.orientation)
                 {
-                    _surface.shellStates[number] = innermost;
+                    _surface.shellStates[index] = innermost;
                 }
             }
         }

@@ -11,12 +11,12 @@ package starlogo.intersection.ray
     use namespace engine;
 
     /**
-     * Finds where rays enter any convex structure. A point that moves along the ray meets the structure where the ray enters it, and a
-     * point that moves back meets it where the ray leaves it. Hulls, boxes and round structures have faster functions.
+     * Finds which part of a ray's line is inside of any convex structure. A point that moves along the line meets the structure where the line enters
+     * it, and a point that moves back meets it where the line leaves it. For hulls, boxes and round structures SpanFinder has formulas, which are faster.
      *
      * @private
      */
-    public final class ConvexRay
+    public final class ConvexSpanFinder
     {
         private var _kernel:ConvexKernel = new ConvexKernel();
         private var _place:Vector3D = new Vector3D();
@@ -26,36 +26,33 @@ package starlogo.intersection.ray
         private var _contact:ContactPoint = new ContactPoint();
 
         /**
-         * Finds where a ray enters a structure, which is wider by the margin of its ConvexShape.
+         * Finds the part of the line inside of a structure, which is wider by the margin of its ConvexShape.
          *
          * @param ray in the space of the structure
          * @param structure convex
-         * @param out receives the distance and the normal
-         * @return whether the ray meets the structure
+         * @param out receives the part
+         * @return whether the line meets the structure
          */
-        public function enter(ray:Ray, structure:BoundingStructure, out:RayEntry):Boolean
+        public function find(ray:Ray, structure:BoundingStructure, out:RaySpan):Boolean
         {
             structure.shapeInto(_shape);
             // the part of the line that may be inside
             var middle:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
             var boundingRadius:Number = 2 * (_shape.extent + _shape.radius) + Number.MIN_VALUE;
-            var start:Number = middle - boundingRadius;
-            var end:Number = middle + boundingRadius;
-            var length:Number = 2 * boundingRadius;
-            var near:Number = start + length * timeFrom(ray, start, length);
-            out.begin(ray);
-            if (near > ray.from && near < Infinity)
+            var near:Number = meetFrom(ray, middle - boundingRadius, 2 * boundingRadius);
+            if (near == Infinity)
             {
-                _kernel.findContact(_point, _shape, _motion, _contact);
-                out.distance = near;
-                out.setNormal(ray, _contact.normalX, _contact.normalY, _contact.normalZ);
+                return false;
             }
-            var far:Number = end - length * timeFrom(ray, end, -length);
-            return near < Infinity && out.distance <= far && out.distance <= ray.to;
+            out.setNormalNear(_contact.normalX, _contact.normalY, _contact.normalZ);
+            var far:Number = meetFrom(ray, middle + boundingRadius, -2 * boundingRadius);
+            out.setNormalFar(_contact.normalX, _contact.normalY, _contact.normalZ);
+            out.setEnds(near, far);
+            return near <= far && far < Infinity;
         }
 
-        // When a point first meets the shape, if it moves by a length from a place on the ray.
-        private function timeFrom(ray:Ray, from:Number, length:Number):Number
+        // Where a point first meets the shape if it moves by a length from a place on the line, with the contact there. Infinity if it does not.
+        private function meetFrom(ray:Ray, from:Number, length:Number):Number
         {
             _place.setTo(ray.x + from * ray.directionX, ray.y + from * ray.directionY, ray.z + from * ray.directionZ);
             _point.setPoint(_place);
@@ -63,7 +60,12 @@ package starlogo.intersection.ray
             _motion.y = length * ray.directionY;
             _motion.z = length * ray.directionZ;
             _kernel.findTime(_point, _shape, _motion);
-            return _motion.time;
+            if (_motion.time == RelativeMotion.NEVER)
+            {
+                return Infinity;
+            }
+            _kernel.findContact(_point, _shape, _motion, _contact);
+            return from + length * _motion.time;
         }
     }
 }

@@ -17,7 +17,7 @@ package starlogo.intersection.ray
     import support.assertThrows;
 
     /** Rays against spheres, capsules, boxes and hulls. */
-    public class RayStructureTest
+    public class SpanFinderTest
     {
         private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX, BoundingStructure.HULL];
 
@@ -41,7 +41,7 @@ package starlogo.intersection.ray
                     var ray:Ray = rayOf(origin, direction);
                     var expected:Number = RayReference.firstTouch(structure, origin, direction, 50, 1e-13);
                     var entry:RayEntry = new RayEntry();
-                    var isMet:Boolean = rayStructure(ray, structure, new ConvexRay(), entry);
+                    var isMet:Boolean = enters(ray, structure, entry);
                     if (isNaN(expected))
                     {
                         counts[2]++;
@@ -172,7 +172,7 @@ package starlogo.intersection.ray
         [Test]
         public function refusesCylindersAndDirectionsThatAreNone():void
         {
-            assertThrows(ArgumentError, /no test of rays/, rayStructure, new Ray(), new Cylinder(new Vector3D(), new Vector3D(1, 0, 0), 1), null, new RayEntry());
+            assertThrows(ArgumentError, /no test of rays/, SpanFinder.find, new Ray(), new Cylinder(new Vector3D(), new Vector3D(1, 0, 0), 1), null, new RaySpan());
             var ray:Ray = rayOf(new Vector3D(), new Vector3D(0, 3, 0));
             for each (var direction:Vector3D in [new Vector3D(), new Vector3D(NaN, 0, 1), new Vector3D(0, Infinity, 1), new Vector3D(1, 0, NaN)])
             {
@@ -237,7 +237,13 @@ package starlogo.intersection.ray
         private static function distanceTo(structure:BoundingStructure, origin:Vector3D, direction:Vector3D):Number
         {
             var entry:RayEntry = new RayEntry();
-            return rayStructure(rayOf(origin, direction), structure, new ConvexRay(), entry) ? entry.distance : Infinity;
+            return enters(rayOf(origin, direction), structure, entry) ? entry.distance : Infinity;
+        }
+
+        private static function enters(ray:Ray, structure:BoundingStructure, out:RayEntry):Boolean
+        {
+            var span:RaySpan = new RaySpan();
+            return SpanFinder.find(ray, structure, new ConvexSpanFinder(), span) && out.enter(ray, span);
         }
 
         private static function rayOf(origin:Vector3D, direction:Vector3D):Ray

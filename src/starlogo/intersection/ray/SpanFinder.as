@@ -1,0 +1,279 @@
+package starlogo.intersection.ray
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+
+    use namespace engine;
+
+    /**
+     * Finds which part of a ray's line is inside of a structure. That is all that a ray asks of a shape: RayEntry derives from it where the ray enters,
+     * and RayCrossings where it enters and leaves. Each kind has a formula. Touching counts, to within a factor on the structure's extents, which is
+     * Tolerances.TOUCHING. Nothing is allocated, except at the first ray that meets a hull where it is.
+     *
+     * <p>The package is made of Ray, this class and the ShearedRay for triangles, and of the records that they write. Read this class first.</p>
+     *
+     * @private
+     */
+    public final class SpanFinder
+    {
+        // The part of a line in the ball around an end of a capsule.
+        private static const BALL:RaySpan = new RaySpan();
+
+        /**
+         * Finds the part of the line inside of a structure.
+         *
+         * @param ray in the space of the structure
+         * @param structure a sphere, a capsule, a box, a hull, or another convex structure
+         * @param convex answers for convex structures without half-spaces, which are further structures of the engine; null if there are none
+         * @param out receives the part
+         * @return whether the line meets the structure
+         * @throws ArgumentError for any other structure
+         */
+        public static function find(ray:Ray, structure:BoundingStructure, convex:ConvexSpanFinder, out:RaySpan):Boolean
+        {
+            switch (structure.kind)
+            {
+                case BoundingStructure.SPHERE:
+                    return findInSphere(ray, Sphere(structure), out);
+                case BoundingStructure.CAPSULE:
+                    return findInCapsule(ray, Capsule(structure), out);
+                case BoundingStructure.BOX:
+                    return findInBox(ray, Box(structure), Tolerances.TOUCHING, out);
+                case BoundingStructure.HULL:
+                    // "is Hull" would load Hull, and with it the search for convex hulls, into every game on the ES module that has rays. A type or a
+                    // cast loads nothing.
+                    if (structure.halfSpaces != null)
+                    {
+                        return findInHull(ray, Hull(structure), out);
+                    }
+                    if (convex != null)
+                    {
+                        return convex.find(ray, structure, out);
+                    }
+                    break;
+            }
+            throw new ArgumentError("there is no test of rays for " + structure);
+        }
+
+        private static function findInSphere(ray:Ray, sphere:Sphere, out:RaySpan):Boolean
+        {
+            return findInBall(ray, sphere.center, sphere.radius * Tolerances.TOUCHING, out);
+        }
+
+        private static function findInBall(ray:Ray, center:Vector3D, radius:Number, out:RaySpan):Boolean
+        {
+            var x:Number = ray.x - center.x;
+            var y:Number = ray.y - center.y;
+            var z:Number = ray.z - center.z;
+            // the middle of the part, and the vector to it from the centre. It is perpendicular to the line, so no digits cancel
+            var middle:Number = -(x * ray.directionX + y * ray.directionY + z * ray.directionZ);
+            x += middle * ray.directionX;
+            y += middle * ray.directionY;
+            z += middle * ray.directionZ;
+            var halfSquared:Number = radius * radius - (x * x + y * y + z * z);
+            if (!(halfSquared >= 0))
+            {
+                return false;
+            }
+            var half:Number = Math.sqrt(halfSquared);
+            var halfX:Number = half * ray.directionX;
+            var halfY:Number = half * ray.directionY;
+            var halfZ:Number = half * ray.directionZ;
+            out.setEnds(middle - half, middle + half);
+            out.setNormalNear(x - halfX, y - halfY, z - halfZ);
+            out.setNormalFar(x + halfX, y + halfY, z + halfZ);
+            return true;
+        }
+
+        // The line enters and leaves the capsule on the infinite cylinder around the axis or, where that is beyond an end of the axis, on the ball
+        // around that end.
+        private static function findInCapsule(ray:Ray, capsule:Capsule, out:RaySpan):Boolean
+        {
+            var radius:Number = capsule.radius * Tolerances.TOUCHING;
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            var axisX:Number = end.x - start.x;
+            var axisY:Number = end.y - start.y;
+            var axisZ:Number = end.z - start.z;
+            var squared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
+            var x:Number = ray.x - start.x;
+            var y:Number = ray.y - start.y;
+            var z:Number = ray.z - start.z;
+            // As shares of the axis: the place of the line's point, and how far the line goes along the axis in a length of 1. What is left of the
+            // direction is across the axis.
+            var share:Number = squared > 0 ? (x * axisX + y * axisY + z * axisZ) / squared : 0;
+            var speed:Number = squared > 0 ? (ray.directionX * axisX + ray.directionY * axisY + ray.directionZ * axisZ) / squared : 0;
+            var acrossX:Number = ray.directionX - speed * axisX;
+            var acrossY:Number = ray.directionY - speed * axisY;
+            var acrossZ:Number = ray.directionZ - speed * axisZ;
+            var acrossSquared:Number = acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ;
+            out.setEnds(-Infinity, Infinity);
+            if (acrossSquared > Tolerances.PARALLEL)
+            {
+                // the middle of the part in the cylinder, and the vector to it from the axis, perpendicular to both
+                x -= share * axisX;
+                y -= share * axisY;
+                z -= share * axisZ;
+                var middle:Number = -(x * acrossX + y * acrossY + z * acrossZ) / acrossSquared;
+                x += middle * acrossX;
+                y += middle * acrossY;
+                z += middle * acrossZ;
+                var halfSquared:Number = radius * radius - (x * x + y * y + z * z);
+                if (!(halfSquared >= 0))
+                {
+                    return false;
+                }
+                var half:Number = Math.sqrt(halfSquared / acrossSquared);
+                out.setEnds(middle - half, middle + half);
+                out.setNormalNear(x - half * acrossX, y - half * acrossY, z - half * acrossZ);
+                out.setNormalFar(x + half * acrossX, y + half * acrossY, z + half * acrossZ);
+            }
+            var place:Number = share + out.near * speed;
+            if (!(place >= 0 && place <= 1))
+            {
+                if (!findInBall(ray, place > 1 ? end : start, radius, BALL))
+                {
+                    return false;
+                }
+                out.copyNear(BALL);
+            }
+            place = share + out.far * speed;
+            if (!(place >= 0 && place <= 1))
+            {
+                if (!findInBall(ray, place > 1 ? end : start, radius, BALL))
+                {
+                    return false;
+                }
+                out.copyFar(BALL);
+            }
+            return true;
+        }
+
+        /**
+         * Finds the part of the line inside of a box: where it is between all three pairs of faces (Kay and Kajiya, "Ray tracing complex scenes",
+         * SIGGRAPH 1986).
+         *
+         * @param ray in the space of the box
+         * @param box half-extents may be 0
+         * @param touchingFactor the factor on the half-extents at which the line still touches the box
+         * @param out receives the part
+         * @return whether the line meets the box
+         */
+        public static function findInBox(ray:Ray, box:Box, touchingFactor:Number, out:RaySpan):Boolean
+        {
+            var middle:Vector3D = box.center;
+            var entered:Vector3D = null;
+            var left:Vector3D = null;
+            var near:Number = -Infinity;
+            var far:Number = Infinity;
+            var entrance:Number = -Infinity;
+            var exit:Number = Infinity;
+            for (var i:int = 0; i < 3; i++)
+            {
+                var axis:Vector3D = i == 0 ? box.axisX : i == 1 ? box.axisY : box.axisZ;
+                var half:Number = i == 0 ? box.halfX : i == 1 ? box.halfY : box.halfZ;
+                var offset:Number = axis.x * (ray.x - middle.x) + axis.y * (ray.y - middle.y) + axis.z * (ray.z - middle.z);
+                var speed:Number = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
+                // a line within the planes crosses them at an infinite distance, if its speed is not -0
+                speed = speed == 0 ? 0 : speed;
+                var ahead:Number = speed < 0 ? -half : half;
+                var place:Number = (-ahead - offset) / speed;
+                entrance = place > entrance && place < Infinity ? place : entrance;
+                place = (ahead - offset) / speed;
+                exit = place < exit && place > -Infinity ? place : exit;
+                ahead *= touchingFactor;
+                place = (-ahead - offset) / speed;
+                if (place > near)
+                {
+                    near = place;
+                    entered = axis;
+                }
+                place = (ahead - offset) / speed;
+                if (place < far)
+                {
+                    far = place;
+                    left = axis;
+                }
+            }
+            if (!(near <= far))
+            {
+                return false;
+            }
+            setEndsOfFaces(near, entrance, exit, far, out);
+            out.setNormalNear(entered.x, entered.y, entered.z);
+            out.setNormalFar(left.x, left.y, left.z);
+            return true;
+        }
+
+        // Where the line is inside of all half-spaces of a hull. It touches a half-space to within the factor on the plane's distance from the centre.
+        private static function findInHull(ray:Ray, hull:Hull, out:RaySpan):Boolean
+        {
+            var center:Vector3D = hull.center;
+            var x:Number = ray.x - center.x;
+            var y:Number = ray.y - center.y;
+            var z:Number = ray.z - center.z;
+            var planes:Vector.<Number> = hull.halfSpaces;
+            var end:int = planes.length;
+            var entered:int = 0;
+            var left:int = 0;
+            var near:Number = -Infinity;
+            var far:Number = Infinity;
+            var entrance:Number = -Infinity;
+            var exit:Number = Infinity;
+            for (var i:int = 0; i < end; i += 4)
+            {
+                var height:Number = planes[i] * x + planes[int(i + 1)] * y + planes[int(i + 2)] * z - planes[int(i + 3)] - hull.radius;
+                var speed:Number = planes[i] * ray.directionX + planes[int(i + 1)] * ray.directionY + planes[int(i + 2)] * ray.directionZ;
+                var touchingHeight:Number = height - (Tolerances.TOUCHING - 1) * planes[int(i + 3)];
+                if (speed == 0)
+                {
+                    far = touchingHeight > 0 ? -Infinity : far;
+                    continue;
+                }
+                var crossed:Number = -height / speed;
+                var touched:Number = -touchingHeight / speed;
+                if (speed < 0)
+                {
+                    entrance = crossed > entrance ? crossed : entrance;
+                    if (touched > near)
+                    {
+                        near = touched;
+                        entered = i;
+                    }
+                }
+                else
+                {
+                    exit = crossed < exit ? crossed : exit;
+                    if (touched < far)
+                    {
+                        far = touched;
+                        left = i;
+                    }
+                }
+            }
+            if (!(near <= far))
+            {
+                return false;
+            }
+            setEndsOfFaces(near, entrance, exit, far, out);
+            out.setNormalNear(planes[entered], planes[int(entered + 1)], planes[int(entered + 2)]);
+            out.setNormalFar(planes[left], planes[int(left + 1)], planes[int(left + 2)]);
+            return true;
+        }
+
+        // Sets the ends for a shape with flat faces. The planes of the shape itself say nothing about a line that passes beside it and only touches it.
+        private static function setEndsOfFaces(near:Number, entrance:Number, exit:Number, far:Number, out:RaySpan):void
+        {
+            out.near = near;
+            out.far = far;
+            out.entrance = entrance > near && entrance <= far ? entrance : near;
+            out.exit = exit < far && exit >= near ? exit : far;
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Sphere;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BestPair;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.TreeCounts;
+    import starlogo.intersection.TriangleKernel;
+
+    use namespace engine;
+
+    /**
+     * Finds the contact of two triangles that touch, one of each model. If they meet at their borders, faces of both may separate them. A face
+     * counts if it separates all of the other model at the contact: the next triangle may be on the other side of a seam. A small ball behind the
+     * face, the probe, finds whether the other model has triangles there.
+     */
+    internal final class TriangleContactFinder
+    {
+        // The radius of the probe, as a fraction of the extent of a triangle that it is near. Smaller: rounding decides. Larger: the probe meets what is
+        // not at the contact.
+        private static const PROBE:Number = 1e-4;
+
+        // How far the probe is behind a plane, as a fraction of its radius. Smaller: the probe meets what is in the plane. Larger: it misses what leaves
+        // the plane at a small angle, of the square root of twice this fraction.
+        private static const PROBE_GAP:Number = 1e-6;
+
+        private var _cornersOfFirst:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _cornersOfSecond:Vector.<Number> = new Vector.<Number>(9, true);
+
+        // Has one triangle as its shape, and the plane of the other.
+        private var _kernel:TriangleKernel = new TriangleKernel();
+
+        // The first model's motion, if the second one stands.
+        private var _reversed:RelativeMotion = new RelativeMotion();
+
+        // The probe in the first model's space, and what finds triangles there: with the pose of that space in the space of each model, and the motion
+        // of a ball that stands.
+        private var _probe:Sphere = new Sphere(new Vector3D(), 0);
+        private var _touches:TriangleTouchVisitor;
+        private var _toFirst:RelativePose = new RelativePose();
+        private var _toSecond:RelativePose = new RelativePose();
+        private var _still:RelativeMotion = new RelativeMotion();
+
+        /** @param counts counts the triangles that are tested */
+        public function TriangleContactFinder(counts:TreeCounts)
+        {
+            _touches = new TriangleTouchVisitor(counts);
+        }
+
+        /**
+         * Finds the contact, in the first model's space.
+         *
+         * @param pair the two trees
+         * @param best has the slots of the triangles
+         * @param motion of the second model, which is where it is at the motion's time; its start must be 0
+         * @param out receives the contact, with a normal from the first model to the second
+         */
+        public function find(pair:TwoTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var placement:Placement = pair.pose.placement;
+            var plane:TrianglePlane = _kernel.plane;
+            var margin:Number = pair.outerTolerance(motion);
+            pair.a.mesh.readTriangle(best.a, _cornersOfFirst);
+            pair.b.mesh.readTriangle(best.b, _cornersOfSecond);
+            _kernel.setShapeToTriangle(_cornersOfSecond, placement);
+            _kernel.setTriangle(_cornersOfFirst);
+            _kernel.findContact(motion, out);
+            _kernel.shape.margin = margin;
+            Placement.invert(placement, _toSecond.placement);
+            if (plane.isMetBy(_kernel.shape, motion, out) && !hasTriangleBehind(pair.b, _toSecond, pair.tolerance, motion, out))
+            {
+                out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
+                return;
+            }
+            Placement.placePoints(placement, _cornersOfSecond, 0, 9, _cornersOfSecond);
+            _kernel.setTriangle(_cornersOfSecond);
+            _kernel.shape.setTriangle(_cornersOfFirst, 0);
+            _kernel.shape.margin = margin;
+            _reversed.setReversed(motion);
+            if (plane.isMetBy(_kernel.shape, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, pair.tolerance, RelativeMotion.NONE, out))
+            {
+                out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
+            }
+        }
+
+        // Whether a model has a triangle at a contact that is, at least in part, behind the plane. The kernel's shape is its triangle that touches there.
+        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, tolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        {
+            var radius:Number = PROBE * _kernel.shape.extent;
+            var back:Number = (1 + PROBE_GAP) * radius + 2 * tolerance;
+            var normal:Vector3D = _kernel.plane.normal;
+            _probe.radius = radius;
+            _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
+            _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
+            _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
+            return _touches.findTouch(model, _probe, pose, _still) >= 0;
+        }
+    }
+}

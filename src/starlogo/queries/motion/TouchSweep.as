@@ -90,6 +90,7 @@ package starlogo.queries.motion
             hits.begin();
             first.row = -1;
             first.fraction = 1;
+            first.isDeep = false;
             // what stops the body at once does not end the loop, because a row behind it may lift the body
             for (var i:int = 0; i < body.rows.count; i++)
             {

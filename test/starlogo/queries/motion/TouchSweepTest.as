@@ -4,6 +4,7 @@ package starlogo.queries.motion
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
@@ -106,6 +107,7 @@ package starlogo.queries.motion
             assertStops(true, from, new Vector3D(-0.5, 0, 0));
             assertTrue("deep", _result.isDeep);
             assertStops(false, from, new Vector3D(9, 0, 0));
+            assertFalse("nothing stops it, so nothing is deep", _result.isDeep);
         }
 
         private function assertStops(isStopped:Boolean, from:Vector3D, motion:Vector3D):void

@@ -31,7 +31,7 @@ package starlogo.search.pairs
         private static const OUTWARDS:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
 
-        // By edge: how far the body is beyond it (less than 0 if the body is before it).
+        // By edge, within one method: how far the body is beyond it (less than 0 if the body is before it).
         private var _penetrations:Vector.<Number> = new Vector.<Number>(6, true);
 
         private var _supportSearch:SupportSearch;
@@ -54,7 +54,7 @@ package starlogo.search.pairs
         override public function areTouching(a:Body, b:Body):Boolean
         {
             var tolerance:Number = toleranceOf(a);
-            findPenetrations(a, b, RelativeMotion.NONE, tolerance);
+            findPenetrations(a, b, RelativeMotion.NONE, tolerance, _penetrations);
             for (var edge:int = 0; edge < 6; edge++)
             {
                 if (_penetrations[edge] + tolerance >= 0)
@@ -69,7 +69,7 @@ package starlogo.search.pairs
         override protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
             var tolerance:Number = toleranceOf(a);
-            findPenetrations(a, b, motion, tolerance);
+            findPenetrations(a, b, motion, tolerance, _penetrations);
             motion.time = RelativeMotion.NEVER;
             for (var edge:int = 0; edge < 6; edge++)
             {
@@ -93,7 +93,8 @@ package starlogo.search.pairs
          */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            writeContact(findDeepest(a, b, motion), a, b, motion, out);
+            var deepest:int = findDeepest(a, b, motion, _penetrations);
+            writeContact(deepest, _penetrations, a, b, motion, out);
         }
 
         /** @inheritDoc */
@@ -105,7 +106,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            var deepest:int = findDeepest(a, b, RelativeMotion.NONE);
+            var deepest:int = findDeepest(a, b, RelativeMotion.NONE, _penetrations);
             var outwards:Vector3D = OUTWARDS[deepest];
             _supportSearch.findPoint(a, outwards, _farthest);
             var own:Number = along(deepest, _farthest.x, _farthest.y, _farthest.z);
@@ -128,21 +129,21 @@ package starlogo.search.pairs
         }
 
         // Finds how far the body is beyond each edge at the time of a motion. Returns the edge that it is furthest beyond.
-        private function findDeepest(a:Body, b:Body, motion:RelativeMotion):int
+        private function findDeepest(a:Body, b:Body, motion:RelativeMotion, out:Vector.<Number>):int
         {
             // for trees, the points at all edges are needed
-            findPenetrations(a, b, motion, Infinity);
+            findPenetrations(a, b, motion, Infinity, out);
             var deepest:int = 0;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                _penetrations[edge] -= (1 - motion.time) * along(edge, motion.x, motion.y, motion.z);
-                deepest = _penetrations[edge] > _penetrations[deepest] ? edge : deepest;
+                out[edge] -= (1 - motion.time) * along(edge, motion.x, motion.y, motion.z);
+                deepest = out[edge] > out[deepest] ? edge : deepest;
             }
             return deepest;
         }
 
-        // Writes the contact of a body with the edges, after findDeepest.
-        private function writeContact(deepest:int, a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        // Writes the contact of a body with the edges. It gets what findDeepest finds.
+        private function writeContact(deepest:int, penetrations:Vector.<Number>, a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var left:Number = 1 - motion.time;
             _supportSearch.findPoint(a, OUTWARDS[deepest], _farthest);
@@ -155,20 +156,20 @@ package starlogo.search.pairs
             for (var edge:int = 0; edge < 6; edge += 2)
             {
                 // of two opposite edges, the one with the larger value counts
-                var one:int = _penetrations[edge] >= _penetrations[int(edge + 1)] ? edge : edge + 1;
-                if (_penetrations[one] >= -toleranceOf(a) || one == deepest)
+                var one:int = penetrations[edge] >= penetrations[int(edge + 1)] ? edge : edge + 1;
+                if (penetrations[one] >= -toleranceOf(a) || one == deepest)
                 {
-                    var way:Number = wayBackFrom(one, one == deepest, a);
+                    var way:Number = lengthOfWayBack(penetrations[one], one == deepest, a);
                     _wayBack.x -= way * OUTWARDS[one].x;
                     _wayBack.y -= way * OUTWARDS[one].y;
                     _wayBack.z -= way * OUTWARDS[one].z;
                     count++;
-                    moveToMiddle(one, b, out);
+                    moveToMiddle(one, penetrations[one], b, out);
                 }
             }
             var length:Number = _wayBack.length;
             out.setNormal(_wayBack.x / length, _wayBack.y / length, _wayBack.z / length);
-            var depth:Number = Math.max(0, _penetrations[deepest]);
+            var depth:Number = Math.max(0, penetrations[deepest]);
             out.depth = count > 1 && depth > 0 ? length : depth;
         }
 
@@ -180,31 +181,31 @@ package starlogo.search.pairs
 
         // Finds how far the body is beyond each edge. A tree's own points are computed only for edges that its extents come to, within the
         // tolerance.
-        private function findPenetrations(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number):void
+        private function findPenetrations(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number, out:Vector.<Number>):void
         {
             for (var edge:int = 0; edge < 6; edge++)
             {
                 var place:Number = placeOf(edges, edge);
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
                 var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - place);
-                _penetrations[edge] = beyond;
+                out[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
                     _supportSearch.findSupport(body, OUTWARDS[edge], _farthest);
-                    _penetrations[edge] = _farthest.support - place;
+                    out[edge] = _farthest.support - place;
                 }
             }
         }
 
         // The place of an edge in the direction out of the world.
-        private function placeOf(edges:Body, edge:int):Number
+        private static function placeOf(edges:Body, edge:int):Number
         {
             // the first number is 1 or -1: whether the direction is the axis or against it
             return along(edge, 1, 1, 1) * edges.shape.edges[edge];
         }
 
         // The length of a vector in the direction out of the world.
-        private function along(edge:int, x:Number, y:Number, z:Number):Number
+        private static function along(edge:int, x:Number, y:Number, z:Number):Number
         {
             return x * OUTWARDS[edge].x + y * OUTWARDS[edge].y + z * OUTWARDS[edge].z;
         }
@@ -212,19 +213,19 @@ package starlogo.search.pairs
         // The length of the way back from an edge. For edges other than the deepest, it is longer by a tenth of the tolerance of a contact's depth, so
         // that it leads away from each of the edges. For the deepest one it is at least as long as that. A point has no extent; the patch counts in its
         // place.
-        private function wayBackFrom(edge:int, isDeepest:Boolean, body:Body):Number
+        private static function lengthOfWayBack(penetration:Number, isDeepest:Boolean, body:Body):Number
         {
             var half:Number = body.largestHalf == 0 ? 1 : body.largestHalf;
             var slack:Number = Tolerances.SEPARATION / 5 * half;
-            var depth:Number = Math.max(0, _penetrations[edge]);
+            var depth:Number = Math.max(0, penetration);
             return isDeepest ? Math.max(depth, slack) : depth + slack;
         }
 
         // Moves the point of a contact into the middle of the overlap with an edge. There may be no such edge: then its place is infinite.
-        private function moveToMiddle(edge:int, edges:Body, out:ContactPoint):void
+        private static function moveToMiddle(edge:int, penetration:Number, edges:Body, out:ContactPoint):void
         {
             var outwards:Vector3D = OUTWARDS[edge];
-            var offset:Number = placeOf(edges, edge) + _penetrations[edge] / 2 - along(edge, out.x, out.y, out.z);
+            var offset:Number = placeOf(edges, edge) + penetration / 2 - along(edge, out.x, out.y, out.z);
             if (isFinite(offset))
             {
                 out.x += offset * outwards.x;

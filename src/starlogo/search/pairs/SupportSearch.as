@@ -40,10 +40,6 @@ package starlogo.search.pairs
         private var _sum:Vector3D = new Vector3D();
         private var _count:int = 0;
 
-        // The point of the parts that were added, and the square of its distance from the middle of the tree.
-        private var _point:Vector3D = new Vector3D();
-        private var _squared:Number = 0;
-
         /** @param limits how far trees are tested */
         public function SupportSearch(limits:TreeLimits)
         {
@@ -78,22 +74,22 @@ package starlogo.search.pairs
             findInModel(body, _direction, out);
             if (body.shape.hierarchy == null)
             {
-                takeFarthestOfStructure(_direction, out.support - Tolerances.SEPARATION * body.largestHalf / at.size);
+                takeFarthestOfStructure(_direction, out.support - Tolerances.SEPARATION * body.largestHalf / at.size, out);
             }
             else
             {
-                takeFarthestOfTree(body, _direction, out.support);
+                takeFarthestOfTree(body, _direction, out.support, out);
             }
             bringSupportBack(direction, at, out);
-            bringPointBack(_point.x, _point.y, _point.z, at, out);
+            bringPointBack(at, out);
         }
 
         // Turns a point in the model's space into one in the world.
-        private static function bringPointBack(modelX:Number, modelY:Number, modelZ:Number, at:Placement, out:SupportPoint):void
+        private static function bringPointBack(at:Placement, out:SupportPoint):void
         {
-            var x:Number = at.size * modelX;
-            var y:Number = at.size * modelY;
-            var z:Number = at.size * modelZ;
+            var x:Number = at.size * out.x;
+            var y:Number = at.size * out.y;
+            var z:Number = at.size * out.z;
             out.x = at.x + at.r00 * x + at.r01 * y + at.r02 * z;
             out.y = at.y + at.r10 * x + at.r11 * y + at.r12 * z;
             out.z = at.z + at.r20 * x + at.r21 * y + at.r22 * z;
@@ -198,7 +194,7 @@ package starlogo.search.pairs
         }
 
         // Finds the mean of the corners of _shape that reach as far as a support. findOfStructure() has set _shape.
-        private function takeFarthestOfStructure(direction:Vector3D, least:Number):void
+        private function takeFarthestOfStructure(direction:Vector3D, least:Number, out:SupportPoint):void
         {
             var p:Vector.<Number> = _shape.points;
             var x:Number = _shape.x + _shape.radius * direction.x;
@@ -209,16 +205,19 @@ package starlogo.search.pairs
             {
                 addIfAsFar(x + p[i], y + p[int(i + 1)], z + p[int(i + 2)], direction, least);
             }
-            _point.setTo(_sum.x / _count, _sum.y / _count, _sum.z / _count);
+            out.x = _sum.x / _count;
+            out.y = _sum.y / _count;
+            out.z = _sum.z / _count;
         }
 
         // Finds the point of the parts of a tree that reach as far as a support in the model's space.
-        private function takeFarthestOfTree(body:Body, direction:Vector3D, least:Number):void
+        private function takeFarthestOfTree(body:Body, direction:Vector3D, least:Number, out:SupportPoint):void
         {
             var tree:BoxTree = body.shape.hierarchy.boxTree;
             var mesh:TriangleMesh = trianglesOf(body);
             var depth:int = depthOf(body, mesh);
-            _squared = Infinity;
+            // any point is nearer
+            out.x = Infinity;
             _nodes[0] = 0;
             for (var top:int = 0; top >= 0; top--)
             {
@@ -235,20 +234,20 @@ package starlogo.search.pairs
                 }
                 else if (mesh == null)
                 {
-                    addNode(tree.boxes, 6 * node, direction);
+                    addNode(tree.boxes, 6 * node, direction, out);
                 }
                 else
                 {
                     for (var triangle:int = tree.first[node]; triangle < tree.end[node]; triangle++)
                     {
-                        addTriangle(tree.boxes, mesh, triangle, direction, least);
+                        addTriangle(tree.boxes, mesh, triangle, direction, least, out);
                     }
                 }
             }
         }
 
         // Adds the mean of the corners of a triangle that reach as far as a support.
-        private function addTriangle(boxes:Vector.<Number>, mesh:TriangleMesh, slot:int, direction:Vector3D, least:Number):void
+        private function addTriangle(boxes:Vector.<Number>, mesh:TriangleMesh, slot:int, direction:Vector3D, least:Number, out:SupportPoint):void
         {
             var vertices:Vector.<Number> = mesh.vertices;
             beginPart();
@@ -259,17 +258,17 @@ package starlogo.search.pairs
             }
             if (_count > 0)
             {
-                takeIfNearer(boxes);
+                takeIfNearer(boxes, out);
             }
         }
 
         // Adds the farthest point of a node's box. If an edge or a face is across the direction, it is the middle of that.
-        private function addNode(boxes:Vector.<Number>, at:int, direction:Vector3D):void
+        private function addNode(boxes:Vector.<Number>, at:int, direction:Vector3D, out:SupportPoint):void
         {
             _count = 1;
             _sum.setTo(boxes[at] + sideOf(direction.x) * boxes[int(at + 3)], boxes[int(at + 1)] + sideOf(direction.y) * boxes[int(at + 4)],
                     boxes[int(at + 2)] + sideOf(direction.z) * boxes[int(at + 5)]);
-            takeIfNearer(boxes);
+            takeIfNearer(boxes, out);
         }
 
         private function beginPart():void
@@ -288,20 +287,25 @@ package starlogo.search.pairs
         }
 
         // Takes the mean of a part if it is nearer to the middle of the tree, whose box is the first.
-        private function takeIfNearer(boxes:Vector.<Number>):void
+        private function takeIfNearer(boxes:Vector.<Number>, out:SupportPoint):void
         {
             var x:Number = _sum.x / _count;
             var y:Number = _sum.y / _count;
             var z:Number = _sum.z / _count;
+            if (squaredFromMiddle(boxes, x, y, z) < squaredFromMiddle(boxes, out.x, out.y, out.z))
+            {
+                out.x = x;
+                out.y = y;
+                out.z = z;
+            }
+        }
+
+        private static function squaredFromMiddle(boxes:Vector.<Number>, x:Number, y:Number, z:Number):Number
+        {
             var toX:Number = x - boxes[0];
             var toY:Number = y - boxes[1];
             var toZ:Number = z - boxes[2];
-            var squared:Number = toX * toX + toY * toY + toZ * toZ;
-            if (squared < _squared)
-            {
-                _squared = squared;
-                _point.setTo(x, y, z);
-            }
+            return toX * toX + toY * toY + toZ * toZ;
         }
 
         // Whether an axis points along the direction (1), against it (-1) or across it (0). The cosine of their angle is given.

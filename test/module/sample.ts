@@ -24,6 +24,7 @@ import {
 	CapsuleFitter,
 	CastHit,
 	CentredRitterSphereFitter,
+	ColladaAnimations,
 	ColladaModel,
 	Collider,
 	Collision,
@@ -65,6 +66,7 @@ import {
 	MinimalCapsuleFitter,
 	MinimalSphereFitter,
 	Model,
+	type ModelAnimations,
 	ModelError,
 	ModelEvent,
 	ModelLoader,
@@ -402,6 +404,11 @@ export function keep(): string[] {
 	return [String(bytes.length), String(entry !== null && entry.length > 0), String(here.read("nothing"))];
 }
 
+/** Files of all formats have the same animations. */
+function animationsOf(name: string, file: string | Uint8Array): ModelAnimations {
+	return typeof file === "string" ? new ColladaAnimations(name, file) : ColladaAnimations.fromBytes(name, file);
+}
+
 /** What goes wrong is said by name. */
 export function refuse(): string[] {
 	const errors: string[] = [];
@@ -418,6 +425,7 @@ export function refuse(): string[] {
 		() => new HierarchiesLibrary().add("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], new Float32Array([0, 1, 1.5])),
 		() => new Model("broken", [0, 0, 0], [0, 0, 1]),
 		() => new GltfAnimations("broken", new Uint8Array([123, 125])).verticesAt(0, 0.5),
+		() => animationsOf("broken", "<COLLADA>").verticesAt(0, 0.5),
 	];
 	for (const attempt of attempts) {
 		try {

@@ -16,6 +16,9 @@ package starlogo.models.collada
         /** The element's name. */
         public var name:String;
 
+        /** Its number in the document, from 0. */
+        public var index:int;
+
         /** What the document may have and cost. */
         public var limits:FileLimits;
 
@@ -46,12 +49,14 @@ package starlogo.models.collada
 
         /**
          * @param limits what the document may have and cost
+         * @param index its number in the document, from 0
          * @param name the element's name
          * @param parent the element around it, which takes it as a child; null for the root
          */
-        public function ColladaElement(limits:FileLimits, name:String, parent:ColladaElement)
+        public function ColladaElement(limits:FileLimits, index:int, name:String, parent:ColladaElement)
         {
             this.limits = limits;
+            this.index = index;
             this.name = name;
             this.parent = parent;
             elementsById = parent == null ? {} : parent.elementsById;
@@ -70,7 +75,7 @@ package starlogo.models.collada
         /** The transform that this element is; null if it is none. Scenes may need it often, so it is computed once. */
         public function toTransform():AffineTransform
         {
-            return _transform ||= ColladaTransform.of(this);
+            return _transform ||= ColladaTransform.of(this, null);
         }
 
         /** The value of an attribute; "" if there is none. */

@@ -17,17 +17,20 @@ package starlogo.models.collada
 
         private var _mesh:ColladaMesh;
         private var _transform:AffineTransform;
+        private var _deformation:ColladaDeformation;
 
         /**
          * @param element the element that places the geometry; the geometry's own element if there is no scene
          * @param mesh the geometry's vertices and triangles. All instances of a geometry share them
          * @param transform takes its points to the scene
+         * @param deformation moves its points first, in a pose; null for none
          */
-        public function ColladaInstance(element:ColladaElement, mesh:ColladaMesh, transform:AffineTransform)
+        public function ColladaInstance(element:ColladaElement, mesh:ColladaMesh, transform:AffineTransform, deformation:ColladaDeformation = null)
         {
             _element = element;
             _mesh = mesh;
             _transform = transform;
+            _deformation = deformation;
         }
 
         /**
@@ -38,7 +41,7 @@ package starlogo.models.collada
          */
         public function adding(data:ModelData, loosePoints:Vector.<Number>):Steps
         {
-            return new StepSequence().add(_mesh).begin(function():Steps
+            return new StepSequence().add(_mesh).add(_deformation || new StepSequence()).begin(function():Steps
                 {
                     return _mesh.triangles.length > 0 ? addingMesh(data, data.vertices) : addingMesh(data, loosePoints);
                 });
@@ -49,7 +52,8 @@ package starlogo.models.collada
         {
             var firstVertex:int = out.length / 3;
             var firstCorner:int = data.triangles.length;
-            var vertexCount:int = _mesh.vertices.length / 3;
+            var points:Vector.<Number> = _deformation == null ? _mesh.vertices : _deformation.points;
+            var vertexCount:int = points.length / 3;
             var triangleCount:int = _mesh.triangles.length / 3;
             _element.limits.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, _element);
             if (triangleCount > 0)
@@ -58,7 +62,7 @@ package starlogo.models.collada
             }
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    var areFinite:Boolean = _transform.transformPoints(_mesh.vertices, first, end, out, firstVertex + first);
+                    var areFinite:Boolean = _transform.transformPoints(points, first, end, out, firstVertex + first);
                     _element.refuseIf(!areFinite, "its transformed coordinates are too large: they are not finite numbers");
                 }).slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                 {

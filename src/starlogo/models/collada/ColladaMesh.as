@@ -1,6 +1,5 @@
 package starlogo.models.collada
 {
-    import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -11,7 +10,7 @@ package starlogo.models.collada
         /** The geometry's element. */
         public var geometry:ColladaElement;
 
-        /** When all is read: the points that its triangles use, or all points if it has none. */
+        /** When all is read: its points. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
         /** When all is read: three point indices for each triangle. */
@@ -39,7 +38,7 @@ package starlogo.models.collada
                     addPrimitive(element, triangulator);
                 }
             }
-            begin(readingPoints).add(new VertexFilter(vertices, triangles));
+            begin(readingPoints);
         }
 
         // Adds the work on a primitive, after that on its source.

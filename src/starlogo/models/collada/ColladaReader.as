@@ -6,6 +6,7 @@ package starlogo.models.collada
     import starlogo.models.ModelData;
     import starlogo.models.ModelBuilder;
     import starlogo.models.ModelTransform;
+    import starlogo.models.VertexFilter;
     import starlogo.models.refuseIf;
     import starlogo.models.shortened;
     import starlogo.models.text.Decimal;
@@ -28,17 +29,16 @@ package starlogo.models.collada
 
         /**
          * @param data takes what is read
-         * @param text the document's text
+         * @param xml the document; its steps may be done
          * @param isAxisNamed whether the axis that points up in the data counts, instead of the one that the document names
+         * @param pose moves the scene; null at rest
          */
-        public function ColladaReader(data:ModelData, text:String, isAxisNamed:Boolean)
+        public function ColladaReader(data:ModelData, xml:XmlReader, isAxisNamed:Boolean, pose:ColladaPose = null)
         {
             _data = data;
-            refuseIf(text == null, data.name, "there is no text to read");
-            var xml:XmlReader = new XmlReader(text, new FileLimits(data.name, text.length));
             add(xml).begin(function():Steps
                 {
-                    return readingDocument(xml.root, isAxisNamed);
+                    return readingDocument(rootOf(data.name, xml), isAxisNamed, pose);
                 });
         }
 
@@ -52,25 +52,44 @@ package starlogo.models.collada
          */
         public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelBuilder
         {
-            var data:ModelData = ModelData.forFile(name, upAxis == null ? "z" : upAxis, scaling);
-            return new ModelBuilder(data, new ColladaReader(data, text, upAxis != null));
+            var data:ModelData = dataFor(name, upAxis, scaling);
+            return new ModelBuilder(data, new ColladaReader(data, xmlOf(data.name, text), upAxis != null));
         }
 
-        private function readingDocument(root:ColladaElement, isAxisNamed:Boolean):Steps
+        /** The data of a model that is not read yet. The parameters are those of of(). */
+        internal static function dataFor(name:String, upAxis:Object, scaling:String):ModelData
         {
-            refuseIf(root == null, _data.name, "this is not XML: expected a COLLADA document");
-            root.refuseIf(root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + root.name + ">");
+            return ModelData.forFile(name, upAxis == null ? "z" : upAxis, scaling);
+        }
+
+        /** The steps that read the elements of a text. @param name the model's name */
+        internal static function xmlOf(name:String, text:String):XmlReader
+        {
+            refuseIf(text == null, name, "there is no text to read");
+            return new XmlReader(text, new FileLimits(name, text.length));
+        }
+
+        /** The root of a document, whose elements are read. @param name the model's name @throws ModelError if it is not COLLADA */
+        internal static function rootOf(name:String, xml:XmlReader):ColladaElement
+        {
+            refuseIf(xml.root == null, name, "this is not XML: expected a COLLADA document");
+            xml.root.refuseIf(xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + xml.root.name + ">");
+            return xml.root;
+        }
+
+        private function readingDocument(root:ColladaElement, isAxisNamed:Boolean, pose:ColladaPose):Steps
+        {
             var asset:ColladaElement = root.child("asset");
             _data.upAxis = isAxisNamed ? _data.upAxis : upAxisOf(asset);
             if (_data.scaling == Model.AS_GIVEN && _data.transform == null)
             {
                 _data.transform = toMetres(asset);
             }
-            var scene:ColladaScene = new ColladaScene(root);
+            var scene:ColladaScene = new ColladaScene(root, pose);
             return new StepSequence().add(scene).begin(function():Steps
                 {
                     return readingInstances(scene.instances);
-                });
+                }).add(new VertexFilter(_data.vertices, _data.triangles));
         }
 
         private function readingInstances(instances:Vector.<ColladaInstance>):Steps

@@ -17,7 +17,8 @@ package starlogo.models.collada
         /** The geometries in the document's order, when no step is left. */
         public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
-        private var _meshes:Object = {}; // of geometries in the scene; the key is "#" and the geometry's id
+        private var _pose:ColladaPose;
+        private var _meshes:Object; // of geometries in the scene; the key is "#" and the geometry's id
 
         // The elements that are to be visited, the next one last. Null stands for the end of the innermost node.
         private var _pending:Vector.<ColladaElement> = new Vector.<ColladaElement>();
@@ -27,9 +28,14 @@ package starlogo.models.collada
         private var _nodes:Vector.<ColladaElement> = new Vector.<ColladaElement>();
         private var _transforms:Vector.<AffineTransform> = new Vector.<AffineTransform>();
 
-        /** @param root the document's root element */
-        public function ColladaScene(root:ColladaElement)
+        /**
+         * @param root the document's root element
+         * @param pose moves the scene; null at rest
+         */
+        public function ColladaScene(root:ColladaElement, pose:ColladaPose)
         {
+            _pose = pose;
+            _meshes = pose == null ? {} : pose.meshes;
             var scene:ColladaElement = root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
@@ -82,8 +88,7 @@ package starlogo.models.collada
         {
             if (element == null)
             {
-                _nodes.pop();
-                _transforms.pop();
+                leave(_nodes.pop(), _transforms.pop());
                 return;
             }
             var transform:AffineTransform = _transforms[node];
@@ -104,34 +109,63 @@ package starlogo.models.collada
                     enter(element, transform);
                     break;
                 default:
-                    var local:AffineTransform = element.toTransform();
+                    var local:AffineTransform = _pose == null ? element.toTransform() : _pose.transformOf(element);
                     _transforms[node] = local == null ? transform : transform.after(local);
             }
         }
 
-        // Follows controllers down to the geometry. A skin stays where its bind shape matrix puts it. A morph is its base shape.
+        private function leave(node:ColladaElement, transform:AffineTransform):void
+        {
+            if (_pose != null)
+            {
+                _pose.place(node, transform);
+            }
+        }
+
+        // Follows controllers down to the geometry, and finds their skins and morphs.
         private function addController(element:ColladaElement, transform:AffineTransform):void
         {
+            var deformers:Vector.<ColladaElement> = new Vector.<ColladaElement>();
             var target:ColladaElement = element.target("url", ["controller"]);
-            for (var i:int = 0; target.name == "controller"; i++)
+            while (target.name == "controller")
             {
                 element.limits.countElements(COUNT_PER_PLACING, element);
-                var skin:ColladaElement = target.child("skin");
-                var deformer:ColladaElement = skin || target.requiredChild("morph");
-                var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
-                transform = shape == null ? transform : transform.after(shape.toTransform());
+                var deformer:ColladaElement = target.child("skin") || target.requiredChild("morph");
                 target = deformer.target("source", ["geometry", "controller"]);
-                element.refuseIf(i == MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
+                element.refuseIf(deformers.length == MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
                         " controllers follow one another, or they refer to each other in a circle");
+                deformers.push(deformer);
             }
-            addInstance(element, target, transform);
+            if (_pose == null)
+            {
+                addInstance(element, target, bound(deformers, transform));
+                return;
+            }
+            var mesh:ColladaMesh = meshOf(target);
+            var deformation:ColladaDeformation = _pose.deformation(element, mesh, deformers);
+            instances.push(new ColladaInstance(element, mesh, deformation.isSkinned ? new AffineTransform() : transform, deformation));
+        }
+
+        // At rest a skin stays where its bind shape matrix puts it. A morph is its base shape.
+        private static function bound(deformers:Vector.<ColladaElement>, transform:AffineTransform):AffineTransform
+        {
+            for each (var deformer:ColladaElement in deformers)
+            {
+                var shape:ColladaElement = deformer.name == "skin" ? deformer.child("bind_shape_matrix") : null;
+                transform = shape == null ? transform : transform.after(shape.toTransform());
+            }
+            return transform;
+        }
+
+        private function addInstance(element:ColladaElement, geometry:ColladaElement, transform:AffineTransform):void
+        {
+            instances.push(new ColladaInstance(element, meshOf(geometry), transform));
         }
 
         // Each geometry is read once, even if it is in the scene many times.
-        private function addInstance(element:ColladaElement, geometry:ColladaElement, transform:AffineTransform):void
+        private function meshOf(geometry:ColladaElement):ColladaMesh
         {
-            var mesh:ColladaMesh = _meshes["#" + geometry.id] ||= new ColladaMesh(geometry);
-            instances.push(new ColladaInstance(element, mesh, transform));
+            return _meshes["#" + geometry.id] ||= new ColladaMesh(geometry);
         }
     }
 }

@@ -10,50 +10,56 @@ package starlogo.models.collada
      */
     internal final class ColladaTransform
     {
+        private static const SIZES:Object = {matrix: 16, bind_shape_matrix: 16, translate: 3, scale: 3, rotate: 4, lookat: 9, skew: 7};
+
+        /** How many numbers an element with a name has, if it is a transform. 0 if it is none. */
+        internal static function sizeOf(name:String):int
+        {
+            return SIZES.hasOwnProperty(name) ? SIZES[name] : 0;
+        }
+
         /**
          * The transform of an element in a node or a skin.
          *
+         * @param numbers count in place of the element's own; null for its own
          * @return null if the element is no transform
          */
-        internal static function of(element:ColladaElement):AffineTransform
+        internal static function of(element:ColladaElement, numbers:Vector.<Number>):AffineTransform
         {
-            var v:Vector.<Number>;
+            var size:int = sizeOf(element.name);
+            var v:Vector.<Number> = size == 0 ? null : numbers || element.numbers(size);
             switch (element.name)
             {
                 case "matrix":
-                    return matrix(element);
+                    return matrix(element, v);
                 case "bind_shape_matrix":
-                    return matrix(element);
+                    return matrix(element, v);
                 case "translate":
-                    v = element.numbers(3);
                     return new AffineTransform(new <Number>[1, 0, 0, v[0], 0, 1, 0, v[1], 0, 0, 1, v[2]]);
                 case "scale":
-                    v = element.numbers(3);
                     return new AffineTransform(new <Number>[v[0], 0, 0, 0, 0, v[1], 0, 0, 0, 0, v[2], 0]);
                 case "rotate":
-                    return rotation(element);
+                    return rotation(v);
                 case "lookat":
-                    return lookAt(element);
+                    return lookAt(element, v);
                 case "skew":
-                    return skew(element);
+                    return skew(element, v);
                 default:
                     return null;
             }
         }
 
-        // The transform with 16 numbers, row by row.
-        private static function matrix(element:ColladaElement):AffineTransform
+        /** The transform with 16 numbers, row by row. @param element names the place of an error */
+        internal static function matrix(element:ColladaElement, m:Vector.<Number>):AffineTransform
         {
-            var m:Vector.<Number> = element.numbers(16);
             element.refuseIf(m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1,
                     "expected a last row of 0 0 0 1, but found " + m.slice(12).join(" "));
             return new AffineTransform(m.slice(0, 12));
         }
 
         // A rotation about an axis (three numbers) by degrees (the fourth). An axis of length 0 means no rotation.
-        private static function rotation(element:ColladaElement):AffineTransform
+        private static function rotation(v:Vector.<Number>):AffineTransform
         {
-            var v:Vector.<Number> = element.numbers(4);
             var length:Number = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
             if (!(length > 0))
             {
@@ -73,9 +79,8 @@ package starlogo.models.collada
         }
 
         // The node stands at the first point, and its -z axis points at the second. The third vector points up.
-        private static function lookAt(element:ColladaElement):AffineTransform
+        private static function lookAt(element:ColladaElement, v:Vector.<Number>):AffineTransform
         {
-            var v:Vector.<Number> = element.numbers(9);
             var back:Vector3D = unitVector(v[0] - v[3], v[1] - v[4], v[2] - v[5]);
             var across:Vector3D = new Vector3D(v[6], v[7], v[8]).crossProduct(back);
             var right:Vector3D = unitVector(across.x, across.y, across.z);
@@ -89,9 +94,8 @@ package starlogo.models.collada
         }
 
         // A skew: an angle, the axis that is turned by it, and the axis along which all points shift.
-        private static function skew(element:ColladaElement):AffineTransform
+        private static function skew(element:ColladaElement, v:Vector.<Number>):AffineTransform
         {
-            var v:Vector.<Number> = element.numbers(7);
             var turning:Vector3D = unitVector(v[1], v[2], v[3]);
             var shift:Vector3D = unitVector(v[4], v[5], v[6]);
             var along:Number = turning.dotProduct(shift);

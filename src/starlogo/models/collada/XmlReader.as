@@ -34,6 +34,7 @@ package starlogo.models.collada
         private var _text:String;
         private var _at:int = 0;
         private var _limits:FileLimits;
+        private var _elementCount:int = 0;
 
         // the names of the elements that are not closed yet, with their prefixes
         private var _names:Array = [];
@@ -68,6 +69,12 @@ package starlogo.models.collada
             }
             refuseIf(_at == _text.length && _open != null);
             return _at < _text.length;
+        }
+
+        /** What the document may have and cost. */
+        public function get limits():FileLimits
+        {
+            return _limits;
         }
 
         /** The line that is read now, as a place for errors. */
@@ -120,7 +127,7 @@ package starlogo.models.collada
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
             refuseIf(name == "" || root != null && _open == null);
             _limits.countElements(1, this);
-            var element:ColladaElement = new ColladaElement(_limits, localName(name), _open);
+            var element:ColladaElement = new ColladaElement(_limits, _elementCount++, localName(name), _open);
             root ||= element;
             _at += name.length;
             for (var count:int = 0; quote < end && count < MAX_ATTRIBUTES; count++)

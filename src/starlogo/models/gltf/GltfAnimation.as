@@ -1,5 +1,6 @@
 package starlogo.models.gltf
 {
+    import starlogo.models.FileAnimation;
     import starlogo.steps.StepSequence;
 
     /**
@@ -7,12 +8,13 @@ package starlogo.models.gltf
      *
      * @private
      */
-    public final class GltfAnimation extends StepSequence
+    public final class GltfAnimation extends StepSequence implements FileAnimation
     {
         private static const PATHS:Array = ["translation", "rotation", "scale", "weights"];
 
-        /** The animation's name; "" if it has none. */
-        public var name:String;
+        private var _name:String;
+        private var _file:GltfFile;
+        private var _upAxis:Object;
 
         // The samplers, by the node's index, a space and the path.
         private var _samplers:Object = {};
@@ -20,12 +22,15 @@ package starlogo.models.gltf
         /**
          * @param file the file; all its steps must be done
          * @param index the animation's index
+         * @param upAxis as for GltfReader.of()
          * @throws ModelError if it is wrong
          */
-        public function GltfAnimation(file:GltfFile, index:int)
+        public function GltfAnimation(file:GltfFile, index:int, upAxis:Object)
         {
             var animation:GltfJson = file.json.fileEntry("animations", index);
-            name = animation.text("name") || "";
+            _name = animation.text("name") || "";
+            _file = file;
+            _upAxis = upAxis;
             var channelCount:int = animation.count("channels");
             var samplerCount:int = animation.count("samplers");
             for (var i:int = 0; i < channelCount; i++)
@@ -48,7 +53,13 @@ package starlogo.models.gltf
             }
         }
 
-        /** The time of the last key, in seconds. 0 without keys. */
+        /** @inheritDoc */
+        public function get name():String
+        {
+            return _name;
+        }
+
+        /** @inheritDoc */
         public function get duration():Number
         {
             var most:Number = 0;
@@ -57,6 +68,12 @@ package starlogo.models.gltf
                 most = Math.max(most, sampler.end);
             }
             return most;
+        }
+
+        /** @inheritDoc */
+        public function verticesAt(time:Number):Vector.<Number>
+        {
+            return GltfReader.verticesAt(_file, _upAxis, this, time);
         }
 
         /** The numbers of a node's property at a time in seconds. Null if the property is not animated. */

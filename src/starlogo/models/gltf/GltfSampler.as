@@ -1,6 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.geometry.Trigonometry;
+    import starlogo.models.lastKeyAt;
     import starlogo.steps.StepSequence;
 
     /** A property of a node over time: the keys of an animation's sampler, and what is between them. */
@@ -51,21 +52,7 @@ package starlogo.models.gltf
         {
             var times:Vector.<Number> = _times.numbers;
             var last:int = _times.count - 1;
-            var low:int = 0;
-            var high:int = last;
-            // the last key that is not after the time
-            while (low < high)
-            {
-                var middle:int = (low + high + 1) >> 1;
-                if (times[middle] <= time)
-                {
-                    low = middle;
-                }
-                else
-                {
-                    high = middle - 1;
-                }
-            }
+            var low:int = lastKeyAt(times, time);
             var next:int = low < last ? low + 1 : last;
             var length:Number = times[next] - times[low];
             var share:Number = time > times[low] && length > 0 ? (time - times[low]) / length : 0;

@@ -1,0 +1,47 @@
+package starlogo.models
+{
+    import flash.utils.ByteArray;
+    import starlogo.models.collada.ColladaFigure;
+    import starlogo.models.text.FileText;
+
+    /**
+     * The animations of a COLLADA document, as poses of the ColladaModel of the same document.
+     *
+     * <p>Each animation clip is an animation, whose time 0 is the clip's start. If there are no clips, all animations of the document are one
+     * animation without a name. Channels move the transforms of nodes, whole or by their components, and the weights of morphs; channels of
+     * other things (lights, cameras, materials) are ignored. Keys are LINEAR, STEP or BEZIER. Each number is interpolated on its own, those of a
+     * matrix too.</p>
+     *
+     * <p>The points of a skin stand where its joints put them, and a morph has its weights. A <code>ColladaModel</code> shows a skin where its
+     * bind shape matrix puts it, and a morph's base shape. Both are the same in most documents while nothing moves. Where they differ, make the
+     * model of a pose: <code>new Model(name, animations.verticesAt(0, 0), model.triangles)</code>.</p>
+     */
+    public final class ColladaAnimations extends ModelAnimations
+    {
+        /**
+         * Reads the animations of a document. If there are any, it reads the scene too.
+         *
+         * @param name the model's name, for errors
+         * @param text the document's text
+         * @param upAxis the same as for the ColladaModel
+         * @throws ModelError as ColladaModel, or if an animation, skin or morph is wrong
+         */
+        public function ColladaAnimations(name:String, text:String, upAxis:Object = null)
+        {
+            super(new ColladaFigure(name, text, upAxis).animations);
+        }
+
+        /**
+         * Reads the animations of a document from a file's bytes, as <code>ColladaModel.fromBytes()</code>.
+         *
+         * @param name the model's name, for errors
+         * @param bytes the whole file; its position may change
+         * @param upAxis the same as for the ColladaModel
+         * @throws ModelError as the constructor
+         */
+        public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = null):ColladaAnimations
+        {
+            return new ColladaAnimations(name, FileText.decode(name, bytes), upAxis);
+        }
+    }
+}

@@ -1,0 +1,87 @@
+package starlogo.models
+{
+    /**
+     * The animations of a file, as poses of the model of the same file. <code>GltfAnimations</code> and <code>ColladaAnimations</code> read them:
+     *
+     * <listing version="3.0">model.pose(animations.verticesAt(0, seconds % animations.durationOf(0)));</listing>
+     */
+    public class ModelAnimations
+    {
+        private var _animations:Vector.<FileAnimation>;
+
+        /**
+         * Use the classes that read a format.
+         *
+         * @param animations the animations
+         *
+         * @private
+         */
+        public function ModelAnimations(animations:Vector.<FileAnimation>)
+        {
+            _animations = animations;
+        }
+
+        /** The number of animations. */
+        public function get count():int
+        {
+            return _animations.length;
+        }
+
+        /**
+         * The index of the animation with a name; -1 if there is none.
+         *
+         * @param name as in the file
+         */
+        public function indexOf(name:String):int
+        {
+            for (var i:int = 0; i < _animations.length; i++)
+            {
+                if (_animations[i].name == name)
+                {
+                    return i;
+                }
+            }
+            return -1;
+        }
+
+        /**
+         * The length of an animation, from time 0 to its last key, in seconds.
+         *
+         * @param animation its index
+         * @throws RangeError if there is no such animation
+         */
+        public function durationOf(animation:int):Number
+        {
+            return animationOf(animation).duration;
+        }
+
+        /**
+         * The vertices at a time of an animation, in the coordinates of the model's source, for <code>Model.pose()</code>. Cost: for glTF that of
+         * reading the file's meshes, without the file itself; for COLLADA that of placing them.
+         *
+         * @param animation its index
+         * @param time seconds. Before the first key and after the last one, nothing moves
+         * @return x, y, z of each vertex, in the order of the model's vertices; a new vector
+         * @throws RangeError if there is no such animation, or the time is not finite
+         * @throws ModelError if the meshes are wrong, or a coordinate is not finite at this time
+         */
+        public function verticesAt(animation:int, time:Number):Vector.<Number>
+        {
+            var found:FileAnimation = animationOf(animation);
+            if (time - time != 0)
+            {
+                throw new RangeError("the time must be a finite number, not " + time);
+            }
+            return found.verticesAt(time);
+        }
+
+        private function animationOf(animation:int):FileAnimation
+        {
+            if (animation < 0 || animation >= _animations.length)
+            {
+                throw new RangeError("the file has animations 0 to " + (_animations.length - 1) + ", not " + animation);
+            }
+            return _animations[animation];
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package starlogo.models.collada
+{
+    import starlogo.models.shortened;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    /** Moves the points of a COLLADA geometry by the morphs and skins of its controllers, in steps. */
+    internal final class ColladaDeformation extends StepSequence
+    {
+        /** The points, when no step is left: in the scene if there is a skin, otherwise in the node that places them. */
+        public var points:Vector.<Number> = null;
+
+        /** Whether there is a skin, which puts the points into the scene. */
+        public var isSkinned:Boolean = false;
+
+        private var _pose:ColladaPose;
+
+        /**
+         * @param pose the document at a time
+         * @param instance the element that places the geometry
+         * @param mesh the geometry
+         * @param deformers the morphs and skins, the last one first
+         */
+        public function ColladaDeformation(pose:ColladaPose, instance:ColladaElement, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
+        {
+            _pose = pose;
+            add(mesh).call(function():void
+                {
+                    points = mesh.vertices.slice();
+                });
+            for (var i:int = deformers.length - 1; i >= 0; i--)
+            {
+                isSkinned ||= deformers[i].name == "skin";
+                addDeformer(deformers[i], instance);
+            }
+        }
+
+        private function addDeformer(deformer:ColladaElement, instance:ColladaElement):void
+        {
+            begin(function():Steps
+                {
+                    return deformer.name == "skin" ? _pose.skinOf(deformer, instance).moving(points, _pose) : morphing(deformer);
+                });
+        }
+
+        // The targets of a relative morph are added. Other targets share the shape with the base, whose weight is the rest.
+        private function morphing(morph:ColladaElement):Steps
+        {
+            var inputs:ColladaElement = morph.requiredChild("targets");
+            var targets:ColladaList = ColladaList.of(inputs, "MORPH_TARGET", ColladaList.NAMES, morph);
+            var list:ColladaList = ColladaList.of(inputs, "MORPH_WEIGHT", ["float_array"], morph);
+            var weights:Vector.<Number> = _pose.numbersOf(list.array) || list.numbers;
+            morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
+            var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(points.length) : points.slice();
+            return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
+                {
+                    var target:ColladaMesh = targetOf(morph, targets.words[index]);
+                    return new StepSequence().add(target).call(function():void
+                        {
+                            morph.refuseIf(target.vertices.length != points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
+                            morph.limits.countNumbers(points.length, morph);
+                            mix(target.vertices, base, weights[index]);
+                        });
+                });
+        }
+
+        private function targetOf(morph:ColladaElement, id:String):ColladaMesh
+        {
+            var geometry:ColladaElement = morph.elementsById["geometry#" + id];
+            morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
+            return _pose.meshes["#" + id] ||= new ColladaMesh(geometry);
+        }
+
+        private function mix(target:Vector.<Number>, base:Vector.<Number>, weight:Number):void
+        {
+            for (var i:int = 0; i < points.length; i++)
+            {
+                points[i] += weight * (target[i] - base[i]);
+            }
+        }
+    }
+}

@@ -7,7 +7,7 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { peers, root } from "./peers.mjs";
 
-// three.js reads documents by a page's DOMParser; jsdom comes with Blockly
+// three.js reads documents by a page's DOMParser
 const { JSDOM } = createRequire(path.join(root, "js/playground/package.json"))("jsdom");
 const FOLDER = "/usr/share/assimp/models/Collada";
 // three.js keeps times and numbers in 32 bits

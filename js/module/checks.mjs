@@ -28,7 +28,7 @@ const ANSWERED = new Set(["ByteArray", "String"]);
 const WARNINGS = new Map([
 	...["GreatLand", "queries.LevelShapes"].map((name) => [`starlogo.${name}.addModel`, ["$warnOfUnknownProperties(this, true);", "$warnOfReplaced(this, model);"]]),
 	["starlogo.queries.LevelShapes.addStructure", ["$warnOfUnknownProperties(this, true);"]],
-	["starlogo.collision.Collision.update", ["$warnOfTime(\"Collision.update\", arguments);", "$warnOfSilence(this, agents);", "$warnOfNewAgents(this, agents);", "if ($walks.size > 0) $warnOfStops(this);", "$warnOfLaterProperties(this, agents);"]],
+	["starlogo.collision.Collision.update", ["$warnOfTime(\"Collision.update\", arguments);", "$warnOfSilence(this, agents);", "$warnOfNewAgents(this, agents);", "$warnOfStops(this);", "$warnOfLaterProperties(this, agents);"]],
 	...["onCollision", "onCollisionStart", "onCollisionEnd"].map((name) => [`starlogo.collision.Collision.${name}`, ["$warnOfAddition(this, breed, otherBreed);"]]),
 	["starlogo.collision.Collision.removeHandler", ["$warnOfRemoval(this, breed, otherBreed, handler);"]],
 	["starlogo.queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],

@@ -1,7 +1,7 @@
 /** Which tests -Dtest names: by a class of tests, by a test, by the source file that they test, or by the page whose samples they are. */
 import { existsSync } from 'node:fs';
 import path from 'node:path';
-import { $changesBetween } from '../../js/standins/module/warnings.mjs';
+import { $changesBetween } from '../../js/standins/module/warnings/spelling.mjs';
 import { SAMPLES_IN_JAVASCRIPT, classOfSamples, fencesIn } from '../docs/samples.mjs';
 import { definitionIn, filesBelow, packageOf, read, root, sourcesBelow, usesIn } from '../structure/sources.mjs';
 

@@ -19,8 +19,8 @@ export const isSwf = (name) => /^[A-Z]/.test(name);
  * All examples by groups.
  *
  * @returns {{ group: string, examples: Example[] }[]}
- * @typedef {{ name: string, title: string, sentence: string, address: string, file: string }} Example its title and its sentence are from its own
- *     file; its address and its file are in the folder of the examples
+ * @typedef {{ name: string, title: string, sentence: string, address: string, file: string }} Example its title and its sentence are
+ *     from its own file; its address and its file are in the folder of the examples
  */
 export function groups() {
 	const [, list] = /const EXAMPLES = (\{[^]*?\n\});/.exec(readIn('shared/page.js'));

@@ -1,7 +1,7 @@
 /**
- * The browser that tests open pages in: Chromium, or what TEST_BROWSER says. Of Debian's browsers Playwright drives Chromium and, by WebDriver
- * BiDi, Firefox, which draws in three dimensions only where there is a display: Debian's xvfb is one. For WebKit it needs a build of its own:
- * webkit.mjs drives Debian's.
+ * The browser that tests open pages in: Chromium, or what TEST_BROWSER says. Of Debian's browsers Playwright drives Chromium and, by
+ * WebDriver BiDi, Firefox, which draws in three dimensions only where there is a display: Debian's xvfb is one. For WebKit it needs a
+ * build of its own: webkit.mjs drives Debian's.
  */
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -129,5 +129,7 @@ async function share() {
 /** Gives a share of this process's browser; with further arguments, which are Chromium's, a browser of one's own. */
 export const launch = (args = []) => (args.length > 0 ? start(args) : share());
 
-/** Whether a line of the console says that a picture was waited for. The browser waits for it: it puts the page together on the processor. */
+/**
+ * Whether a line of the console says that a picture was waited for. The browser waits for it: it puts the page together on the processor.
+ */
 export const saysItWaits = (text) => /GPU stall due to ReadPixels/.test(text);

@@ -4,7 +4,8 @@ const CHECK_MS = 500;
 const secondsSince = (time) => (Date.now() - time) / 1000;
 
 /**
- * Whether a SWF is alive: what it traces and the files that it hands over are signs of life. Frames are none, but say why there are no signs.
+ * Whether a SWF is alive: what it traces and the files that it hands over are signs of life. Frames are none, but say why there are no
+ * signs.
  */
 export class Pulse {
 	#lastSign = Date.now();

@@ -29,7 +29,10 @@ if (classes.length === 0) {
 	process.exit(64);
 }
 
-/** What FlexUnit would leave out, what the player does not see, or would fail without a place: [a line that names it, whether it is an error]. */
+/**
+ * What FlexUnit would leave out, what the player does not see, or would fail without a place: [a line that names it, whether it is an
+ * error].
+ */
 function oddFunctions(name) {
 	const source = texts.get(name).replace(/\/\*[^]*?\*\/|\/\/.*/g, (comment) => comment.replace(/[^\n]/g, ' '));
 	const ofClass = [...source.matchAll(/\[(Suite|RunWith|Ignore)\b[^\]]*\]\s*(?:\[[^\]]*\]\s*)*(?:\w+\s+)*class\b/g)].map((found) => [

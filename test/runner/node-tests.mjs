@@ -5,10 +5,12 @@
  *
  *   node test/runner/node-tests.mjs bin/test-reports/summary-node.txt node | structure | pages | samples
  *
- * With "structure" those of test/structure, and otherwise all others. With "samples" the documentation's samples in JavaScript, of the pages that OF names. With "pages" those alone that open pages, in the browser that TEST_BROWSER names; where that is not installed they are skipped, and counted.
+ * With "structure" those of test/structure, and otherwise all others. With "samples" the documentation's samples in JavaScript, of the
+ * pages that OF names. With "pages" those alone that open pages, in the browser that TEST_BROWSER names; where that is not installed
+ * they are skipped, and counted.
  *
- * Each file has a process of its own, but those that open pages: a few processes have a share of them each, with one browser, whose pages they use one after
- * the other.
+ * Each file has a process of its own, but those that open pages: a few processes have a share of them each, with one browser, whose
+ * pages they use one after the other.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -27,7 +29,10 @@ function count(output, name) {
 
 const opensPages = (file) => /\bimport \{[^}]*\b(begin|launch)\b[^}]*\} from '[./\w-]*\/browsers?\.mjs'/.test(readFileSync(file, 'utf8').replaceAll('"', "'"));
 
-/** So many processes open pages at once: one more than there are processors, as pages wait now and then. One process more runs the other tests meanwhile. */
+/**
+ * So many processes open pages at once: one more than there are processors, as pages wait now and then. One process more runs the other
+ * tests meanwhile.
+ */
 const AT_ONCE = availableParallelism() + 1;
 
 /** Files that import a share of the tests each, so that all shares are of the same size. */

@@ -14,9 +14,9 @@ const hashOf = (text) => createHash("sha1").update(text).digest("hex");
 /**
  * The sources as they are now.
  *
- * @returns {{ settings: string, files: Object<string, { file: string, hash: string, outline: string }>, included: Object<string, string> }} the sources
- *     by qualified name, with hashes of their texts and outlines (a source that is not understood is its own outline), and hashes of the texts that sources
- *     include. Paths are in the project's folder
+ * @returns {{ settings: string, files: Object<string, { file: string, hash: string, outline: string }>, included: Object<string,
+ *     string> }} the sources by qualified name, with hashes of their texts and outlines (a source that is not understood is its own
+ *     outline), and hashes of the texts that sources include. Paths are in the project's folder
  */
 export function readSources() {
 	const files = {};

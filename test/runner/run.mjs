@@ -2,7 +2,8 @@
 /**
  * Runs the FlexUnit classes on the ES module's code, in Node.
  *
- *   node test/runner/run.mjs TESTS [--choice FILE] [--until FILE] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
+ *   node test/runner/run.mjs TESTS [--choice FILE] [--until FILE] [--first] [--full] [--mount /url=folder ...] [--summary FILE]
+ *   [--coverage FILE]
  *
  * TESTS is what the build made of the engine and the tests together. With --choice only some of them run: FILE has JSON as list-tests.mjs
  * writes it.
@@ -13,9 +14,9 @@
  *            fails
  *   of       the sources that all these are tests of
  *
- * Once the file of --until is there, no more of files and farther begin: the player writes it when a test fails there. With --first all ends
- * when one fails. With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines of TESTS
- * that it runs. The first line has those that run when TESTS is loaded.
+ * Once the file of --until is there, no more of files and farther begin: the player writes it when a test fails there. With --first all
+ * ends when one fails. With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines
+ * of TESTS that it runs. The first line has those that run when TESTS is loaded.
  */
 import { spawnSync } from "node:child_process";
 import { appendFileSync, existsSync, readFileSync, writeFileSync } from "node:fs";
@@ -131,7 +132,9 @@ function ofSources() {
 	return choice.of.length > 0 ? ` (a test of ${choice.of.join(", ")})` : "";
 }
 
-/** Runs one class of tests farther off after another, until one fails or they have taken their time. Says how many tests have not been run. */
+/**
+ * Runs one class of tests farther off after another, until one fails or they have taken their time. Says how many tests have not been run.
+ */
 async function runFarther(fartherClasses) {
 	const secondsUsed = () => (process.cpuUsage().user + process.cpuUsage().system) / 1e6;
 	const isNext = () => !isOver() && secondsUsed() < ENOUGH_S;

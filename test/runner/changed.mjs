@@ -36,7 +36,8 @@ else {
 function properties() {
 	const isTranslated = (qname) => existsSync(compiledFile(transpiled, qname));
 	const now = readSources();
-	const classes = existsSync(done) && existsSync(noted) ? outdated(JSON.parse(readFileSync(noted, "utf8")), now, isTranslated, new Set(testRoots())) : null;
+	const isWhole = existsSync(done) && existsSync(noted);
+	const classes = isWhole ? outdated(JSON.parse(readFileSync(noted, "utf8")), now, isTranslated, new Set(testRoots())) : null;
 	if (classes === null || classes.length > MOST) {
 		rmSync(done, { force: true });
 		return "whole=true\n";

@@ -15,7 +15,8 @@ const ERROR = /^(?: *---\n)?(?: +(?!error:)\w+:.*\n)* +error: (?:\|-\n( +)(.+)(?
  * output is TAP.
  */
 export function failuresIn(output) {
-	const failures = [...output.matchAll(/^\s*(?:not ok \d+ - |✖ )(.+?)(?: \([\d.]+ ?ms\))?$/gm)].filter(([, name]) => !/ # (SKIP|TODO)\b|^failing tests:$/.test(name));
+	const lines = [...output.matchAll(/^\s*(?:not ok \d+ - |✖ )(.+?)(?: \([\d.]+ ?ms\))?$/gm)];
+	const failures = lines.filter(([, name]) => !/ # (SKIP|TODO)\b|^failing tests:$/.test(name));
 	return [...new Set(failures.map(({ 0: line, 1: name, index }) => {
 		const [, , ofLines, tooMuch, ofLine] = ERROR.exec(output.slice(index + line.length + 1)) ?? [];
 		return [name, ofLines?.replace(/:$/, '') ?? ofLine, tooMuch].filter((each) => each !== undefined).join(': ');

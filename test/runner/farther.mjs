@@ -32,7 +32,8 @@ const roomOf = (name) => name.split('.').slice(0, -1).slice(0, 2).join('.');
  * @returns {[string, string][]} the class and the name of each
  */
 export function fartherTests({ tests, farther, named }, classes, sources, long = inNodeAlone()) {
-	const beyond = named.flatMap((source) => [...users(source, classes, sources)].flat()).filter((name) => classes.has(name) && !tests.has(name));
+	const usersOfAll = named.flatMap((source) => [...users(source, classes, sources)].flat());
+	const beyond = usersOfAll.filter((name) => classes.has(name) && !tests.has(name));
 	const names = new Set([...farther, ...beyond]);
 	const isLong = ([name, test]) => long.has(name) || long.has(`${name}.${test}`);
 	const rooms = new Set(named.map(roomOf));
@@ -54,7 +55,8 @@ export function fartherTests({ tests, farther, named }, classes, sources, long =
  * @param {[string, string][]} [files] the path and text of each such file
  */
 export function testFilesOf(named, files = filesBelow('test', '.test.mjs').map((file) => [file, read(file)])) {
-	return files.filter(([, text]) => packagesIn(text).some((checked) => named.some((name) => name.startsWith(`${checked}.`)))).map(([file]) => file);
+	const isNamed = (checked) => named.some((name) => name.startsWith(`${checked}.`));
+	return files.filter(([, text]) => packagesIn(text).some(isNamed)).map(([file]) => file);
 }
 
 /** The files of tests without a player that run the samples of some pages. */
@@ -64,5 +66,6 @@ export function testsOfPages(pages) {
 
 /** The packages that the first comment of a test without a player says it checks. */
 function packagesIn(text) {
-	return (/\bChecks ((?:starlogo[\w.]+(?:,\s[\s*]*)?)+)\.\s/.exec(text.split('*/')[0])?.[1] ?? '').split(/[,\s*]+/).filter((each) => each !== '');
+	const [, list = ''] = /\bChecks ((?:starlogo[\w.]+(?:,\s[\s*]*)?)+)\.\s/.exec(text.split('*/')[0]) ?? [];
+	return list.split(/[,\s*]+/).filter((each) => each !== '');
 }

@@ -64,7 +64,8 @@ const files = isShared ? testFilesOf(named) : [];
 sayChoice();
 write('AllTests.as', allTests([...inSwf.keys()]));
 write('choice.json', JSON.stringify({ order, files, farther: fartherInNode, of: named }));
-write('tests.properties', Object.entries(properties()).filter(([, value]) => value !== false).map(([name, value]) => `${name}=${value}\n`).join(''));
+const known = Object.entries(properties()).filter(([, value]) => value !== false);
+write('tests.properties', known.map(([name, value]) => `${name}=${value}\n`).join(''));
 
 /**
  * The sources, test classes and pages that differ from the last commit, with commas between. Says so of other files, which have no

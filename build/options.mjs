@@ -1,8 +1,9 @@
 #!/usr/bin/env node
 /**
- * Checks the options (-Dname=value) of ./antw. Options are the names that the targets' descriptions have: the build's own properties, such as the folders
- * that it empties, are none. A name that is no option is refused, with the nearest option. An option that has a value in some description is
- * refused without one. After --no-target the program says which target is nearest to one that Ant has not found.
+ * Checks the options (-Dname=value) of ./antw. Options are the names that the targets' descriptions have: the build's own properties,
+ * such as the folders that it empties, are none. A name that is no option is refused, with the nearest option. An option that has a
+ * value in some description is refused without one. After --no-target the program says which target is nearest to one that Ant has not
+ * found.
  *
  *   node build/options.mjs NAME= | NAME ...
  *   node build/options.mjs --no-target TARGET

@@ -9,8 +9,8 @@ const { ComponentScope, ComponentType, HashAlgorithm } = Enums;
 const PRODUCTS = /^(swc|module)\/[^/]*\.(swc|js)$/;
 
 /**
- * The release's bill of materials, CycloneDX 1.6 in JSON: itself with its products, what of others is in it, and, of scope "excluded", what it
- * was made and tested with.
+ * The release's bill of materials, CycloneDX 1.6 in JSON: itself with its products, what of others is in it, and, of scope "excluded",
+ * what it was made and tested with.
  *
  * @param {Map<string, Uint8Array>} files what is in the release
  * @param {number} seconds its time, of the Unix epoch

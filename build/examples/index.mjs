@@ -15,7 +15,19 @@ import { open, serveExamples } from './site.mjs';
 
 /** The frame of which a picture is taken: when there is something to see. */
 const FRAMES = 260;
-const FRAMES_OF = { 'first-collision': 200, bullet: 197, distance: 60, exact: 247, falling: 900, filters: 400, snapshot: 262, walk: 95, camera: 520, OwnModel: 400, Sweeps: 130 };
+const FRAMES_OF = {
+	'first-collision': 200,
+	bullet: 197,
+	camera: 520,
+	distance: 60,
+	exact: 247,
+	falling: 900,
+	filters: 400,
+	snapshot: 262,
+	walk: 95,
+	OwnModel: 400,
+	Sweeps: 130,
+};
 
 async function takePictures(examples) {
 	const site = await serveExamples();

@@ -1,6 +1,7 @@
 /**
- * The examples on loopback as a release has them: beside the module and the models, with the SWFs that were compiled. What their pages take from a
- * content delivery network, three.js and the Flash player, comes from where npm put it here, so that no page needs more than this machine.
+ * The examples on loopback as a release has them: beside the module and the models, with the SWFs that were compiled. What their pages
+ * take from a content delivery network, three.js and the Flash player, comes from where npm put it here, so that no page needs more
+ * than this machine.
  */
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import path from 'node:path';

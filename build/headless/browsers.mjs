@@ -1,6 +1,7 @@
 /**
- * The browser that tests open pages in: Chromium, or what TEST_BROWSER says. Of Debian's browsers Playwright drives Chromium and, by WebDriver BiDi,
- * Firefox, which draws in three dimensions only where there is a display: Debian's xvfb is one. For WebKit it needs a build of its own: webkit.mjs drives Debian's.
+ * The browser that tests open pages in: Chromium, or what TEST_BROWSER says. Of Debian's browsers Playwright drives Chromium and, by
+ * WebDriver BiDi, Firefox, which draws in three dimensions only where there is a display: Debian's xvfb is one. For WebKit it needs a
+ * build of its own: webkit.mjs drives Debian's.
  */
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -34,41 +35,69 @@ const BROWSERS = {
 	},
 };
 
-const name = process.env.TEST_BROWSER || 'chromium';
-if (!(name in BROWSERS)) throw new Error(`TEST_BROWSER is ${name}: expected one of ${Object.keys(BROWSERS).join(', ')}`);
+const browserName = process.env.TEST_BROWSER || 'chromium';
+if (!(browserName in BROWSERS)) throw new Error(`TEST_BROWSER is ${browserName}: expected one of ${Object.keys(BROWSERS).join(', ')}`);
+const browser = BROWSERS[browserName];
 
 /** Whether it is Chromium, which alone pretends to be a phone. */
-export const isChromium = name === 'chromium';
+export const isChromium = browserName === 'chromium';
 
 /** Why there is none; false if it is there. */
-export const missing = existsSync(BROWSERS[name].path) ? false : `${name} is not installed: there is no ${BROWSERS[name].path}`;
+export const missing = existsSync(browser.path) ? false : `${browserName} is not installed: there is no ${browser.path}`;
 
-/** What Playwright disables. */
-const PLAYWRIGHTS = 'AvoidUnnecessaryBeforeUnloadCheckSync,BoundaryEventDispatchTracksNodeRemoval,DestroyProfileOnBrowserClose,DialMediaRouteProvider,GlobalMediaControls,HttpsUpgrades,LensOverlay,MediaRouter,'
-	+ 'OptimizationHints,PaintHolding,RenderDocument,ThirdPartyStoragePartitioning,Translate';
+/** What Playwright disables in Chromium. A second switch of this kind replaces Playwright's own, so ours repeats it. */
+const DISABLED_BY_PLAYWRIGHT = [
+	'AvoidUnnecessaryBeforeUnloadCheckSync',
+	'BoundaryEventDispatchTracksNodeRemoval',
+	'DestroyProfileOnBrowserClose',
+	'DialMediaRouteProvider',
+	'GlobalMediaControls',
+	'HttpsUpgrades',
+	'LensOverlay',
+	'MediaRouter',
+	'OptimizationHints',
+	'PaintHolding',
+	'RenderDocument',
+	'ThirdPartyStoragePartitioning',
+	'Translate',
+];
 
-// The processor draws: what is 3D by software GL, and the pages directly, which takes half as long as by software GL.
-const ARGUMENTS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-rasterization', '--disable-gpu-compositing',
-	'--disable-dev-shm-usage', '--disable-background-networking', '--no-first-run',
-	// one renderer a context, and none in advance; no pages for the address bar that nobody sees. A second such switch replaces Playwright's, so the first is repeated.
-	'--disable-site-isolation-trials', `--disable-features=${PLAYWRIGHTS},SpareRendererForSitePerProcess,WebUIOmniboxPopup,WebUIOmniboxAimPopup`,
+/** No renderer in advance; no pages for the address bar that nobody sees. */
+const DISABLED = [...DISABLED_BY_PLAYWRIGHT, 'SpareRendererForSitePerProcess', 'WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'];
+
+/** What Chromium is started with. launchFirefox leaves it out. */
+const ARGUMENTS = [
+	'--no-sandbox',
+	// the processor draws: what is 3D by software GL, and the pages directly, which takes half as long as by software GL
+	'--use-gl=angle',
+	'--use-angle=swiftshader',
+	'--enable-unsafe-swiftshader',
+	'--disable-gpu-rasterization',
+	'--disable-gpu-compositing',
+	'--disable-dev-shm-usage',
+	'--disable-background-networking',
+	'--no-first-run',
+	// one renderer a context
+	'--disable-site-isolation-trials',
+	`--disable-features=${DISABLED.join(',')}`,
 	// a page is there for seconds: its scripts are compiled once more, and not a third time
-	'--js-flags=--no-opt'];
+	'--js-flags=--no-opt',
+];
 
 /** How long anything may take, in milliseconds. It ends what hangs. A machine that has other things to do is slow, and not broken. */
 export const PATIENCE = 300000;
 
 /** Starts one. Its pages wait as long as PATIENCE says. */
 async function start(args) {
-	const browser = await BROWSERS[name].launch({ executablePath: BROWSERS[name].path, args: [...ARGUMENTS, ...args], timeout: PATIENCE });
+	const started = await browser.launch({ executablePath: browser.path, args: [...ARGUMENTS, ...args], timeout: PATIENCE });
 	// its pages are pages of contexts
-	const newContext = browser.newContext.bind(browser);
-	browser.newContext = async (options) => {
+	const newContext = started.newContext.bind(started);
+	started.newContext = async (options) => {
 		const context = await newContext(options);
 		context.setDefaultTimeout(PATIENCE);
 		return context;
 	};
-	return browser;
+	return started;
 }
 
 /** The browser that the test files of this process share, and how many of them use it. */
@@ -78,10 +107,10 @@ let [shared, users] = [null, 0];
 async function share() {
 	users++;
 	shared ??= start([]);
-	const browser = await shared;
+	const sharedBrowser = await shared;
 	const contexts = [];
 	const newContext = async (options) => {
-		const context = await browser.newContext(options);
+		const context = await sharedBrowser.newContext(options);
 		contexts.push(context);
 		return context;
 	};
@@ -92,7 +121,7 @@ async function share() {
 			await Promise.all(contexts.map((context) => context.close()));
 			if (--users > 0) return;
 			shared = null;
-			await browser.close();
+			await sharedBrowser.close();
 		},
 	};
 }
@@ -100,5 +129,7 @@ async function share() {
 /** Gives a share of this process's browser; with further arguments, which are Chromium's, a browser of one's own. */
 export const launch = (args = []) => (args.length > 0 ? start(args) : share());
 
-/** Whether a line of the console says that a picture was waited for. The browser waits for it: it puts the page together on the processor. */
+/**
+ * Whether a line of the console says that a picture was waited for. The browser waits for it: it puts the page together on the processor.
+ */
 export const saysItWaits = (text) => /GPU stall due to ReadPixels/.test(text);

@@ -40,8 +40,8 @@ const crash = /unreachable|Unable to lock Ruffle core|panicked at|memory access 
  * @param {(text: string) => void} on.crash when the player itself fails
  * @param {(file: string, text: string) => void} on.writeFile when the SWF hands over a file
  * @param {(status: number) => void} on.exit when the SWF says that it is done
- * @returns {Promise<{screenshot: (file: string) => Promise<void>, frames: () => Promise<number>, close: () => Promise<void>}>} frames: how many
- *     there were. It waits for the end of the frame that runs
+ * @returns {Promise<{screenshot: (file: string) => Promise<void>, frames: () => Promise<number>, close: () => Promise<void>}>} frames:
+ *     how many there were. It waits for the end of the frame that runs
  */
 export async function play(options, on) {
 	const swfFolder = path.dirname(path.resolve(options.swf));

@@ -24,6 +24,7 @@ import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { thereIs } from '../nearest.mjs';
 import { play } from './player.mjs';
+import { Pulse } from './pulse.mjs';
 import * as avmshell from './shell.mjs';
 import { problemOf } from './swf.mjs';
 
@@ -59,7 +60,8 @@ function parsed() {
 		return parseArgs({ allowPositionals: true, options: OPTIONS });
 	} catch (error) {
 		const [, unknown] = /^Unknown option '--?([^']+)'/.exec(error.message) ?? [];
-		throw new RunError(unknown ? `there is no option --${unknown}${thereIs(unknown, Object.keys(OPTIONS), '--')}` : error.message, USAGE);
+		const known = Object.keys(OPTIONS);
+		throw new RunError(unknown ? `there is no option --${unknown}${thereIs(unknown, known, '--')}` : error.message, USAGE);
 	}
 }
 
@@ -135,14 +137,7 @@ async function run(options) {
 	if (problem) {
 		throw new RunError(`${options.swf} ${problem}`, USAGE);
 	}
-	let lastSign = Date.now();
-	let frames = 0;
-	let framesBefore = 0;
-	let lastFrame = Date.now();
-	const sign = () => {
-		lastSign = Date.now();
-		framesBefore = frames;
-	};
+	const pulse = new Pulse();
 	const writes = [];
 	let end;
 	const ended = new Promise((resolve, reject) => {
@@ -153,47 +148,28 @@ async function run(options) {
 	process.once('SIGINT', interrupt);
 	const player = await start(options, {
 		trace: (text) => {
-			sign();
+			pulse.sign();
 			console.log(text);
 		},
 		error: (text) => end.fail(`the SWF threw: ${text}`),
-		crash: (text) => end.fail(`the player failed (${/call stack/.test(text) ? 'a function calls itself without end' : 'out of memory, if the SWF allocates much in one call'}): ${text}`),
+		crash: (text) => end.fail(`the player failed (${whyItCrashed(text)}): ${text}`),
 		writeFile: (file, text) => {
-			sign();
+			pulse.sign();
 			writes.push(save(options.out, file, text));
 		},
 		exit: end.resolve,
 	});
-	// before, the player has prepared itself
-	sign();
-	lastFrame = Date.now();
-	const started = Date.now();
-	let isAsking = false;
-	const countFrames = async () => {
-		if (!isAsking && player.frames) {
-			isAsking = true;
-			const counted = await player.frames().catch(() => frames);
-			if (counted > frames) {
-				lastFrame = Date.now();
-			}
-			frames = counted;
-			isAsking = false;
-		}
-	};
-	const watch = setInterval(() => {
-		countFrames();
-		if (Date.now() - started > options.seconds * 1000) {
-			const since = Math.round((Date.now() - lastFrame) / 1000);
-			console.error(`headless: ended after ${options.seconds} s${player.frames && since >= 2 ? `, in the middle of one call: no frame in the last ${since} s` : ''}`);
+	pulse.watch(player, options, {
+		stall: end.fail,
+		time: (said) => {
+			console.error(`headless: ${said}`);
 			end.resolve(0);
-		} else if (Date.now() - lastSign > options.stall * 1000) {
-			end.fail(`the SWF stalled: ${options.stall} s without a sign of life${player.frames ? stalled(frames - framesBefore, Math.round((Date.now() - lastFrame) / 1000), options.stall) : ''}`);
-		}
-	}, 500);
+		},
+	});
 	try {
 		return await ended;
 	} finally {
-		clearInterval(watch);
+		pulse.end();
 		process.off('SIGINT', interrupt);
 		if (options.screenshot) {
 			await mkdir(path.dirname(options.screenshot), { recursive: true });
@@ -205,13 +181,9 @@ async function run(options) {
 	}
 }
 
-/** Why a SWF gave no sign of life for some seconds: by its frames in this time, and the seconds since the last one. */
-function stalled(frames, since, seconds) {
-	if (since > seconds / 2) {
-		return `, and no frame in the last ${since} s: one call takes longer, or has no end`;
-	}
-	return frames < seconds ? `, but ${frames} frames: it is slow; give it more by --stall`
-		: `, but ${frames} frames: it waits for an event that does not come, or has ended without Host.exit`;
+/** Why a player failed, by what it says. */
+function whyItCrashed(text) {
+	return /call stack/.test(text) ? 'a function calls itself without end' : 'out of memory, if the SWF allocates much in one call';
 }
 
 /** Plays all parts, one after the other, whatever happens to one. Resolves with the last exit status that is not 0. */

@@ -5,10 +5,11 @@ import sirv from 'sirv';
  * Serves folders, each below a path of its own, and one page at `/`.
  *
  * @param {string | null | ((path: string) => string | null)} page the page's HTML, if there is one; or what finds the page at a path
- * @param {Record<string, string | string[]>} folders what to serve: path ('/assets', or '' for all other) to folder; the first path that fits counts,
- * and of its folders the first that has the file
- * @param {{port?: number, host?: string, headers?: Record<string, string>, isKept?: boolean}} options the port, any free one unless told; the address to
- * listen on, loopback unless told; what every answer says; whether no file changes meanwhile: then browsers keep them, and compile scripts once
+ * @param {Record<string, string | string[]>} folders what to serve: path ('/assets', or '' for all other) to folder; the first path
+ *     that fits counts, and of its folders the first that has the file
+ * @param {{port?: number, host?: string, headers?: Record<string, string>, isKept?: boolean}} options the port, any free one unless
+ *     told; the address to listen on, loopback unless told; what every answer says; whether no file changes meanwhile: then browsers
+ *     keep them, and compile scripts once
  * @returns {Promise<{url: string, close: () => void}>}
  */
 export async function serve(page, folders, { port = 0, host = '127.0.0.1', headers = {}, isKept = false } = {}) {

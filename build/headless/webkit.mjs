@@ -1,6 +1,6 @@
 /**
- * Debian's WebKit, driven by the W3C's WebDriver: Playwright drives only a WebKit of its own. It is in webkit2gtk-driver, and draws in three
- * dimensions where there is a display: xvfb is one.
+ * Debian's WebKit, driven by the W3C's WebDriver: Playwright drives only a WebKit of its own. It is in webkit2gtk-driver, and draws in
+ * three dimensions where there is a display: xvfb is one.
  */
 import { spawn } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';

@@ -8,7 +8,8 @@ import { Program } from "./translate.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
-const FILES = ["language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs", "warnings.mjs"];
+const FILES = ["language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
+const WARNINGS = ["warn", "spelling", "properties", "arguments", "angles", "frames", "handlers", "questions", "walks"].map((name) => `warnings/${name}.mjs`);
 
 /**
  * Translates the compiler's output in a folder.
@@ -26,9 +27,25 @@ export function namesIn(folder) {
 	return readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b|\bChangedIn_\w*\.js$/.test(file));
 }
 
-/** The text of the stand-ins. */
+/** The text of the stand-ins, and of the warnings for developers. */
 export function standinsText() {
-	return FILES.map((file) => readFileSync(join(standins, file), "utf8").replaceAll(/^import .*\n/gm, "").replaceAll(/^export /gm, "")).join("\n");
+	return `${textOf(FILES)}\n${textOf(WARNINGS)}`;
+}
+
+/** The same for the minified module: warnings do nothing, and hints say nothing. It has as many lines. */
+export function standinsForUsers() {
+	return `${textOf(FILES)}\n${textOf(WARNINGS).split("\n").map(withoutBody).join("\n")}`;
+}
+
+/** Some files as parts of one scope. */
+function textOf(files) {
+	return files.map((file) => readFileSync(join(standins, file), "utf8").replaceAll(/^import .*\n/gm, "").replaceAll(/^export /gm, "")).join("\n");
+}
+
+/** What users get of a line of the warnings: an empty function, if one begins there that is called from outside. */
+function withoutBody(line) {
+	const [head, kind] = /^function \$(warn|hint)\w*\([\w, ]*\)/.exec(line) ?? [];
+	return head === undefined ? "" : `${head} {${kind === "hint" ? ' return "";' : ""}}`;
 }
 
 /** The files of some classes, and of all that these use, as the compiler says in each. */

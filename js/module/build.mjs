@@ -11,7 +11,7 @@ import { basename, join, resolve } from "node:path";
 import { buildSync, transformSync } from "esbuild";
 import { ByteArray } from "../standins/module/ByteArray.mjs";
 import { ADDED } from "./added.mjs";
-import { standinsText, translate } from "./assemble.mjs";
+import { standinsForUsers, standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
 import { writePages } from "./guide.mjs";
 import { ROOT, moduleRoots, publicSignatures } from "./names.mjs";
@@ -29,20 +29,15 @@ if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
 
 const { version, repository } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
 const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.exportName(qname) ?? fail(qname));
-const text = cleaned(`/*! ${NAME} ${version}, MIT */
-${standinsText()}
-${classes}
-export {
-	${[...values, "ArgumentError", "ByteArray"].sort().join(",\n\t")}
-};
-`);
+const text = moduleText(standinsText());
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 const readable = `${NAME}.js`;
 const minified = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
-const users = forUsers(text);
+// the lines have the same numbers, for the map
+const users = moduleText(standinsForUsers());
 const hidden = shortNames(users, hiddenNames());
 const { code: small, map } = minify(users, hidden);
 mkdirSync(join(out, "maps"));
@@ -84,11 +79,15 @@ function cleaned(code) {
 		.replaceAll(/[\0-\x08\x0b-\x1f]/g, (control) => `\\x${control.charCodeAt(0).toString(16).padStart(2, "0")}`);
 }
 
-/** The text without warnings and hints for developers. Its lines have the same numbers, for the map. */
-function forUsers(code) {
-	const switched = code.replaceAll(/(function \$(warn|hint)(?:Of\w+)?\([\w, ]+\)) \{(\n[\s\S]*?\n)\}\n/g, (_, head, kind, body) => `${head} {${kind === "hint" ? ' return "";' : ""}${body.replaceAll(/[^\n]/g, "")}}\n`);
-	if (switched === code) throw new Error("there are no warnings");
-	return switched;
+/** The whole module, with some text of the stand-ins. */
+function moduleText(standins) {
+	return cleaned(`/*! ${NAME} ${version}, MIT */
+${standins}
+${classes}
+export {
+	${[...values, "ArgumentError", "ByteArray"].sort().join(",\n\t")}
+};
+`);
 }
 
 /** The members that may get short names: those that only the engine's classes read, by names that stand nowhere else. */
@@ -99,7 +98,7 @@ function hiddenNames() {
 	const outside = memberNamesIn([...["three", "nova"].flatMap(adapterTexts), readFileSync(join(ROOT, "js/module/cook.mjs"), "utf8")]);
 	// the stand-ins are renamed too; these names of theirs are members of the engine's classes alone
 	const isOwn = (name) => /^[_$]/.test(name) || bytes.includes(name);
-	const standIns = memberNamesIn([forUsers(standinsText()), ...Object.values(ADDED).map((added) => added.text)]).filter((name) => !isOwn(name));
+	const standIns = memberNamesIn([standinsForUsers(), ...Object.values(ADDED).map((added) => added.text)]).filter((name) => !isOwn(name));
 	const quoted = [...users.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
 	const kept = new Set([...outside, ...standIns, ...quoted, ...declared, ...platform.flatMap((each) => Object.getOwnPropertyNames(each))]);
 	return [...program.hiddenNames, ...bytes].filter((name) => !kept.has(name)).sort();

@@ -3,11 +3,13 @@
  * JavaScript has no types, so without checks a string could be stored in place of a number. The functions that they call are in
  * language.mjs.
  *
- * Numbers, strings, Booleans and functions are checked by small functions, which take little of a bundle and which V8 inlines. Where an error
- * names the object too, as for agents, they are checked in place. null is accepted if the documentation mentions it, and for names and files. Numbers that
- * are not finite are accepted if the documentation mentions errors. In these cases the engine itself throws the error.
+ * Numbers, strings, Booleans and functions are checked by small functions, which take little of a bundle and which V8 inlines. Where an
+ * error names the object too, as for agents, they are checked in place. null is accepted if the documentation mentions it, and for
+ * names and files. Numbers that are not finite are accepted if the documentation mentions errors. In these cases the engine itself
+ * throws the error.
  */
 import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isWritten, mayHaveNull } from "./signatures.mjs";
+import { warningsOf, warningsOfMember } from "./warned.mjs";
 
 /** Classes that are recognised by a mark of their own. Naming them would bring all the classes that they use into every bundle. */
 const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore", "starlogo.terrain.Terrain", "starlogo.terrain.WorldBounds"]);
@@ -17,36 +19,12 @@ const COMPACT = new Set(["flash.geom.Matrix3D"]);
 
 /** Classes whose fields are written by the engine's own loops, or by the engine alone. They are not checked. */
 const PLAIN = new Set([
-	"BoundingStructure", "Box", "Capsule", "CastHit", "CollisionStatistics", "Contact", "Cylinder", "ErrorEvent", "Footing", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
-	"RayHit", "SearchCounts", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
+	"BoundingStructure", "Box", "Capsule", "CastHit", "CollisionStatistics", "Contact", "Cylinder", "ErrorEvent", "Footing", "HierarchyNode",
+	"Matrix3D", "Placement", "ProgressEvent", "RayHit", "SearchCounts", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
 ]);
 
 /** Types that the engine itself throws an error about null for, because it says more: of names, and of files. */
 const ANSWERED = new Set(["ByteArray", "String"]);
-
-/** What methods call first while a game is developed. addModel looks at its object's properties, because settings are often made just before. */
-const WARNINGS = new Map([
-	...["GreatLand", "queries.LevelShapes"].map((name) => [`starlogo.${name}.addModel`, ["$warnOfUnknownProperties(this, true);", "$warnOfReplaced(this, model);"]]),
-	["starlogo.queries.LevelShapes.addStructure", ["$warnOfUnknownProperties(this, true);"]],
-	["starlogo.collision.Collision.update", ["$warnOfTime(\"Collision.update\", arguments);", "$warnOfSilence(this, agents);", "$warnOfNewAgents(this, agents);", "if ($walks.size > 0) $warnOfStops(this);", "$warnOfLaterProperties(this, agents);"]],
-	...["onCollision", "onCollisionStart", "onCollisionEnd"].map((name) => [`starlogo.collision.Collision.${name}`, ["$warnOfAddition(this, breed, otherBreed);"]]),
-	["starlogo.collision.Collision.removeHandler", ["$warnOfRemoval(this, breed, otherBreed, handler);"]],
-	["starlogo.queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],
-	["starlogo.queries.AgentQueries.update", ["$warnOfTime(\"AgentQueries.update\", arguments);", "$warnOfLaterProperties(this, agents);"]],
-	["starlogo.queries.SeenAgents.update", ["$warnOfNoFrames(this);", "$warnOfStale(this, agents, null);"]],
-	["starlogo.queries.SeenAgents.refresh", ["$warnOfStale(this, null, agent);"]],
-	...["AgentQueries", "AgentWalks"].map((name) => [`starlogo.queries.${name}.walk`, ["$warnOfFall(agent, dx, dy);", "$warnOfWalk(this, agent, dx, dy, options);"]]),
-	["starlogo.queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
-]);
-
-/** Classes whose settings are set after the constructor. Those of agents are too, but a subclass may pass all that it gets on to `super()`. */
-const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.(?:Collision|Contact)|queries\.(?:Footing|LevelShapes|RayHit|ShapeHit))$/;
-
-/** Classes whose methods with a filter are questions about a SeenAgents. */
-const ASKING = /^starlogo\.queries\.Agent(?:Places|Queries|Rays)$/;
-
-/** The angles that an agent is turned by. */
-const ANGLES = /^starlogo\.agents\.Agent\.(?:heading|pitch|roll)$/;
 
 /** Functions that the engine calls in its loops. The module exports a checked function around them. */
 export const isWrapped = (type) => type?.kind === "function";
@@ -70,14 +48,17 @@ export class Checks {
 	/** The statements at the beginning of a member. */
 	of(qname, name, kind) {
 		const type = this.#signatures.get(qname);
-		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && each.isPublic && !each.isPrivate);
+		const isPublic = (each) => each.isPublic && !each.isPrivate;
+		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && isPublic(each));
 		const parameters = member?.parameters ?? [];
 		const numbers = parameters.filter((parameter) => parameter.type === "Number").map((parameter) => parameter.name);
 		if (COMPACT.has(qname) && member?.kind === "method" && numbers.length > 1) {
-			const others = parameters.filter((parameter) => parameter.type !== "Number").flatMap((parameter) => this.#check(type, member, parameter));
-			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...others];
+			const others = parameters.filter((parameter) => parameter.type !== "Number");
+			const checks = others.flatMap((parameter) => this.#check(type, member, parameter));
+			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...checks];
 		}
-		return [...warningsOf(qname, name, kind, parameters), ...switchesOf(type, member), ...parameters.flatMap((parameter) => this.#check(type, member, parameter))];
+		const checks = parameters.flatMap((parameter) => this.#check(type, member, parameter));
+		return [...warningsOf(qname, name, kind, parameters), ...switchesOf(type, member), ...checks];
 	}
 
 	/** The public fields of a class that only its users write: { name, type }. */
@@ -90,13 +71,15 @@ export class Checks {
 	/** The statements that check a new value of such a field. */
 	ofSetting(qname, field) {
 		const member = { ...field, kind: "set", parameters: [] };
-		return [...WARNINGS.get(`${qname}.${field.name}`) ?? [], ...this.#check(this.#signatures.get(qname), member, { name: "value", type: field.result, value: field.initial, isRest: false })];
+		const value = { name: "value", type: field.result, value: field.initial, isRest: false };
+		return [...warningsOfMember(qname, field.name), ...this.#check(this.#signatures.get(qname), member, value)];
 	}
 
 	/** The statements at the end of a constructor, which may take its settings as a literal. */
 	ofLiteral(qname) {
 		const { name } = this.#signatures.get(qname) ?? {};
-		return TAKES_LITERAL.has(qname) ? [`if (arguments[0] != null) $options(null, "new ${name}: settings", arguments[0], this, ${JSON.stringify(article(name))});`] : [];
+		if (!TAKES_LITERAL.has(qname)) return [];
+		return [`if (arguments[0] != null) $options(null, "new ${name}: settings", arguments[0], this, ${JSON.stringify(article(name))});`];
 	}
 
 	/** Whether a class is recognised by its mark. */
@@ -113,7 +96,8 @@ export class Checks {
 		const isStatic = member.isStatic || member.kind === "function";
 		// a trace of a model, a Collision or a terrain says more than an error needs;
 		// in a constructor there is no this before super(), and nothing in it that toString() could read
-		const isNamed = !isStatic && !/^flash\.|\.(Model|Collision|Terrain)$/.test(type.qname) && type.members.some((each) => each.name === "toString") && member.kind !== "constructor";
+		const hasText = !/^flash\.|\.(Model|Collision|Terrain)$/.test(type.qname) && type.members.some((each) => each.name === "toString");
+		const isNamed = hasText && !isStatic && member.kind !== "constructor";
 		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
 		const what = member.kind === "set" ? member.name : name;
 		// the game knows a setting as that of the class that it made, which may extend this one
@@ -127,11 +111,15 @@ export class Checks {
 		if (name === "useCapture") return [...optionsOf(member), `if (typeof ${name} !== "boolean") ${refuse('"true, false or options"')}`];
 		if (name === "buffers") return [`${name} = $bytesByName(${where}, ${name});`];
 		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
-		if (vector) return this.#vectorCheck(parameter, vector, isNullable, where, mayHaveNull(docOfParameter(name, member.doc)), member.kind === "set");
+		if (vector) {
+			const hasNulls = mayHaveNull(docOfParameter(name, member.doc));
+			return this.#vectorCheck(parameter, vector, isNullable, where, hasNulls, member.kind === "set");
+		}
 		const simple = this.#simpleCheck(parameter, member, type);
 		if (simple) {
 			const [helper, test, kind] = simple;
-			return isNamed || isExtended ? [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`] : [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${said}, ${name});`];
+			if (isNamed || isExtended) return [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`];
+			return [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${said}, ${name});`];
 		}
 		switch (parameter.type) {
 			case "ByteArray":
@@ -143,7 +131,8 @@ export class Checks {
 			}
 			case "AgentPredicate": {
 				const filter = this.#reference("starlogo.queries.AgentFilter");
-				return [`if (${name} != null && !${this.#typeTest(parameter.type, name)}) ${name} = $options(${where}, ${name}, new ${filter}(), ${JSON.stringify(article("AgentFilter"))});`];
+				const read = `$options(${where}, ${name}, new ${filter}(), ${JSON.stringify(article("AgentFilter"))})`;
+				return [`if (${name} != null && !${this.#typeTest(parameter.type, name)}) ${name} = ${read};`];
 			}
 			case "AgentFilter":
 			case "WalkOptions": {
@@ -164,15 +153,16 @@ export class Checks {
 	// The function of language.mjs for a type, the same check in place, and the required kind. Agents get the check in place, because they are
 	// checked and moved in loops.
 	#simpleCheck({ name, type: wanted, value }, member, type) {
+		const isNoNumber = `typeof ${name} !== "number"`;
 		switch (wanted) {
 			case "Number":
-				if (takesInfinity({ name, value }, member, type) || type.qname.startsWith("flash.")) return ["$aNumber", `typeof ${name} !== "number"`, "a number"];
-				return ["$aFiniteNumber", `typeof ${name} !== "number" || ${name} - ${name} !== 0`, member.name === "color" ? "0xRRGGBB, a number" : "a number"];
+				if (takesInfinity({ name, value }, member, type) || type.qname.startsWith("flash.")) return ["$aNumber", isNoNumber, "a number"];
+				return ["$aFiniteNumber", `${isNoNumber} || ${name} - ${name} !== 0`, member.name === "color" ? "0xRRGGBB, a number" : "a number"];
 			case "int":
-				if (name === "offset") return ["$anOffset", `typeof ${name} !== "number" || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
-				return ["$anInt", `typeof ${name} !== "number" || ${name} !== (${name} | 0)`, "a whole number"];
+				if (name === "offset") return ["$anOffset", `${isNoNumber} || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
+				return ["$anInt", `${isNoNumber} || ${name} !== (${name} | 0)`, "a whole number"];
 			case "uint":
-				return ["$aUint", `typeof ${name} !== "number" || ${name} !== ${name} >>> 0`, "a whole number"];
+				return ["$aUint", `${isNoNumber} || ${name} !== ${name} >>> 0`, "a whole number"];
 			case "Boolean":
 				return ["$aBoolean", `typeof ${name} !== "boolean"`, "true or false"];
 			case "String":
@@ -190,41 +180,36 @@ export class Checks {
 		return MARKED.has(type.qname) ? `$isMarked(${name}, "$is${type.name}")` : `(${name} instanceof ${this.#reference(type.qname)})`;
 	}
 
-	#vectorCheck({ name }, element, isNullable, where, mayHaveNull, isSetting) {
+	#vectorCheck({ name }, element, isNullable, where, hasNulls, isSetting) {
 		const unlessNull = isNullable ? `if (${name} != null) ` : "";
 		// The engine checks the agents of a frame when it first meets them. That is once, as long as a list stays the same.
 		if (name === "out" || element === "Agent" && !isSetting) return [`${unlessNull}$checkList(${where}, ${name});`];
 		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${where}, ${name}, "${element}", ${isNullable});`];
-		if (element === "String") return [`${unlessNull}$checkList(${where}, ${name}, "a string", (each) => ${mayHaveNull ? "each === null || " : ""}typeof each === "string");`];
-		if (element === "Vector3D") return [`${unlessNull}$checkList(${where}, ${name}, "a Vector3D", (each) => each instanceof ${this.#reference("flash.geom.Vector3D")});`];
+		const checked = (kind, test) => [`${unlessNull}$checkList(${where}, ${name}, "${kind}", (each) => ${test});`];
+		if (element === "String") return checked("a string", `${hasNulls ? "each === null || " : ""}typeof each === "string"`);
+		if (element === "Vector3D") return checked("a Vector3D", `each instanceof ${this.#reference("flash.geom.Vector3D")}`);
 		const test = this.#typeTest(element, "each");
+		if (!test) return [`${unlessNull}$checkList(${where}, ${name});`];
 		// nobody among agents does no harm: a shot may have no shooter
 		const orNobody = element === "Agent" ? "each == null || " : "";
-		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${article(element)}", (each) => ${orNobody}${test}` : ""});`];
+		return checked(article(element), `${orNobody}${test}`);
 	}
-}
-
-/** What a member says first while a game is developed, about what is allowed and probably a mistake. */
-function warningsOf(qname, name, kind, parameters) {
-	const isCollider = /\.collision\.\w+Collider$/.test(qname) && parameters.length > 0;
-	if (kind === "constructor" && (isCollider || SET_AFTER.test(qname))) return [`$warnOfMore("${name}", arguments, ${parameters.length});`];
-	if (kind === "constructor" && qname === "starlogo.agents.Agent") return [`if (arguments.length > ${parameters.length} && new.target === Agent) $warnOfMore("Agent", arguments, ${parameters.length});`];
-	if (kind === "set" && ANGLES.test(`${qname}.${name}`)) return [`$warnOfAngle(this, "${name}", value);`];
-	if (kind !== "method") return [];
-	const isQuestion = ASKING.test(qname) && parameters.some(({ type }) => /^(?:AgentFilter|WalkOptions)$/.test(type));
-	return [...isQuestion ? ["$warnOfStale(this._seen, null, null);"] : [], ...WARNINGS.get(`${qname}.${name}`) ?? []];
 }
 
 // The names are quoted, because users write them: they are never shortened.
 function switchesOf(type, member) {
 	const booleans = endingBooleans(type, member);
 	if (booleans.length === 0) return [];
-	const [taken, initial] = [booleans.map(({ name }) => `"${name}": ${name}`), booleans.map(({ name, value }) => `"${name}": ${value}`)];
-	return [`if ($areOptions(${booleans[0].name})) ({ ${taken.join(", ")} } = $options(null, "${type.name}.${member.name}: options", ${booleans[0].name}, { ${initial.join(", ")} }, "true, false or options"));`];
+	const [{ name: first }] = booleans;
+	const taken = booleans.map(({ name }) => `"${name}": ${name}`).join(", ");
+	const initial = booleans.map(({ name, value }) => `"${name}": ${value}`).join(", ");
+	const read = `$options(null, "${type.name}.${member.name}: options", ${first}, { ${initial} }, "true, false or options")`;
+	return [`if ($areOptions(${first})) ({ ${taken} } = ${read});`];
 }
 
 function optionsOf({ name }) {
-	if (name === "addEventListener") return ["$warnOfEvent(this, type);", "if ($areOptions(useCapture)) return $listen(this, type, listener, useCapture);"];
+	const asListener = "if ($areOptions(useCapture)) return $listen(this, type, listener, useCapture);";
+	if (name === "addEventListener") return ["$warnOfEvent(this, type);", asListener];
 	return name === "removeEventListener" ? ["if ($areOptions(useCapture)) useCapture = useCapture.capture ?? false;"] : [];
 }
 

@@ -9,7 +9,7 @@ export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 /** The folders of the module's sources. A file in an earlier folder replaces one of the same name in a later folder. */
 export const SOURCES = ["js/standins/module", "js/standins/common", "src"].map((folder) => join(ROOT, folder));
 
-/** What the translated classes use in place of classes and functions in ActionScript: names in js/standins/module/*.mjs. */
+/** What the translated classes use in place of classes and functions in ActionScript: names in the *.mjs of js/standins/module. */
 export const EXTERNALS = {
 	ArgumentError: "ArgumentError",
 	"flash.errors.EOFError": "EOFError",

@@ -343,7 +343,7 @@ test("while a game is developed, handlers and places that can't be meant are war
 		const collision = new Collision(new BinCollider());
 		const [hero, coin, wall] = [new Agent("hero", "heroes"), new Agent("coin"), new Agent("wall")];
 		// own fields that no property is called
-		Object.assign(hero, { heading3: 1, size2: 2 });
+		Object.assign(hero, { heading3: 1, size2: 2, toString: () => "the hero" });
 		Object.assign(wall, { heirarchical: true });
 		collision.onCollisionEnd("heroes", "walls", function leave(a, b, contact) { return contact.depth; });
 		collision.onCollisionEnd("heroes", "walls", (a, b, { depth }) => depth);
@@ -351,6 +351,10 @@ test("while a game is developed, handlers and places that can't be meant are war
 		collision.onCollision("heroes", "walls", (contact, a, b) => a);
 		collision.onCollision("heroes", "coin", (a, b) => 0);
 		for (let i = 0; i < 400; i++) collision.update([hero, coin, wall]);
+		// names that every object has
+		const built = new Collision(new BinCollider());
+		built.onCollision("heroes", "constructer", () => 0);
+		built.update([hero, new Agent("wall", "constructor")]);
 		const busy = new Collision(new BinCollider());
 		busy.onCollision("heroes", "*", () => 0);
 		busy.onCollision("turtles", "monsters", () => 0);
@@ -376,6 +380,7 @@ test("while a game is developed, handlers and places that can't be meant are war
 	const said = run("starlogo-collision.js");
 	const expected = [/the handler leave for "heroes" and "walls" is for the end of a touch, where its third argument is null/, /the handler without a name for "heroes" and "walls" is for the end/, /its contact too early: it gets the two agents first/,
 		/no agent is of the breed "coin", which is the shape of agent \d+ \(breed "turtles", shape "coin"\)/, /heirarchical is no property of Agent that the engine reads; is hierarchical meant/, /in 300 frames no handler was called, and no agent is of the breed "walls" or "coin"\. The agents' breeds are "heroes", "turtles"/,
+		/no agent is of the breed "constructer"; is "constructor" meant/,
 		/slopeDegrees is 0\.785.*take 45$/, /agent \d+ \(breed "heroes", shape "barrel"\) begins a motion at \(2, 3, -0\.1\), 1 deep inside of agent \d+ \(breed "levels", shape "ground"\).* 0\.9 below its place.*See docs\/questions\.md/,
 		/questions see agent \d+ \(breed "levels", shape "ground"\) where it was at the last queries\.update\(agents\), 400 frames ago/];
 	assert.equal(said.length, expected.length, said.join("\n"));

@@ -25,7 +25,9 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { choose, fartherTests, readTests, testFilesOf } from "../runner/chosen.mjs";
+import { choose } from "../runner/chosen.mjs";
+import { fartherTests, testFilesOf } from "../runner/farther.mjs";
+import { readTests } from "../runner/test-classes.mjs";
 import { randomNumbers } from "../module/random.mjs";
 import { placesIn } from "./places.mjs";
 

@@ -1,13 +1,14 @@
 #!/usr/bin/env node
 /**
- * Finds which classes of the tests' translation are out of date: those whose sources changed, and if one looks different from outside, all that use it,
- * directly or by others.
+ * Finds which classes of the tests' translation are out of date: those whose sources changed, and if one looks different from outside,
+ * all that use it, directly or by others.
  *
  * node test/runner/changed.mjs TRANSPILED OUT [--keep]
  *
- * TRANSPILED is a translation of all classes, with its sources noted. OUT gets a main class for the compiler, and changed.properties: whole, if all classes
- * have to be compiled; otherwise classes, those to compile, if there are any. If all have to be, TRANSPILED is marked as not done. With --keep the classes
- * in OUT have been compiled, and TRANSPILED gets them in place of its own, without those that are gone: the next run finds only what changed since.
+ * TRANSPILED is a translation of all classes, with its sources noted. OUT gets a main class for the compiler, and changed.properties:
+ * whole, if all classes have to be compiled; otherwise classes, those to compile, if there are any. If all have to be, TRANSPILED is
+ * marked as not done. With --keep the classes in OUT have been compiled, and TRANSPILED gets them in place of its own, without those
+ * that are gone: the next run finds only what changed since.
  */
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -35,7 +36,8 @@ else {
 function properties() {
 	const isTranslated = (qname) => existsSync(compiledFile(transpiled, qname));
 	const now = readSources();
-	const classes = existsSync(done) && existsSync(noted) ? outdated(JSON.parse(readFileSync(noted, "utf8")), now, isTranslated, new Set(testRoots())) : null;
+	const isWhole = existsSync(done) && existsSync(noted);
+	const classes = isWhole ? outdated(JSON.parse(readFileSync(noted, "utf8")), now, isTranslated, new Set(testRoots())) : null;
 	if (classes === null || classes.length > MOST) {
 		rmSync(done, { force: true });
 		return "whole=true\n";
@@ -70,8 +72,8 @@ function note(now) {
 }
 
 /**
- * Writes a class into each package that names the classes to compile there, because some can be seen in their package alone. The compiler tells the
- * errors only of what the main class uses.
+ * Writes a class into each package that names the classes to compile there, because some can be seen in their package alone. The
+ * compiler tells the errors only of what the main class uses.
  *
  * @returns the classes that it writes
  */

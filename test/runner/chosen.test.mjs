@@ -5,7 +5,9 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { BROAD, choose, fartherTests, nearestNames, readTests, testFilesOf, testsBefore, testsIn, testsOfPages } from './chosen.mjs';
+import { choose, nearestNames, testsBefore } from './chosen.mjs';
+import { BROAD, fartherTests, testFilesOf, testsOfPages } from './farther.mjs';
+import { readTests, testsIn } from './test-classes.mjs';
 import { root } from '../structure/sources.mjs';
 
 const known = readTests();

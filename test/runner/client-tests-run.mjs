@@ -1,6 +1,7 @@
 #!/usr/bin/env node
 /**
- * Runs the SWF of a client's own tests. If it stalls or the player fails, it names the test that was running and counts those that did not run.
+ * Runs the SWF of a client's own tests. If it stalls or the player fails, it names the test that was running and counts those that did
+ * not run.
  *
  *   node test/runner/client-tests-run.mjs FILE.swf SECONDS COUNTS
  *

@@ -9,6 +9,7 @@
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { choose, testsBefore } from './chosen.mjs';
+import { problemsIn } from './client-problems.mjs';
 
 const [out, folders, name = ''] = process.argv.slice(2);
 
@@ -17,36 +18,19 @@ if (missing.length > 0) {
 	console.error(`-Dsources: there is no folder ${missing.map((folder) => path.resolve(folder)).join(', ')}`);
 	process.exit(64);
 }
-const files = new Map(folders.split(',').flatMap((folder) => readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('Test.as'))
-	.map((file) => [file.slice(0, -3).split(path.sep).join('.'), path.join(folder, file)])));
+const files = new Map(folders.split(',').flatMap((folder) => {
+	const own = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('Test.as'));
+	return own.map((file) => [file.slice(0, -3).split(path.sep).join('.'), path.join(folder, file)]);
+}));
 const all = [...files.keys()].sort();
 const texts = new Map(all.map((each) => [each, readFileSync(files.get(each), 'utf8')]));
 const chosen = name === '' ? new Map(all.map((each) => [each, null])) : choose(name, texts, new Map()).tests;
 const classes = all.filter((each) => chosen.has(each));
 if (classes.length === 0) {
 	const near = testsBefore(name, texts);
-	console.error(all.length === 0 ? `no file below ${folders} ends with Test.as` : `no class and no test matches -Dtest=${name}; there are ${(near.length > 0 ? near : all).join(', ')}`);
+	console.error(all.length === 0 ? `no file below ${folders} ends with Test.as`
+		: `no class and no test matches -Dtest=${name}; there are ${(near.length > 0 ? near : all).join(', ')}`);
 	process.exit(64);
-}
-
-/** What FlexUnit would leave out, what the player does not see, or would fail without a place: [a line that names it, whether it is an error]. */
-function oddFunctions(name) {
-	const source = texts.get(name).replace(/\/\*[^]*?\*\/|\/\/.*/g, (comment) => comment.replace(/[^\n]/g, ' '));
-	const ofClass = [...source.matchAll(/\[(Suite|RunWith|Ignore)\b[^\]]*\]\s*(?:\[[^\]]*\]\s*)*(?:\w+\s+)*class\b/g)].map((found) => [
-		`${files.get(name)}:${source.slice(0, found.index).split('\n').length}: [${found[1]}] of a class does nothing here: the embedded player does not see the metadata of classes`, false]);
-	const isOld = /\bextends\s+TestCase\b/.test(source);
-	const ofFunctions = [...source.matchAll(/((?:\[[^\]]*\]\s*)*)((?:\w+\s+)*)function\s+(\w+)\s*\([^)]*\)\s*(?::\s*(\w+))?/g)].flatMap((found) => {
-		const [, metadata, words, called, type = 'void'] = found;
-		const line = source.slice(0, found.index + found[0].indexOf('function')).split('\n').length;
-		const tag = /\[(Test|Before|After)\b/.exec(metadata)?.[1];
-		const say = (what, isError) => [[`${files.get(name)}:${line}: ${called}() ${what}`, isError]];
-		if (tag) {
-			return !/\bpublic\b/.test(words) ? say(`has [${tag}] and is not public, so FlexUnit does not run it`, true)
-				: type !== 'void' ? say(`has [${tag}] and gives ${type}: FlexUnit runs no test of a class that has such a function. It must be void`, true) : [];
-		}
-		return !isOld && metadata === '' && /\bpublic\b/.test(words) && /^test[A-Z]/.test(called) ? say('has no [Test], so FlexUnit does not run it', false) : [];
-	});
-	return [...ofClass, ...ofFunctions];
 }
 
 /** Where each function of a class begins, as lines of ActionScript: the player's stack traces have no lines. */
@@ -56,9 +40,9 @@ function placesIn(name) {
 	return places.map(([called, line]) => `            "${name}.${called}": "${files.get(name)}:${line}"`);
 }
 
-const odd = classes.flatMap(oddFunctions);
-odd.forEach(([line]) => console.error(line));
-if (odd.some(([, isError]) => isError)) {
+const problems = classes.flatMap((each) => problemsIn(texts.get(each)).map((problem) => ({ file: files.get(each), ...problem })));
+for (const { file, line, said } of problems) console.error(`${file}:${line}: ${said}`);
+if (problems.some(({ isError }) => isError)) {
 	process.exit(64);
 }
 // not every runner of FlexUnit's can leave out tests, so it is asked only where some are

@@ -33,7 +33,8 @@ export function beginCoverage(detailed) {
  * Begins to count the runs of a script's functions, blocks and conditions.
  *
  * @param {string} file the script
- * @returns {() => number[][]} lists the lines that have run, or may have, at least in part since it was called last: the first and the last of each row of lines, from 0 on
+ * @returns {() => number[][]} lists the lines that have run, or may have, at least in part since it was called last: the first and the
+ *     last of each row of lines, from 0 on
  */
 export function countLines(file) {
 	const text = readFileSync(file, "utf8");
@@ -46,15 +47,16 @@ export function countLines(file) {
 		const functions = take().find((each) => each.url === url)?.functions ?? [];
 		hasRun.fill(0);
 		// what is inside of another comes after it
-		for (const { ranges } of functions) for (const { startOffset, endOffset, count } of ranges) hasRun.fill(Number(count > 0), startOffset, endOffset);
-		// In optimised code V8 counts blocks, but not runs of functions. So a function without a branch counts as run if anything of its class has run.
-		// The first time the script itself has run, and so all of its classes.
+		for (const { startOffset, endOffset, count } of functions.flatMap(({ ranges }) => ranges)) hasRun.fill(Number(count > 0), startOffset, endOffset);
+		// In optimised code V8 counts blocks, but not runs of functions. So a function without a branch counts as run if anything of its
+		// class has run. The first time the script itself has run, and so all of its classes.
 		for (let i = 0, next = 0; straight !== null && i + 1 < starts.length; i++) {
 			const isUsed = hasRun.subarray(starts[i], starts[i + 1]).includes(1);
 			while (next < straight.length && straight[next][0] < starts[i]) next++;
 			for (; next < straight.length && straight[next][0] < starts[i + 1]; next++) if (isUsed) hasRun.fill(1, ...straight[next]);
 		}
-		straight ??= functions.map(({ ranges: [{ startOffset, endOffset }] }) => [startOffset, endOffset]).filter(([start, end]) => !BRANCH.test(text.slice(start, end)));
+		straight ??= functions.map(({ ranges: [{ startOffset, endOffset }] }) => [startOffset, endOffset])
+			.filter(([start, end]) => !BRANCH.test(text.slice(start, end)));
 		return linesOf(text, hasRun);
 	};
 }

@@ -6,26 +6,32 @@
  *
  * MACHINE is ruffle, avmshell, away3d (Ruffle, with Away3D) or node. OUT gets
  *
- *   AllTests.as        a class that lists the test classes that the machine's SWF has. The samples of the documentation in FOLDER are test classes too
+ *   AllTests.as        a class that lists the test classes that the machine's SWF has. The samples of the documentation in FOLDER are
+ *                      test classes too
  *   choice.json        what Node runs of a choice, as run.mjs reads it
- *   tests.properties   what Ant has to know: picked, which of AllTests.as run, if it is not all; inNode, what Node runs in place of Ruffle, as in-node.txt
- *                      lists it; allocations, the tests of allocations among those picked; none, if the SWF has no test; node, if Node runs some; pages, those
- *                      of the pages named that have samples in JavaScript; away3d, how many tests need Away3D, of those named and those of a named adapter
+ *   tests.properties   what Ant has to know:
+ *                      picked: which of AllTests.as run, if it is not all
+ *                      inNode: what Node runs in place of Ruffle, as in-node.txt lists it
+ *                      allocations: the tests of allocations among those picked
+ *                      none: if the SWF has no test
+ *                      node: if Node runs some
+ *                      pages: those of the pages named that have samples in JavaScript
+ *                      away3d: how many tests need Away3D, of those named and those of a named adapter
  *
  * The pattern @changed stands for the files that differ from the last commit.
  *
- * Of tests that Node runs in place of Ruffle, a SWF has only those that the pattern names itself. With --full Ruffle runs all, and Node goes on with none
- * farther off. Files that would be the same keep their times.
+ * Of tests that Node runs in place of Ruffle, a SWF has only those that the pattern names itself. With --full Ruffle runs all, and Node
+ * goes on with none farther off. Files that would be the same keep their times.
  */
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { root } from '../structure/sources.mjs';
-import { choose, chooseAll, fartherTests, inNodeAlone, nearestNames, readTests, testFilesOf, testsBefore, testsIn, testsOfPages } from './chosen.mjs';
+import { choose, chooseAll, nearestNames, testsBefore } from './chosen.mjs';
+import { fartherTests, testFilesOf, testsOfPages } from './farther.mjs';
+import { inNodeAlone, readTests, simpleName, testsIn } from './test-classes.mjs';
 import { NOT_HERE } from './not-here.mjs';
-
-const simpleName = (name) => name.split('.').pop();
 
 const { values: { test: given, samples, full: isFull }, positionals: [out, machine] } = parseArgs({
 	allowPositionals: true,
@@ -51,15 +57,20 @@ if (given !== '@changed' && tests.size + ofAdapters.length + (isNode ? ofPages :
 const inNode = isShared ? inNodeAlone() : new Set();
 const inSwf = isNode ? new Map() : testsOfSwf();
 const order = given === '' ? [] : [...tests.keys()].filter((name) => !isShared || !farther.has(name)).flatMap(leftToNode);
-const fartherInNode = isShared ? fartherTests(choice, classes, sources).filter(([name]) => !inSwf.has(name)).map(([name, test]) => `${simpleName(name)}.${test}`) : [];
+const beyond = isShared ? fartherTests(choice, classes, sources).filter(([name]) => !inSwf.has(name)) : [];
+const fartherInNode = beyond.map(([name, test]) => `${simpleName(name)}.${test}`);
 const files = isShared ? testFilesOf(named) : [];
 
 sayChoice();
 write('AllTests.as', allTests([...inSwf.keys()]));
 write('choice.json', JSON.stringify({ order, files, farther: fartherInNode, of: named }));
-write('tests.properties', Object.entries(properties()).filter(([, value]) => value !== false).map(([name, value]) => `${name}=${value}\n`).join(''));
+const known = Object.entries(properties()).filter(([, value]) => value !== false);
+write('tests.properties', known.map(([name, value]) => `${name}=${value}\n`).join(''));
 
-/** The sources, test classes and pages that differ from the last commit, with commas between. Says so of other files, which have no tests of their own. */
+/**
+ * The sources, test classes and pages that differ from the last commit, with commas between. Says so of other files, which have no
+ * tests of their own.
+ */
 function changedFiles() {
 	const git = (...words) => execFileSync('git', words, { cwd: root, encoding: 'utf8' }).split('\n').filter((file) => file !== '');
 	const changed = [...git('diff', '--name-only', 'HEAD'), ...git('ls-files', '--others', '--exclude-standard')];
@@ -78,7 +89,9 @@ function addSamples() {
 	}
 }
 
-/** The tests that a SWF with Away3D runs of those that are named; none if all are run, or if what is named is a source that no adapter has. */
+/**
+ * The tests that a SWF with Away3D runs of those that are named; none if all are run, or if what is named is a source that no adapter has.
+ */
 function testsWithAway3d() {
 	if (given === '' || machine === 'away3d' || isNode || named.some((name) => !name.startsWith('starlogo.away3d.'))) return [];
 	return [...choose(pattern, all, sources).tests].filter(([name]) => needsAway3d(name));
@@ -89,7 +102,8 @@ function refuse() {
 	const ofClass = testsBefore(pattern, classes).slice(0, 100);
 	const near = ofClass.length > 0 ? ofClass : pattern.split(',').flatMap((part) => nearestNames(part.trim(), all, sources));
 	// antw says such a line last, and not the status of this program
-	console.log(`FAILED -Dtest=${pattern} names nothing: no class of tests, no test, no source file and no page${near.length > 0 ? `; there are ${near.join(', ')}` : ''}`);
+	const thereAre = near.length > 0 ? `; there are ${near.join(', ')}` : '';
+	console.log(`FAILED -Dtest=${pattern} names nothing: no class of tests, no test, no source file and no page${thereAre}`);
 	process.exit(1);
 }
 
@@ -131,7 +145,9 @@ function properties() {
 	};
 }
 
-/** The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther off. */
+/**
+ * The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther off.
+ */
 function testsOfSwf() {
 	if (!isShared) return tests;
 	return new Map([...tests].flatMap(([name, list]) => {

@@ -5,10 +5,12 @@
  *
  *   node test/runner/node-tests.mjs bin/test-reports/summary-node.txt node | structure | pages | samples
  *
- * With "structure" those of test/structure, and otherwise all others. With "samples" the documentation's samples in JavaScript, of the pages that OF names. With "pages" those alone that open pages, in the browser that TEST_BROWSER names; where that is not installed they are skipped, and counted.
+ * With "structure" those of test/structure, and otherwise all others. With "samples" the documentation's samples in JavaScript, of the
+ * pages that OF names. With "pages" those alone that open pages, in the browser that TEST_BROWSER names; where that is not installed
+ * they are skipped, and counted.
  *
- * Each file has a process of its own, but those that open pages: a few processes have a share of them each, with one browser, whose pages they use one after
- * the other.
+ * Each file has a process of its own, but those that open pages: a few processes have a share of them each, with one browser, whose
+ * pages they use one after the other.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -25,9 +27,15 @@ function count(output, name) {
 	return Number(new RegExp(`^\\S ${name} (\\d+)$`, 'm').exec(output)?.[1] ?? 0);
 }
 
-const opensPages = (file) => /\bimport \{[^}]*\b(begin|launch)\b[^}]*\} from '[./\w-]*\/browsers?\.mjs'/.test(readFileSync(file, 'utf8').replaceAll('"', "'"));
+/** What a file of tests that opens pages begins with. */
+const IMPORT_OF_BROWSER = /\bimport \{[^}]*\b(begin|launch)\b[^}]*\} from ['"][./\w-]*\/browsers?\.mjs['"]/;
 
-/** So many processes open pages at once: one more than there are processors, as pages wait now and then. One process more runs the other tests meanwhile. */
+const opensPages = (file) => IMPORT_OF_BROWSER.test(readFileSync(file, 'utf8'));
+
+/**
+ * So many processes open pages at once: one more than there are processors, as pages wait now and then. One process more runs the other
+ * tests meanwhile.
+ */
 const AT_ONCE = availableParallelism() + 1;
 
 /** Files that import a share of the tests each, so that all shares are of the same size. */
@@ -45,7 +53,8 @@ function sharesOf(tests) {
 }
 
 const [summary, which] = process.argv.slice(2);
-const isWanted = (file) => (which === 'samples' ? file === SAMPLES_IN_JAVASCRIPT : file.startsWith('test/structure/') === (which === 'structure'));
+const isOfStructure = (file) => file.startsWith('test/structure/');
+const isWanted = (file) => (which === 'samples' ? file === SAMPLES_IN_JAVASCRIPT : isOfStructure(file) === (which === 'structure'));
 const tests = filesBelow('test', '.test.mjs').filter(isWanted).map((file) => path.join(root, file)).sort((a, b) => statSync(b).size - statSync(a).size);
 const pages = tests.filter(opensPages);
 // what opens pages takes longest, and begins first
@@ -55,7 +64,8 @@ if (which === 'pages' && missing) {
 	writeFileSync(summary, `0 passed, 0 failed, ${pages.length} skipped\n`);
 	process.exit();
 }
-const run = spawnSync(process.execPath, ['--test', '--test-reporter=tap', `--test-concurrency=${AT_ONCE + 1}`, ...files], { encoding: 'utf8', maxBuffer: 1e9 });
+const flags = ['--test', '--test-reporter=tap', `--test-concurrency=${AT_ONCE + 1}`];
+const run = spawnSync(process.execPath, [...flags, ...files], { encoding: 'utf8', maxBuffer: 1e9 });
 const passed = count(run.stdout, 'pass');
 const failed = Math.max(count(run.stdout, 'fail'), run.status === 0 && passed > 0 ? 0 : 1);
 if (failed > 0) {

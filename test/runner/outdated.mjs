@@ -7,16 +7,26 @@ import { outlineOf } from "./outline.mjs";
 import { qnameOf } from "../../js/module/signatures.mjs";
 
 /** What the compiler is called with, its version and that of the Flex SDK, and what names the classes. */
-const SETTINGS = ["build/module.xml", "build/ivy.xml", "js/module/ivy.xml", "package-lock.json", "js/module/roots.mjs", "js/module/names.mjs", ...["roots", "outdated", "outline"].map((name) => `test/runner/${name}.mjs`)];
+const SETTINGS = [
+	"build/module.xml",
+	"build/ivy.xml",
+	"js/module/ivy.xml",
+	"package-lock.json",
+	"js/module/roots.mjs",
+	"js/module/names.mjs",
+	"test/runner/roots.mjs",
+	"test/runner/outdated.mjs",
+	"test/runner/outline.mjs",
+];
 
 const hashOf = (text) => createHash("sha1").update(text).digest("hex");
 
 /**
  * The sources as they are now.
  *
- * @returns {{ settings: string, files: Object<string, { file: string, hash: string, outline: string }>, included: Object<string, string> }} the sources
- *     by qualified name, with hashes of their texts and outlines (a source that is not understood is its own outline), and hashes of the texts that sources
- *     include. Paths are in the project's folder
+ * @returns {{ settings: string, files: Object<string, { file: string, hash: string, outline: string }>, included: Object<string,
+ *     string> }} the sources by qualified name, with hashes of their texts and outlines (a source that is not understood is its own
+ *     outline), and hashes of the texts that sources include. Paths are in the project's folder
  */
 export function readSources() {
 	const files = {};
@@ -32,7 +42,8 @@ export function readSources() {
 			files[qname] = { file: place, hash: hashOf(text), outline: hashOf(outlineOf(text) ?? text) };
 		}
 	}
-	return { settings: hashOf(SETTINGS.map((file) => readFileSync(join(ROOT, file), "utf8")).join() + process.env.FLEX_HOME), files, included };
+	const settings = SETTINGS.map((file) => readFileSync(join(ROOT, file), "utf8")).join();
+	return { settings: hashOf(settings + process.env.FLEX_HOME), files, included };
 }
 
 /** The classes whose sources are not there any more, or have other names. */
@@ -56,7 +67,8 @@ export function outdated(before, now, isTranslated, roots, read = (file) => read
 	const wordsOf = (qname) => words.get(qname) ?? words.set(qname, new Set(read(now.files[qname].file).match(/\w+/g))).get(qname);
 	const names = Object.keys(now.files);
 	const isOther = (qname, what) => before.files[qname]?.[what] !== now.files[qname][what];
-	const texts = Object.keys({ ...before.included, ...now.included }).filter((file) => before.included[file] !== now.included[file]).map((file) => file.split(/[\\/]/).pop());
+	const changedTexts = Object.keys({ ...before.included, ...now.included }).filter((file) => before.included[file] !== now.included[file]);
+	const texts = changedTexts.map((file) => file.split(/[\\/]/).pop());
 	const changed = new Set(names.filter((qname) => isOther(qname, "hash") || isOther(qname, "file")));
 	if (texts.length > 0) for (const qname of names.filter((each) => includes(read(now.files[each].file)))) changed.add(qname);
 	// what uses a source names it. A word that is another's name too counts

@@ -54,7 +54,8 @@ export function outlineOf(source) {
 	}
 	if (open.length > 0) return null;
 	kept.push(...member);
-	// a second count, by another way: formatted sources have members of a class at eight spaces, functions of a package at four, and a file's own at none
+	// a second count, by another way: formatted sources have members of a class at eight spaces, functions of a package at four, and a
+	// file's own at none
 	const counted = source.match(/^(?: {4}| {8}|)(?:\w+ )*function \w/gm)?.length ?? 0;
 	if (counted !== functions) return null;
 	// an import counts if the outline has its name

@@ -1,6 +1,7 @@
 #!/usr/bin/env node
 /**
- * Writes the compiler's main class for the tests that Node runs: it names their classes and those of the module. Notes the sources for changed.mjs.
+ * Writes the compiler's main class for the tests that Node runs: it names their classes and those of the module. Notes the sources for
+ * changed.mjs.
  *
  * node test/runner/roots.mjs FOLDER
  */

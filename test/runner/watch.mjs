@@ -1,8 +1,10 @@
 /**
- * Ends the process if a test does not end, and says which. Runs in a thread of its own, because a test that does not end leaves no time to its own.
+ * Ends the process if a test does not end, and says which. Runs in a thread of its own, because a test that does not end leaves no time
+ * to its own.
  *
- * workerData: { now, text, seconds, summary, until }. now and text share memory with the runner. now has the number of the test, the bytes of its name, how
- * many passed, failed and were skipped before it, and 1 if it need not run once the file of until is there. text has its name.
+ * workerData: { now, text, seconds, summary, until }. now and text share memory with the runner. now has the number of the test, the
+ * bytes of its name, how many passed, failed and were skipped before it, and 1 if it need not run once the file of until is there. text
+ * has its name.
  */
 import { existsSync, mkdirSync, writeFileSync, writeSync } from "node:fs";
 import path from "node:path";
@@ -20,8 +22,8 @@ const NEEDLESS_S = 3;
  * @param {number} seconds of a processor that a test may take
  * @param {string | undefined} summary the file that gets the counts if a test does not end
  * @param {string} until once this file is there, tests farther off need not run
- * @returns {(name: string, ...counts: number[]) => void} tells the name of the test that begins, how many passed, failed and were skipped before, and 1 if it
- *     is farther off
+ * @returns {(name: string, ...counts: number[]) => void} tells the name of the test that begins, how many passed, failed and were
+ *     skipped before, and 1 if it is farther off
  */
 export function watch(seconds, summary, until) {
 	const now = new Int32Array(new SharedArrayBuffer(6 * Int32Array.BYTES_PER_ELEMENT));
@@ -57,7 +59,8 @@ if (!isMainThread && workerData?.now) {
 		const isNeedless = isFarther === 1 && existsSync(until);
 		if (number === 0 || used() - began <= (isNeedless ? NEEDLESS_S : seconds)) return;
 		const name = new TextDecoder().decode(text.slice(0, bytes));
-		writeSync(1, isNeedless ? `${name} and the tests after it did not run: one failed\n` : `FAILED ${name}: it has not ended in ${seconds} s of a processor\n`);
+		writeSync(1, isNeedless ? `${name} and the tests after it did not run: one failed\n`
+			: `FAILED ${name}: it has not ended in ${seconds} s of a processor\n`);
 		writeSummary(summary, passed, isNeedless ? failed : failed + 1, skipped);
 		process.kill(process.pid, "SIGKILL");
 	}, CHECK_MS);

@@ -3,7 +3,8 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
-import { choose, readTests } from '../runner/chosen.mjs';
+import { choose } from '../runner/chosen.mjs';
+import { readTests } from '../runner/test-classes.mjs';
 import { definitionIn, foldersIn, layout, read, root, sourcesBelow } from './sources.mjs';
 
 const GUIDE = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).map((file) => `docs/${file}`);

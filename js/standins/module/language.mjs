@@ -2,7 +2,7 @@
  * Functions for features of ActionScript that JavaScript lacks. The translated classes call them. A Vector is a plain array here, so the
  * code that makes one longer passes the value of the new elements.
  */
-import { $hintOfOption } from "./warnings.mjs";
+import { $hintOfOption } from "./warnings/spelling.mjs";
 
 const closures = new WeakMap();
 

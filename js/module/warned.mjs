@@ -1,0 +1,72 @@
+/**
+ * The statements by which the module's members warn while a game is developed. The functions that they call are in
+ * ../standins/module/warnings.
+ */
+
+/** What a method or a setting calls first. addModel looks at its object's properties, because settings are often made just before. */
+const WARNINGS = new Map([
+	...sameFor(["GreatLand.addModel", "queries.LevelShapes.addModel"], [
+		"$warnOfUnknownProperties(this, true);",
+		"$warnOfReplaced(this, model);",
+	]),
+	["queries.LevelShapes.addStructure", ["$warnOfUnknownProperties(this, true);"]],
+	["collision.Collision.update", [
+		"$warnOfTime(\"Collision.update\", arguments);",
+		"$warnOfSilence(this, agents);",
+		"$warnOfNewAgents(this, agents);",
+		"$warnOfStops(this);",
+		"$warnOfLaterProperties(this, agents);",
+	]],
+	...sameFor(["collision.Collision.onCollision", "collision.Collision.onCollisionStart", "collision.Collision.onCollisionEnd"], [
+		"$warnOfAddition(this, breed, otherBreed);",
+	]),
+	["collision.Collision.removeHandler", ["$warnOfRemoval(this, breed, otherBreed, handler);"]],
+	["queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],
+	["queries.AgentQueries.update", [
+		"$warnOfTime(\"AgentQueries.update\", arguments);",
+		"$warnOfLaterProperties(this, agents);",
+	]],
+	["queries.SeenAgents.update", ["$warnOfNoFrames(this);", "$warnOfStale(this, agents, null);"]],
+	["queries.SeenAgents.refresh", ["$warnOfStale(this, null, agent);"]],
+	...sameFor(["queries.AgentQueries.walk", "queries.AgentWalks.walk"], [
+		"$warnOfFall(agent, dx, dy);",
+		"$warnOfWalk(this, agent, dx, dy, options);",
+	]),
+	["queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
+].map(([name, statements]) => [`starlogo.${name}`, statements]));
+
+/** Classes whose settings are set after the constructor. */
+const SET_AFTER = /^starlogo\.(?:GreatLand|collision\.(?:Collision|Contact)|queries\.(?:Footing|LevelShapes|RayHit|ShapeHit))$/;
+
+/** Classes whose methods with a filter are questions about a SeenAgents. */
+const ASKING = /^starlogo\.queries\.Agent(?:Places|Queries|Rays)$/;
+
+/** The angles that an agent is turned by. */
+const ANGLES = /^starlogo\.agents\.Agent\.(?:heading|pitch|roll)$/;
+
+/** What a member says first, about what is allowed and probably a mistake. */
+export function warningsOf(qname, name, kind, parameters) {
+	if (kind === "constructor") return warningsOfConstructor(qname, name, parameters);
+	if (kind === "set" && ANGLES.test(`${qname}.${name}`)) return [`$warnOfAngle(this, "${name}", value);`];
+	if (kind !== "method") return [];
+	const isQuestion = ASKING.test(qname) && parameters.some(({ type }) => /^(?:AgentFilter|WalkOptions)$/.test(type));
+	return [...isQuestion ? ["$warnOfStale(this._seen, null, null);"] : [], ...warningsOfMember(qname, name)];
+}
+
+/** What a method, or a setting that gets another value, says first. */
+export function warningsOfMember(qname, name) {
+	return WARNINGS.get(`${qname}.${name}`) ?? [];
+}
+
+/** A subclass of Agent may pass all that it gets on to `super()`, so only an Agent itself is warned of. */
+function warningsOfConstructor(qname, name, { length }) {
+	const isCollider = /\.collision\.\w+Collider$/.test(qname) && length > 0;
+	if (isCollider || SET_AFTER.test(qname)) return [`$warnOfMore("${name}", arguments, ${length});`];
+	const isAgent = qname === "starlogo.agents.Agent";
+	return isAgent ? [`if (arguments.length > ${length} && new.target === Agent) $warnOfMore("Agent", arguments, ${length});`] : [];
+}
+
+/** The same statements for several members. */
+function sameFor(names, statements) {
+	return names.map((name) => [name, statements]);
+}

@@ -1,0 +1,64 @@
+/** Arguments that a call takes, and does nothing with, or not what is probably meant. */
+import { $warn } from "./warn.mjs";
+
+/** How many arguments a constructor takes, and which others it gets: by their number. */
+const $NUMBERS_TAKEN = [["no arguments", "those that it got"], ["1 argument", "the others"], ["2 arguments", "the others"]];
+
+/** The events that objects of the engine's own classes send. */
+const $EVENTS = { ModelLoader: ["modelLoaded", "error", "progress", "complete", "cancel"] };
+
+/**
+ * Warns of arguments that a constructor does not take: `new CombinationCollider(greatLand, { exact: true })`, `new GreatLand({
+ * loadHulls: true })`.
+ */
+export function $warnOfMore(name, given, taken) {
+	if (given.length <= taken) return;
+	const [setting] = given[taken] instanceof Object ? Object.keys(given[taken]) : [];
+	const such = setting === undefined ? "" : ` such as ${setting}`;
+	const [number, others] = $NUMBERS_TAKEN[taken];
+	$warn(`new ${name} takes ${number}, and does nothing with ${others}: settings${such} are set after it`);
+}
+
+/** Warns of what is given to an update beside the list, probably the time. */
+export function $warnOfTime(name, given) {
+	if (given.length <= 1) return;
+	$warn(`${name} takes the list alone: the engine knows no time and moves nothing. `
+		+ "Move an agent by its speed, multiplied by the time since the last frame");
+}
+
+/**
+ * Warns of a listener for events that an object never sends: `loader.addEventListener("load", ...)`. Only of the engine's own classes,
+ * because a game's may send other events.
+ */
+export function $warnOfEvent(object, type) {
+	const types = $EVENTS[Object.getPrototypeOf(object)?.constructor.name];
+	if (types && !types.includes(type)) $warn(`a ModelLoader sends no event ${JSON.stringify(type)}; it sends ${types.join(", ")}`);
+}
+
+/** Warns of a function for `accepts` that says nothing, or later. */
+export function $warnOfAccepts(accepts) {
+	if (typeof accepts !== "function") return;
+	const text = Function.prototype.toString.call(accepts);
+	const hasBlock = /^(?:function\b|\w+\s*\(|[^=]*=>\s*\{)/.test(text);
+	if (/^async\b/.test(text)) {
+		$warn("accepts is an async function, whose promise counts as true for every agent: it has to answer at once");
+	} else if (hasBlock && !/\breturn\b|\bthrow\b|\[native code\]/.test(text)) {
+		$warn("accepts returns nothing, so no agent counts: it returns true for those that do");
+	}
+}
+
+/** Warns of a built-in model that takes the place of one of other lengths, because neither has got a name. */
+export function $warnOfReplaced(receiver, model) {
+	const name = model?.name;
+	if (!$isBuiltIn(model) || name !== "box" && name !== "capsule") return;
+	// a LevelShapes has its models in its choice
+	const before = receiver.$choice ? receiver.$choice.$modelOf(name) : receiver.modelOf(name);
+	if (!$isBuiltIn(before) || before.vertices.join() === model.vertices.join()) return;
+	$warn(`a ${name} of other lengths takes the place of the first, because both are called "${name}": `
+		+ `BuiltInModel.${name}() takes a name last`);
+}
+
+/** Whether an object is a BuiltInModel itself, and none of a game's subclass. */
+function $isBuiltIn(model) {
+	return Object.getPrototypeOf(model ?? {})?.constructor?.name === "BuiltInModel";
+}

@@ -1,0 +1,100 @@
+/** What a Collision's frames tell: no handler is called, no agent has a breed that is named, or all agents are new. */
+import { $areSimilar } from "./spelling.mjs";
+import { $keptOf, $warn } from "./warn.mjs";
+
+/** After so many frames without a call the breeds are looked at. */
+const $LONG_SILENCE = 300;
+
+/** So many frames in turn with new agents alone are no accident. */
+const $MANY_FRAMES = 30;
+
+/** The breeds of what is no agent: how code names them, and the Collision's setting that each needs. */
+const $WORLD_BREEDS = /* @__PURE__ */ new Map([
+	["*terrain", { name: "Collision.TERRAIN", setting: "terrain" }],
+	["*edge", { name: "Collision.EDGE", setting: "bounds" }],
+]);
+
+/** How many names of breeds there were when a name was last looked for; without end once an agent has had it. */
+const $checkedBreeds = /* @__PURE__ */ new Map();
+
+/** How many times Collisions were updated. */
+export let $updates = 0;
+
+/**
+ * Of a Collision that is updated: how many frames it called no handler from the first on, without end once it has called one; the id of
+ * the last agent of the last list; how many lists in turn had new agents alone.
+ */
+const $collisions = /* @__PURE__ */ new WeakMap();
+
+function $newCollision() {
+	return { silentFrames: 0, lastId: Infinity, newFrames: 0 };
+}
+
+/** Whether a Collision was ever updated. */
+export function $isUpdated(collision) {
+	return $collisions.has(collision);
+}
+
+/**
+ * Warns of a Collision that has called no handler in its first frames, if a breed that is named has no agents. A breed may come late. So
+ * a game whose handlers run hears nothing. This is the first warning of an update, and counts it.
+ */
+export function $warnOfSilence(collision, agents) {
+	$updates++;
+	const kept = $keptOf($collisions, collision, $newCollision);
+	const frames = kept.silentFrames;
+	if (frames > $LONG_SILENCE) return;
+	kept.silentFrames = collision.statistics.handlerCalls > 0 ? Infinity : frames + 1;
+	if (frames === $LONG_SILENCE && Array.isArray(agents)) $warnOfMissing(frames, collision.breedsWithoutAgents, agents);
+}
+
+/** Warns of breeds that handlers name and nobody has. */
+function $warnOfMissing(frames, missing, agents) {
+	const since = `in ${frames} frames no handler was called, and`;
+	for (const [breed, { name, setting }] of $WORLD_BREEDS) {
+		if (missing.includes(breed)) $warn(`${since} handlers for ${name} need the Collision's ${setting}, which is null`);
+	}
+	const missingOfAgents = missing.filter((name) => !$WORLD_BREEDS.has(name)).map((name) => JSON.stringify(name));
+	const breeds = [...new Set(agents.map((agent) => agent?.breed))].slice(0, 5).map((name) => JSON.stringify(name));
+	if (missingOfAgents.length === 0 || breeds.length === 0) return;
+	$warn(`${since} no agent is of the breed ${missingOfAgents.join(" or ")}. The agents' breeds are ${breeds.join(", ")}`);
+}
+
+/**
+ * Warns of breeds that handlers or a filter name, if no agent has the breed, and agents have one that is called nearly the same. Agents
+ * of the breed may still come. So nothing is refused, and a breed is looked for again when there are new names.
+ */
+export function $warnOfBreeds(names, agents) {
+	const unchecked = names.filter((name) => !($checkedBreeds.get(name) >= Breeds$NAMES.count));
+	if (unchecked.length === 0) return;
+	const breeds = new Set(agents.map((agent) => agent?.breed).filter((breed) => typeof breed === "string" && !/^\*/.test(breed)));
+	if (breeds.size === 0) return;
+	for (const name of new Set(unchecked)) {
+		$checkedBreeds.set(name, breeds.has(name) ? Infinity : Breeds$NAMES.count);
+		if (!breeds.has(name)) $warnOfBreed(name, breeds, agents);
+	}
+}
+
+/** Warns of a breed that no agent has: a similar one may be meant, or it is a shape. */
+function $warnOfBreed(breed, breeds, agents) {
+	const quoted = JSON.stringify(breed);
+	const meant = [...breeds, ...$WORLD_BREEDS.keys()].find((each) => $areSimilar(breed, each));
+	if (meant !== undefined) {
+		$warn(`no agent is of the breed ${quoted}; is ${$WORLD_BREEDS.get(meant)?.name ?? JSON.stringify(meant)} meant?`);
+		return;
+	}
+	const shaped = agents.find((agent) => agent?.shape === breed);
+	if (shaped) $warn(`no agent is of the breed ${quoted}, which is the shape of ${shaped}: new Agent(${quoted}, "BREED") gives it a breed`);
+}
+
+/**
+ * Warns of lists whose agents are all made anew in each frame: starts and ends of touches, sweeps and walks are about the same agents.
+ * Ids grow, so it looks at the first of a list and the last of the one before.
+ */
+export function $warnOfNewAgents(collision, agents) {
+	const kept = $keptOf($collisions, collision, $newCollision);
+	kept.newFrames = agents?.[0]?.id > kept.lastId ? kept.newFrames + 1 : 0;
+	kept.lastId = agents?.[agents.length - 1]?.id ?? Infinity;
+	if (kept.newFrames !== $MANY_FRAMES) return;
+	$warn(`all agents are new in ${$MANY_FRAMES} frames in turn, so no touch lasts, and nothing sweeps: make each agent once, and move it`);
+}

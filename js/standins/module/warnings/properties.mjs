@@ -1,0 +1,136 @@
+/** Properties that a game sets and the engine does not read, and traits that a collision system does not look at. */
+import { $changesBetween } from "./spelling.mjs";
+import { $keptOf, $warn } from "./warn.mjs";
+
+/** So many objects are looked at. */
+const $MOST_OBJECTS = 1000;
+
+/** So many agents of a list are looked at again. */
+const $MOST_AGENTS_AGAIN = 100;
+
+/** Traits are compared with a collision system that stays for more frames than these. */
+const $FRAMES_OF_A_SYSTEM = 30;
+
+/** What other libraries call traits of an agent, and the engine's names for them. */
+const $OTHER_WORDS = /* @__PURE__ */ new Map([
+	["isHierarchical", "hierarchical"],
+	["isSweeping", "sweeps"],
+	["oneWay", "isOneWay"],
+	["collidesAs", "collideAs"],
+	["rotation", "heading, pitch and roll in degrees, or setQuaternion()"],
+	["quaternion", "setQuaternion()"],
+	["scale", "size"],
+	["position", "moveTo(x, y, z)"],
+	["radius", "size"],
+	["colour", "color"],
+	["yaw", "heading in degrees"],
+	["layer", "breed"],
+]);
+
+/** Names that a game's own class of agents may have for something else. */
+const $OWN_WORDS = /^(?:position|rotation|quaternion|scale|radius|yaw|layer)$/;
+
+/** Which traits of an agent have no effect in a collision system. */
+const $IDLE_TRAITS = {
+	BinCollider: ["hierarchical", "collideAs", "traversalDepth"],
+	TightestFitCollider: ["hierarchical", "traversalDepth"],
+	HierarchicalCollider: ["collideAs"],
+};
+
+/** The values of these traits that a new agent has, and the systems where others have an effect. */
+const $TRAITS = {
+	hierarchical: { first: false, systems: "a CombinationCollider" },
+	collideAs: { first: "tightest", systems: "a TightestFitCollider or a CombinationCollider" },
+	traversalDepth: { first: 0, systems: "a HierarchicalCollider or a CombinationCollider" },
+};
+
+/** The settings of trees, which other collision systems do not have. */
+const $TREE_SETTINGS = ["exact", "maxDepth"];
+
+const $checkedObjects = /* @__PURE__ */ new WeakSet();
+let $objectsLookedAt = 0;
+
+/** Of a Collision or questions: the updates, and the collision system of the first one, or null once it has been exchanged. */
+const $lookedAgain = /* @__PURE__ */ new WeakMap();
+
+function $newLooks({ collisionSystem }) {
+	return { updates: 0, collisionSystem };
+}
+
+/**
+ * Warns of properties that do nothing of an agent, a collision system, a filter, options or a GreatLand: `agent.sweep = true` sets a
+ * property of the game's own, because the engine's is called `sweeps`. Only the first thousand objects are looked at, once each, or
+ * whenever they are changing.
+ */
+export function $warnOfUnknownProperties(object, isChanging) {
+	if ($objectsLookedAt >= $MOST_OBJECTS) return;
+	if (!isChanging && $checkedObjects.has(object)) return;
+	$checkedObjects.add(object);
+	$objectsLookedAt++;
+	$lookAtProperties(object);
+}
+
+/**
+ * Looks at a Collision or at questions, at the collision system, and at agents again, because a game may set a property later than the
+ * first frame: at the first hundred of a list, in the second, fourth, eighth frame and so on.
+ */
+export function $warnOfLaterProperties(updated, agents) {
+	const { collisionSystem } = updated;
+	const looks = $keptOf($lookedAgain, updated, $newLooks);
+	looks.updates++;
+	const isPowerOfTwo = (looks.updates & (looks.updates - 1)) === 0;
+	if (!isPowerOfTwo || !Array.isArray(agents)) return;
+	$lookAtProperties(updated);
+	if (collisionSystem) $lookAtProperties(collisionSystem);
+	const few = agents.slice(0, $MOST_AGENTS_AGAIN);
+	for (const agent of few) if ($checkedObjects.has(agent)) $lookAtProperties(agent);
+	// a game that exchanges its system may have set the traits for another one
+	if (looks.collisionSystem !== collisionSystem) looks.collisionSystem = null;
+	else if (looks.updates > $FRAMES_OF_A_SYSTEM) $lookAtTraits(collisionSystem, few);
+}
+
+/** Warns of traits that agents have and their collision system does not look at. */
+function $lookAtTraits(collisionSystem, agents) {
+	const type = Object.getPrototypeOf(collisionSystem ?? {}).constructor?.name;
+	for (const trait of $IDLE_TRAITS[type] ?? []) {
+		const { first, systems } = $TRAITS[trait];
+		const agent = agents.find((each) => each?.[trait] !== undefined && each[trait] !== first);
+		if (agent) $warn(`${trait} of ${agent} does nothing in a ${type}: it is for ${systems}`, type + trait);
+	}
+}
+
+/** Warns of an object's own properties that do nothing. */
+function $lookAtProperties(object) {
+	const type = object.constructor.name;
+	for (const name of Object.keys(object).filter((each) => !/^[_$]/.test(each))) {
+		if ($TREE_SETTINGS.includes(name)) $warn(`${name} does nothing on a ${type}: it is for a HierarchicalCollider or a CombinationCollider`);
+		const meant = $meantBy(object, name);
+		if (meant === name) $warn(`${name} is a field of ${type} that hides the engine's: set it in the constructor`);
+		else if (meant !== undefined) $warn(`${name} is no property of ${type} that the engine reads; is ${meant} meant?`);
+	}
+}
+
+/**
+ * Which property of the engine is meant by the name of an object's own property: the same name, a similar one, or another library's word
+ * for it.
+ */
+function $meantBy(object, name) {
+	const setters = $namesOfSetters(object);
+	if (setters.includes(name)) return name;
+	const isLong = (setter) => Math.min(setter.length, name.length) > 3;
+	const isNumbered = (setter) => setter === name.replace(/\d+$/, "");
+	const isNear = (setter) => setter.toLowerCase() === name.toLowerCase() || $changesBetween(name, setter) <= 1;
+	const near = setters.find((setter) => isLong(setter) && !isNumbered(setter) && isNear(setter));
+	const isAgent = "sweeps" in object;
+	const isOwnWord = object.constructor.name !== "Agent" && $OWN_WORDS.test(name);
+	return near ?? (isAgent && !isOwnWord ? $OTHER_WORDS.get(name) : undefined);
+}
+
+/** The names of an object's setters. */
+function $namesOfSetters(object) {
+	const names = [];
+	for (let type = Object.getPrototypeOf(object); type && type !== Object.prototype; type = Object.getPrototypeOf(type)) {
+		for (const [name, { set }] of Object.entries(Object.getOwnPropertyDescriptors(type))) if (set && !/^[_$]/.test(name)) names.push(name);
+	}
+	return names;
+}

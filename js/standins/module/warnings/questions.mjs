@@ -1,0 +1,95 @@
+/** Questions whose update is forgotten, or whose Collision's is; and rays that meet who sends them. */
+import { $isUpdated, $updates } from "./frames.mjs";
+import { $breedsWithHandlers } from "./handlers.mjs";
+import { $hasWarned, $keptOf, $warn } from "./warn.mjs";
+
+/** After so many frames without an update the agents' places are compared. */
+const $LONG_WITHOUT_UPDATE = 300;
+
+/** So many agents are compared. */
+const $MOST_PLACES = 100;
+
+/** So many updates of questions pass before the Collision's own is missed. */
+const $LONG_WITHOUT_FRAMES = 3000;
+
+/** So many rays from the same place in an agent are no accident. */
+const $MANY_RAYS = 30;
+
+/**
+ * Of questions: how many updates they had before their Collision's first; the list of their last update, and when it was; where its first
+ * agents are once that is long ago; the agents that the questions move themselves.
+ */
+const $questions = /* @__PURE__ */ new WeakMap();
+
+function $newQuestions() {
+	return { updatesBefore: 0, agents: null, updated: 0, places: null, movers: new WeakSet() };
+}
+
+/** The questions that were asked last, and when. */
+let $lastAsked = null;
+let $askedUpdate = 0;
+
+/** The last ray that began in an agent: the agent, its place, the ray's origin from there, and how many rays in turn were like that. */
+let $lastRay = { agent: null, x: 0, y: 0, dx: 0, dy: 0, dz: 0, rays: 0 };
+
+/**
+ * Warns of questions whose update() is forgotten: if they are asked for hundreds of frames without it, and an agent has moved meanwhile. An
+ * agent that a question moves or refreshes is seen where it is.
+ *
+ * @param agents the list, if this is the update
+ * @param mover the agent that the question moves or refreshes, or null
+ */
+export function $warnOfStale(queries, agents, mover) {
+	// most questions follow others of the same frame
+	if (queries === $lastAsked && $updates === $askedUpdate && agents === null && mover === null) return;
+	$lastAsked = queries;
+	$askedUpdate = $updates;
+	if ($hasWarned("stale")) return;
+	const kept = $keptOf($questions, queries, $newQuestions);
+	if (agents !== null) Object.assign(kept, { agents, updated: $updates, places: null });
+	if (!Array.isArray(kept.agents)) return;
+	if (typeof mover?.shape === "string") kept.movers.add(mover);
+	const frames = $updates - kept.updated;
+	if (frames < $LONG_WITHOUT_UPDATE) return;
+	kept.places ??= $placesOf(kept.agents.slice(0, $MOST_PLACES));
+	const moved = kept.places.find(({ agent, x, y, z }) => !kept.movers.has(agent) && (agent.x !== x || agent.y !== y || agent.z !== z));
+	if (!moved) return;
+	$warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${frames} frames ago: `
+		+ "call it once a frame, or refresh(agent)", "stale");
+}
+
+function $placesOf(agents) {
+	return agents.filter((agent) => agent).map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z }));
+}
+
+/**
+ * Warns of a forgotten collision.update(): questions about a Collision with handlers are updated thousands of times, and the Collision
+ * never is. It waits long, because a game may ask its questions before its first frame.
+ */
+export function $warnOfNoFrames(queries) {
+	const collision = queries._source;
+	if (!(collision._handlers?._lists.length > 0) || $isUpdated(collision)) return;
+	const kept = $keptOf($questions, queries, $newQuestions);
+	kept.updatesBefore++;
+	if (kept.updatesBefore !== $LONG_WITHOUT_FRAMES) return;
+	const breeds = $breedsWithHandlers(collision);
+	$warn(`questions were updated ${kept.updatesBefore} times, and their Collision with handlers${breeds ? ` for ${breeds}` : ""} never, `
+		+ "so no handler runs: call collision.update(agents) once a frame, too");
+}
+
+/**
+ * Warns of rays that begin inside of the agent that sends them: many begin in an agent that moves, all at the same place beside the
+ * agent's own. It compares with the ray before, which began in an agent.
+ */
+export function $warnOfSender(agent, origin) {
+	if ($hasWarned("sender")) return;
+	const before = $lastRay;
+	const [dx, dy, dz] = [origin.x - agent.x, origin.y - agent.y, origin.z - agent.z];
+	const apart = Math.abs(dx - before.dx) + Math.abs(dy - before.dy) + Math.abs(dz - before.dz);
+	const isBeside = agent === before.agent && apart < 1e-9 * agent.size;
+	if (isBeside && agent.x === before.x && agent.y === before.y) return;
+	$lastRay = { agent, x: agent.x, y: agent.y, dx, dy, dz, rays: isBeside ? before.rays + 1 : 1 };
+	if ($lastRay.rays !== $MANY_RAYS) return;
+	$warn(`${$MANY_RAYS} rays began inside of ${agent}, and met it at distance 0, wherever it was. `
+		+ "If it sends them, leave it out: cast(origin, direction, maxDistance, { except: [agent] })", "sender");
+}

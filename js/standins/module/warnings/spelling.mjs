@@ -1,0 +1,47 @@
+/** Which name is meant by one that is not known. */
+
+/** What an error says about a name that is not known: the name that is probably meant. */
+export function $hintOfName(name, names) {
+	const meant = names.find((each) => $areSimilar(name, each));
+	return meant === undefined ? "" : `; is ${JSON.stringify(meant)} meant?`;
+}
+
+/** What an error says about an option that is not among the names of all: the nearest one. */
+export function $hintOfOption(key, names) {
+	const word = key.toLowerCase();
+	// each letter in common counts against two changes, because abbreviations are common
+	const farAway = names.map((each) => $changesBetween(word, each.toLowerCase()) - 2 * $commonLetters(word, each.toLowerCase()));
+	const least = Math.min(...farAway);
+	return least < 1 ? `the nearest is ${names[farAway.indexOf(least)]}; ` : "";
+}
+
+/** Whether a breed's or a model's name may be another one, misspelled. Names that differ in numbers alone are of different breeds. */
+export function $areSimilar(name, other) {
+	if (name.length < 4 || name.replace(/\d+/g, "") === other.replace(/\d+/g, "")) return false;
+	const mostChanges = Math.max(name.length, other.length) < 6 ? 1 : 2;
+	return name.toLowerCase() === other.toLowerCase() || $changesBetween(name, other) <= mostChanges;
+}
+
+/** How many letters have to be inserted, removed, replaced, or exchanged with the next (Damerau, 1964; Levenshtein, 1966). */
+export function $changesBetween(name, other) {
+	let earlier = [];
+	let counts = [...other, ""].map((_, i) => i);
+	[...name].forEach((letter, i) => {
+		const before = counts;
+		counts = [i + 1];
+		for (let j = 0; j < other.length; j++) {
+			const isExchanged = i > 0 && j > 0 && letter === other[j - 1] && name[i - 1] === other[j];
+			const replaced = before[j] + (letter === other[j] ? 0 : 1);
+			counts.push(Math.min(before[j + 1] + 1, counts[j] + 1, replaced, isExchanged ? earlier[j - 1] + 1 : Infinity));
+		}
+		earlier = before;
+	});
+	return counts[other.length];
+}
+
+/** How many letters two words have in common from the beginning on. */
+function $commonLetters(word, other) {
+	let same = 0;
+	while (same < word.length && word[same] === other[same]) same++;
+	return same;
+}

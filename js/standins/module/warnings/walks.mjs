@@ -1,0 +1,144 @@
+/**
+ * Walks and other motions that go wrong: too far in a frame, down without end, stopped by what should be walked through, begun inside of
+ * a level.
+ */
+import { $keptOf, $rounded, $warn } from "./warn.mjs";
+
+/** So many walks in turn that go down steeply are a fall. */
+const $LONG_FALL = 200;
+
+/** A walk of more sizes of the agent than these is long for one frame. */
+const $LONG_STRIDE = 2;
+
+/** So many long walks in turn are no accident. */
+const $MANY_STRIDES = 30;
+
+/** So many agents' walks are looked at in a frame. */
+const $MOST_WALKS = 100;
+
+/** So many walks that one breed stops are no accident. */
+const $MANY_STOPS = 10;
+
+/** What a cast structure is called: see Body.readStructure. */
+const $STRUCTURE = "structure";
+
+/**
+ * Of an agent that walks: how many long strides it has taken in turn; in how many walks in turn it fell, from which height, and its
+ * height now.
+ */
+const $walkers = /* @__PURE__ */ new WeakMap();
+
+function $newWalker({ z }) {
+	return { strides: 0, falls: 0, top: z, z };
+}
+
+/** The walks since the last frame, by agent. */
+const $walks = /* @__PURE__ */ new Map();
+
+/** How many walks of one breed another has stopped, by the text of both. */
+const $stops = /* @__PURE__ */ new Map();
+
+/**
+ * Warns of an agent that falls without end: in each of many walks it has come down by more than it went sideways. Steeper than that is no
+ * ground that it walks on. And of many walks in turn that are probably each the way of a second.
+ */
+export function $warnOfFall(agent, dx, dy) {
+	if (typeof agent?.z !== "number") return;
+	const walker = $keptOf($walkers, agent, $newWalker);
+	const way = Math.hypot(dx, dy);
+	$countStride(walker, agent, way);
+	$countFall(walker, agent, way);
+}
+
+function $countStride(walker, agent, way) {
+	walker.strides = way > $LONG_STRIDE * agent.size ? walker.strides + 1 : 0;
+	if (walker.strides !== $MANY_STRIDES) return;
+	$warn(`${agent} walks ${$rounded(way)} patches in each frame. The engine knows no time: if this is the way of a second, `
+		+ "multiply it by the time since the last frame", "stride");
+}
+
+function $countFall(walker, agent, way) {
+	walker.falls = walker.z - agent.z > way ? walker.falls + 1 : 0;
+	if (walker.falls === 0) walker.top = agent.z;
+	walker.z = agent.z;
+	if (walker.falls !== $LONG_FALL) return;
+	$warn(`${agent} has fallen in ${$LONG_FALL} walks, from z = ${$rounded(walker.top)} to ${$rounded(agent.z)}: nothing stops it. `
+		+ "If it should stand, its ground has to be in the list of update(), as large as it should be "
+		+ "(a model is one unit wide, unless it is Model.AS_GIVEN), and upright (a file's up axis may be \"y\"); "
+		+ "a level that is one model has to be hierarchical", "fall");
+}
+
+/** Keeps a walk until the next frame of a Collision, which looks at what has stopped it. Of many agents only the first are looked at. */
+export function $warnOfWalk(queries, agent, dx, dy, options) {
+	if (typeof agent?.z !== "number" || $walks.size >= $MOST_WALKS) return;
+	$walks.set(agent, { queries, dx, dy, filter: options?.filter, x: agent.x, y: agent.y });
+}
+
+/**
+ * Warns of agents that many walks have stopped before or ended on, if handlers are for the breeds of the two, and these have never met:
+ * who walks should go through coins, because it touches nothing that stops it.
+ */
+export function $warnOfStops(collision) {
+	if ($walks.size === 0) return;
+	for (const [agent, walk] of $walks) {
+		$countStop(collision._handlers, "stops before", agent, $stopOf(agent, walk));
+		$countStop(collision._handlers, "ends on", agent, agent.$platformLink?.platform);
+	}
+	$walks.clear();
+}
+
+function $countStop({ interests, _pairIndices: met }, does, agent, other) {
+	const [breed, otherBreed] = [agent.$breedNumber, other?.$breedNumber];
+	if (!other || !interests.$has(breed, otherBreed) || met.find(breed, otherBreed) >= 0 || met.find(otherBreed, breed) >= 0) return;
+	const [name, otherName] = [agent.breed, other.breed].map((each) => JSON.stringify(each));
+	const stops = ($stops.get(name + otherName) ?? 0) + 1;
+	$stops.set(name + otherName, stops);
+	if (stops !== $MANY_STOPS) return;
+	$warn(`a walk of ${name} ${does} ${otherName} and does not touch them, so the handlers of the two never run. `
+		+ `If it should go through them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } })`);
+}
+
+/** The agent that a walk has stopped before. */
+function $stopOf(agent, { queries, dx, dy, filter, x, y }) {
+	if (Math.hypot(agent.x - x, agent.y - y) >= 0.5 * Math.hypot(dx, dy)) return undefined;
+	try {
+		return queries.castAgent(agent, dx, dy, 0, filter)?.agent;
+	} catch {
+		return undefined; // a walk that was refused is no concern of the Collision's
+	}
+}
+
+/**
+ * Warns of an agent that does not stop a motion, because the motion begins deep inside of its tree or its triangles, or whose
+ * structure has all that moves inside. See warnOfInside.as. What moves is an agent if one of the shape is at the place.
+ */
+export function $warnOfInside(agents, index, shape, place, below, depth, isTree) {
+	const level = agents[index];
+	const mover = agents.find((each) => each?.shape === shape && each.x === place.x && each.y === place.y && each.z === place.z);
+	const isCast = !mover && shape === $STRUCTURE;
+	const name = mover ?? (isCast ? "a structure that is cast" : `the shape ${JSON.stringify(shape)}`);
+	const key = `inside ${level.shape} ${shape}`;
+	if (isTree) $warn($textOfTree(name, place, depth, level, isCast ? 0 : below), key);
+	else $warn($textOfStructure(name, depth, level, isCast), key);
+}
+
+/** What is said of a motion that begins inside of a tree. `below` is how far the lowest point of what moves is below its place. */
+function $textOfTree(name, place, depth, level, below) {
+	const up = $rounded(below);
+	const remedy = below > 0.01 * place.size
+		? `Its lowest point is ${up} below its place: a model that is AS_GIVEN keeps its origin. `
+			+ `If its place is on the ground, move it up by ${up}, or give it a model whose origin is its lowest point.`
+		: "What is inside of a closed model collides; without exact, what is inside of a box of its tree. "
+			+ "A room needs exact, and an opening or thick walls. A level that lies on its side needs another up axis.";
+	const at = [place.x, place.y, place.z].map($rounded).join(", ");
+	return `${name} begins a motion at (${at}), ${$rounded(depth)} deep inside of ${level}, which does not stop it. ${remedy} `
+		+ "See docs/questions.md in the package, \"floats in a room\"";
+}
+
+/** What is said of a motion that begins inside of the structure around a level. */
+function $textOfStructure(name, depth, level, isCast) {
+	const end = isCast ? "which it meets at once or not at all" : "and a walk pushes it out";
+	return `${name} begins a motion ${$rounded(depth)} deep inside of the structure around ${level}, ${end}. `
+		+ "If this is a level, whose triangles should count, set hierarchical of it, and take a CombinationCollider with exact. "
+		+ "See docs/questions.md in the package, \"thrown out of the level\"";
+}

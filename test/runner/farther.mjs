@@ -1,0 +1,71 @@
+/** What Node runs after the tests that were chosen: tests farther off, and tests without a player. */
+import { SAMPLES_IN_JAVASCRIPT, fencesIn } from '../docs/samples.mjs';
+import { filesBelow, read } from '../structure/sources.mjs';
+import { inNodeAlone, simpleName, testsIn } from './test-classes.mjs';
+import { users } from './users.mjs';
+
+/** Tests that call much of the engine. What no nearer test finds, these find soonest. */
+export const BROAD = [
+	'SoakTest.whatAGameSeesFirstIsTheSameEverywhere',
+	'SoakTest.whatAGameSeesIsTheSameEverywhere',
+	'QuestionMatrixTest',
+	'QuestionVerdictsTest',
+	'ContactsOfTheFrameTest',
+	'PlacementsTest',
+	'ExactStructuresTest',
+	'CallsOfGamesTest',
+];
+
+/** The room of a class: starlogo.models of starlogo.models.gltf.GltfReader. */
+const roomOf = (name) => name.split('.').slice(0, -1).slice(0, 2).join('.');
+
+/**
+ * The tests of what is farther from the sources that a pattern names, in the order in which they find a fault soonest: those of the
+ * sources' own room, which say most; then BROAD, whose games and questions run most of the engine; then those of the room that take
+ * long; then those of other rooms that count as farther, and all other classes that use the source, by any number of files between. Of
+ * these last too those that take long come after the others. Of two of a kind the nearer is first.
+ *
+ * @param {{ tests: Map<string, string[] | null>, farther: Set<string>, named: string[] }} choice what choose() found
+ * @param {Map<string, string>} classes the texts of the test classes, by qualified name
+ * @param {Map<string, string>} sources the texts of the other files
+ * @param {Set<string>} long the classes and tests that take long
+ * @returns {[string, string][]} the class and the name of each
+ */
+export function fartherTests({ tests, farther, named }, classes, sources, long = inNodeAlone()) {
+	const usersOfAll = named.flatMap((source) => [...users(source, classes, sources)].flat());
+	const beyond = usersOfAll.filter((name) => classes.has(name) && !tests.has(name));
+	const names = new Set([...farther, ...beyond]);
+	const isLong = ([name, test]) => long.has(name) || long.has(`${name}.${test}`);
+	const rooms = new Set(named.map(roomOf));
+	const place = (each) => {
+		const [name, test] = each;
+		const broad = BROAD.findIndex((wanted) => [simpleName(name), `${simpleName(name)}.${test}`].includes(wanted));
+		if (broad >= 0) return 1 + broad / BROAD.length;
+		if (rooms.has(roomOf(name))) return isLong(each) ? 2 : 0;
+		return (farther.has(name) ? 3 : 4) + (isLong(each) ? 2 : 0);
+	};
+	return [...names].flatMap((name) => testsIn(classes.get(name)).map((test) => [name, test])).sort((a, b) => place(a) - place(b));
+}
+
+/**
+ * The files of tests without a player that check some sources on the module of the engine and the tests: those whose first comment says
+ * "Checks PACKAGE, PACKAGE." with a source's package, or one above it.
+ *
+ * @param {string[]} named the sources' qualified names
+ * @param {[string, string][]} [files] the path and text of each such file
+ */
+export function testFilesOf(named, files = filesBelow('test', '.test.mjs').map((file) => [file, read(file)])) {
+	const isNamed = (checked) => named.some((name) => name.startsWith(`${checked}.`));
+	return files.filter(([, text]) => packagesIn(text).some(isNamed)).map(([file]) => file);
+}
+
+/** The files of tests without a player that run the samples of some pages. */
+export function testsOfPages(pages) {
+	return pages.some((page) => fencesIn(read(page)).some(({ language }) => language === 'js')) ? [SAMPLES_IN_JAVASCRIPT] : [];
+}
+
+/** The packages that the first comment of a test without a player says it checks. */
+function packagesIn(text) {
+	const [, list = ''] = /\bChecks ((?:starlogo[\w.]+(?:,\s[\s*]*)?)+)\.\s/.exec(text.split('*/')[0]) ?? [];
+	return list.split(/[,\s*]+/).filter((each) => each !== '');
+}

@@ -106,16 +106,23 @@ function trianglesNear({ bodies, extents }, [minX, minY, minZ], [maxX, maxY, max
 /** How far a point is above the plane of a triangle. */
 const heightAbove = (point, { corners: [corner], normals: [normal] }) => dot(sub(point, corner), normal) / length(normal);
 
+/** How far a body and a triangle are apart along a direction. */
+function gapAlong(axis, { corners, radius = 0 }, triangle) {
+	const size = length(axis);
+	const [a, b] = [corners, triangle.corners].map((points) => points.map((point) => dot(point, axis) / size));
+	return Math.max(Math.min(...a) - Math.max(...b), Math.min(...b) - Math.max(...a)) - radius;
+}
+
 /** The distance of a body from a triangle, less than 0 if they overlap. If it is more than `limit`, a lower bound of it. */
 function gapToTriangle(body, triangle, limit) {
-	const { corners: [a, b = a], radius = 0 } = body;
-	if (length(triangle.normals[0]) > 0) {
-		const heights = body.corners.map((corner) => heightAbove(corner, triangle));
-		const gap = Math.max(Math.min(...heights), -Math.max(...heights)) - radius;
+	for (const axis of [triangle.normals[0], ...(body.normals ?? [])]) {
+		// without an area there is no normal: the gap is no number
+		const gap = gapAlong(axis, body, triangle);
 		if (gap > limit) return gap;
 	}
 	if (body.radius === undefined) return gapOf(body, triangle);
-	return leastOf((part) => toTriangle(along(a, sub(b, a), part), triangle.corners)) - radius;
+	const [a, b = a] = body.corners;
+	return leastOf((part) => toTriangle(along(a, sub(b, a), part), triangle.corners)) - body.radius;
 }
 
 /** The least distance of a body from the triangles of a level. If it is more than `limit`, some number above this. */
@@ -210,10 +217,10 @@ function faultsOf({ level, footing, body, size, place, speed }, { begin, before,
 }
 
 /** Lets a walker go its steps, and adds what went wrong. */
-function go(walker, { between, pick, random }, label, found) {
+function go(walker, steps, { between, pick, random }, label, found) {
 	const { level, size, radius, footing } = walker;
 	let way = between(0, 2 * Math.PI);
-	for (let i = 0; i < STEPS && walker.place[2] > level.least[2] - 2 * size; i++) {
+	for (let i = 0; i < steps && walker.place[2] > level.least[2] - 2 * size; i++) {
 		way += footing.part < 0.3 ? between(1, 5) : between(-0.4, 0.4);
 		// a walk in one piece
 		const stride = pick([0.04 * radius, 0.2 * radius, 0.6 * radius, 0.9 * radius, size]);
@@ -234,14 +241,14 @@ function go(walker, { between, pick, random }, label, found) {
 }
 
 /** Walkers in these levels in turn, and what went wrong: a text for each. */
-export function walkMeshes(levels, count, seed) {
+export function walkMeshes(levels, count, seed, steps = STEPS) {
 	const found = { walkers: 0, steps: 0, standing: 0, blocked: 0, ends: [], through: [], stuck: [], afloat: [] };
 	for (let each = seed; found.walkers < count && each < seed + PATIENCE * count; each++) {
 		const level = levels[each % levels.length];
 		const tools = toolsOf(numbersOf(each));
 		const walker = walkerIn(level, tools);
 		if (walker === null) continue;
-		go(walker, tools, `seed ${each}: ${level.name}`, found);
+		go(walker, steps, tools, `seed ${each}: ${level.name}`, found);
 		found.walkers++;
 		found.ends.push(walker.place.join());
 	}

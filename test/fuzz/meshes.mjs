@@ -198,7 +198,7 @@ function jumpOrFall(walker, jumps) {
 }
 
 /** What is wrong after a step from a body's place, with the kind of the fault. */
-function faultsOf({ level, footing, body, size, place, speed }, { begin, before, stood, dx, dy, options }) {
+function faultsOf({ level, footing, body, size, radius, place, speed }, { begin, before, stood, dx, dy, options }) {
 	const faults = [];
 	const gap = gapToLevel(body, level, CLOSE * size);
 	if (!place.every(Number.isFinite)) faults.push(["through", "has no place"]);
@@ -208,7 +208,8 @@ function faultsOf({ level, footing, body, size, place, speed }, { begin, before,
 	if (footing.stands && gap > CLOSE * size) faults.push(["afloat", "stands on nothing"]);
 	// less than a hundredth of a degree is not decided
 	if (!footing.stands && isOnFloor(level, body, Math.cos((options.slopeDegrees - 0.01) * Math.PI / 180), CLEAR * size)) faults.push(["afloat", "does not stand on a floor"]);
-	if (footing.part < MOST) {
+	// a longer way downhill may meet more than the eight surfaces after which a slide ends
+	if (footing.part < MOST && Math.hypot(dx, dy) < radius) {
 		const isFree = (rise) => [0, 0.25, 0.5, 0.75, 1].every((part) => gapToLevel(movedBy(before, [part * dx, part * dy, rise]), level, CLEAR * size) > CLEAR * size);
 		const climbs = stood && speed <= 0 && options.stepHeight > LOW * size;
 		if (isFree(0) || climbs && isFree(LOW * size)) faults.push(["stuck", `has gone ${footing.part} of a free way`]);

@@ -1,6 +1,7 @@
 #!/usr/bin/env node
 /**
- * Random games until the time is over: test/fuzz/game.mjs.
+ * Random games until the time is over: test/fuzz/game.mjs. If the variable MESHES names a folder, a walker goes through one of its levels after each game:
+ * test/fuzz/meshes.mjs.
  *
  *   node test/fuzz/run.mjs MINUTES [SEED] [none|CHECK,CHECK...]
  *
@@ -34,22 +35,31 @@ async function play({ seed, end, left, state, found }) {
 	const { problemOf } = await import("./game.mjs");
 	const { gameOf } = await import("./random.mjs");
 	const { OPEN } = await import("./open.mjs");
+	const { levelsIn, walkMeshes } = await import("./meshes.mjs");
+	const levels = process.env.MESHES ? levelsIn(process.env.MESHES) : [];
 	if (left !== undefined) OPEN.clear();
 	for (const check of (left ?? "none").split(",")) OPEN.add(check.trim());
 	const watched = (calls) => problemOf(calls, (i) => { state[1] = i; Atomics.add(state, 2, 1); });
+	const count = (kind, text) => {
+		found.set(kind, (found.get(kind) ?? 0) + 1);
+		if (found.get(kind) === 1) parentPort.postMessage({ text: text() });
+		parentPort.postMessage({ kind });
+	};
 	for (let each = seed; Date.now() < end; each++) {
-		const calls = gameOf(each);
 		state[0] = each;
+		if (levels.length > 0) {
+			const { through, stuck, afloat } = walkMeshes(levels, 1, each);
+			for (const [kind, texts] of Object.entries({ through, stuck, afloat })) for (const text of texts) count(kind, () => `\n${kind}: ${text}`);
+			Atomics.add(state, 2, 1);
+		}
+		const calls = gameOf(each);
 		state[3]++;
 		const problem = watched(calls);
 		if (problem === null) continue;
-		const kind = kindOf(problem);
-		found.set(kind, (found.get(kind) ?? 0) + 1);
-		if (found.get(kind) === 1) {
+		count(kindOf(problem), () => {
 			const fewest = shrink(calls, watched);
-			parentPort.postMessage({ text: `\nseed ${each}: ${watched(fewest)}\n${linesOf(fewest)}` });
-		}
-		parentPort.postMessage({ kind });
+			return `\nseed ${each}: ${watched(fewest)}\n${linesOf(fewest)}`;
+		});
 	}
 }
 

@@ -90,6 +90,46 @@ package starlogo.queries
             }
         }
 
+        /**
+         * A cube passes a sphere that is in its way by about as much as its core is smaller, sometimes with a wall near the touch. The core meets the sphere
+         * at a flat angle, where the plane of the contact is far before the sphere.
+         */
+        [Test]
+        public function whatIsGrazedStopsWhereItIsTouched():void
+        {
+            var bySphere:int = 0;
+            var byWall:int = 0;
+            var queries:AgentQueries = new AgentQueries(new TightestFitCollider(sGreatLand));
+            for (var i:int = Effort.choose(500, 5000); i > 0; i--)
+            {
+                var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, _random.between(0.8, 1.5), 0), agentAt("sphere", 0, 0, 0), agentAt("cube", 0.6, 0, 0)];
+                var inWay:Number = 4.2e-10 * (1 + _random.pick([-1, 1]) * _random.logBetween(1e-6, 1));
+                // where the cube touches each of the two
+                var atSphere:Number = 0.5 + Math.sqrt(inWay * (1 - inWay));
+                var atWall:Number = 0.5 + _random.pick([-1, 1]) * _random.logBetween(1e-5, 1e-3);
+                var cube:Agent = agents[0];
+                agents[1].x = inWay - 1;
+                agents[2].y = atWall - 1;
+                queries.update(agents);
+                var motion:Number = -_random.between(2, 3);
+                var y:Number = cube.y;
+                var hit:ShapeHit = queries.castAgent(cube, 0, motion, 0);
+                var free:Number = queries.moveUntilTouch(cube, 0, motion, 0);
+                var isWall:Boolean = hit.agent == agents[2];
+                byWall += int(isWall);
+                bySphere += int(!isWall);
+                var text:String = [inWay, atWall, y, motion] + ": ";
+                // if the core hardly meets the sphere, the cube may go on to where it is nearest to the sphere's middle
+                var last:Number = isWall ? atWall : 0.5 - 1e-6;
+                _wrong.addIf(cube.y < last - 1e-7 || cube.y > (isWall ? atWall : atSphere) + 1e-7, "no touch", text + cube.y);
+                _wrong.addIf(Math.abs(y + free * motion - cube.y) > 1e-12, "goes farther than it says", text + (y + free * motion - cube.y));
+                _wrong.addIf(Math.abs(hit.time - free) > 1e-7, "a cast's time", text + (hit.time - free));
+                _wrong.addIf(cube.y < atWall - 1e-12, "in the wall", text + (atWall - cube.y));
+            }
+            _wrong.assertNone();
+            assertTrue(bySphere + " by the sphere, " + byWall + " by the wall", bySphere > 50 && byWall > 50);
+        }
+
         [Test]
         public function motionsOfAllSmallnesses():void
         {

@@ -22,6 +22,9 @@ package starlogo.queries.motion
      */
     public final class CoreSweep
     {
+        // The core meets a surface at a flat angle if the sine of the angle between the surface and the motion is at most this.
+        private static const FLAT_SINE:Number = 0.1;
+
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
         // How the core meets one row.
@@ -121,9 +124,10 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds when the whole body touches the row that its core has met. The body touches it earlier, because its surface is in front of the core's at
-         * the contact. Only an inner face of a concave body is behind the core's, and touches later. There the body is swept too. Its time counts unless
-         * it is farther from the expected time than the core's, because then the body touches elsewhere.
+         * Finds when the whole body touches the row that its core has met. The body touches the contact's plane earlier, because its surface is in front of
+         * the core's at the contact. Only an inner face of a concave body is behind the core's, and touches later. At a steep angle the touch of the plane
+         * is the touch. But at a flat angle, the body touches a curved surface much nearer to where its core does. So there, and at an inner face, the body
+         * is swept too. Its time counts if it is between the two. If the body touches the row elsewhere, before or after, the nearer one of the two counts.
          *
          * @param impact how the core meets it
          */
@@ -135,17 +139,18 @@ package starlogo.queries.motion
             var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + whole.offsetX + impact.time * motion.x - contact.x)
                     + contact.normalY * (from.y + whole.offsetY + impact.time * motion.y - contact.y)
                     + contact.normalZ * (from.z + whole.offsetZ + impact.time * motion.z - contact.z));
-            var expected:Number = Math.max(0, Math.min(1, impact.time + recess / contact.along(motion)));
-            if (!(recess < 0))
+            var along:Number = contact.along(motion);
+            var ofPlane:Number = Math.max(0, Math.min(1, impact.time + recess / along));
+            if (!(recess < 0) && along < -FLAT_SINE * motion.length)
             {
-                return expected;
+                return ofPlane;
             }
             setAlong(from, motion, 1, _end);
             core.body.wholeAt(_end);
             var other:Body = core.body.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
             core.body.narrowPhase.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
-            return Math.abs(_relative.time - expected) <= expected - impact.time ? _relative.time : impact.time;
+            return Math.max(Math.min(ofPlane, impact.time), Math.min(Math.max(ofPlane, impact.time), _relative.time));
         }
 
         /** Sets the place at a time of a motion. */

@@ -197,6 +197,10 @@ const FOUND = {
 	["add",1,0.5,0.45408652222249657,0.3002294398844242],
 	["add",1.142430214677006,-1.892357557080686,0.5631955002900213,0.5],
 	["go",80,0.23366582696326077,-1,0.25,false]],
+	"a sphere in a corridor as wide as itself goes out past its end, however close it is to it": [["add",1.8826988141518086,-1.974195548100397,0,1],
+	["add",-1,-0.9678890905342996,-0.5396654247306287,0.5],
+	["ground",6,6,true,1,-2,-2,"rough",831130],
+	["stand",64,0,0.25,0]],
 };
 
 for (const [name, calls] of Object.entries(FOUND)) test(name, () => assert.equal(problemOf(calls), null));

@@ -14,14 +14,14 @@ package starlogo.search.penetration
     public final class PlacesAbove
     {
         // How many places are tried.
-        private static const PLACES:int = 160;
+        private static const PLACES:int = 120;
 
         // The cosine and the sine of the golden angle, the angle between two places after each other.
         private static const TURN_X:Number = -0.7373688780783197;
         private static const TURN_Y:Number = 0.6754902942615238;
 
-        // The most planes that the body slides along.
-        private static const MOST_PLANES:int = 6;
+        // The most planes that the body slides along before it forgets them. Three meet in one place.
+        private static const MOST_PLANES:int = 3;
 
         private var _pair:DisplacedPair;
 
@@ -90,12 +90,12 @@ package starlogo.search.penetration
             var high:Number = Math.sqrt(highSquared);
             if (sweepDown(fartherX, fartherY, high))
             {
-                // halfway between the place and the one farther; and a little higher, because a way along the ground leads away from it slowly
+                // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
                 var share:Number = (1 + fartherFactor) / (2 * fartherFactor);
-                var lowest:Number = high * (1 - Math.min(_sweep.time, 1)) + _pair.tolerance;
+                var lowest:Number = high * (1 - Math.min(_sweep.time, 1)) + _pair.room;
                 if (takeIfFree(fartherX * share, fartherY * share, lowest, _pair.tolerance))
                 {
-                    slideBack(fartherX * share, fartherY * share, lowest);
+                    slideBackRepeatedly();
                 }
             }
         }
@@ -119,10 +119,26 @@ package starlogo.search.penetration
             return true;
         }
 
-        // Slides the first body from a free place back towards its own. What it meets are planes that it slides along. Takes the way to where it ends, if
-        // the body is free as far beyond as after a push, because it may have slid into a gap.
-        private function slideBack(x:Number, y:Number, z:Number):void
+        // Slides the first body back from the end of the shortest way until a slide hardly shortens it. What a body slides along may be round, so at
+        // the end of a slide it may have left the planes that it met first, and is free to go on.
+        private function slideBackRepeatedly():void
         {
+            var before:Number;
+            do
+            {
+                before = _shortest.depth;
+                slideBack();
+            }
+            while (_shortest.depth < DirectionSearch.GAIN * before);
+        }
+
+        // Slides the first body from the end of the shortest way back towards its own place. What it meets are planes that it slides along. Takes the way
+        // to where it ends, if the body is free as far beyond as after a push, because it may have slid into a gap.
+        private function slideBack():void
+        {
+            var x:Number = _shortest.depth * _shortest.normalX;
+            var y:Number = _shortest.depth * _shortest.normalY;
+            var z:Number = _shortest.depth * _shortest.normalZ;
             _planes.begin();
             _planes.solve(1, 0, _target);
             for (var i:int = 0; i < MOST_PLANES && _target.length < _shortest.depth; i++)

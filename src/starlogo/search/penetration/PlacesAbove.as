@@ -6,8 +6,9 @@ package starlogo.search.penetration
     /**
      * Shortens a way out of the ground. All places above a free one are free. So if a way out is shorter than another one, the body is also free
      * somewhere on the upper half of the sphere around it whose radius is the longer way. The search tries places that are spread over this half. From a
-     * free one, a sweep down finds how high the body has to be there, and from there it slides back towards its own place. Then the radius is that of
-     * the shorter way. Pits that are hardly wider than the body may have no such place, so places above pushes are tried too.
+     * free one, a sweep down finds how high the body has to be there, and from there it slides back towards its own place, as long as this shortens the
+     * way. Then the radius is that of the shorter way. Pits that are hardly wider than the body may have no such place, so places above pushes are
+     * tried too.
      *
      * @private
      */

@@ -1,5 +1,6 @@
 package starlogo.search.penetration
 {
+    import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
 
@@ -30,8 +31,10 @@ package starlogo.search.penetration
         private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
         private var _target:ShortestExit = new ShortestExit();
 
-        // The shortest way out so far, and the displacement that is tried.
+        // The shortest way out so far, the place above which one is looked for, and the displacement that is tried. The place is a field, because V8
+        // would allocate objects for Numbers that are passed.
         private var _shortest:ContactPoint = new ContactPoint();
+        private var _place:Vector3D = new Vector3D();
         private var _tried:Displacement = new Displacement();
 
         // A sweep, and the contact at its end.
@@ -58,12 +61,14 @@ package starlogo.search.penetration
             _shortest.copyFrom(out);
             for (var push:int = 0; push < pushOut.blockedEnd; push += 2)
             {
-                tryAbove(pushOut.blockedPlaces[push], pushOut.blockedPlaces[int(push + 1)]);
+                _place.setTo(pushOut.blockedPlaces[push], pushOut.blockedPlaces[int(push + 1)], 0);
+                tryAbovePlace();
             }
             for (var i:int = 0; i < PLACES; i++)
             {
                 var along:Number = _shortest.depth * Math.sqrt((i + 0.5) / PLACES);
-                tryAbove(along * x, along * y);
+                _place.setTo(along * x, along * y, 0);
+                tryAbovePlace();
                 var before:Number = x;
                 x = TURN_X * x - TURN_Y * y;
                 y = TURN_Y * before + TURN_X * y;
@@ -74,22 +79,24 @@ package starlogo.search.penetration
             }
         }
 
-        // Tries a place that is so high above another one that it is as far as the shortest way. If the body is free there, finds a shorter way. The
+        // Tries a place that is so high above _place that it is as far as the shortest way. If the body is free there, finds a shorter way. The
         // place is the pair's room farther, and the way ends before it. So the body is free a little farther along the way too, even between walls that
         // are as far apart as it is wide.
-        private function tryAbove(x:Number, y:Number):void
+        private function tryAbovePlace():void
         {
-            var along:Number = Math.sqrt(x * x + y * y);
+            var along:Number = Math.sqrt(_place.x * _place.x + _place.y * _place.y);
             var fartherFactor:Number = along > 0 ? 1 + _pair.room / along : 1;
-            var fartherX:Number = x * fartherFactor;
-            var fartherY:Number = y * fartherFactor;
+            var fartherX:Number = _place.x * fartherFactor;
+            var fartherY:Number = _place.y * fartherFactor;
             var highSquared:Number = _shortest.depth * _shortest.depth - (fartherX * fartherX + fartherY * fartherY);
             if (!(highSquared > 0))
             {
                 return;
             }
             var high:Number = Math.sqrt(highSquared);
-            if (sweepDown(fartherX, fartherY, high))
+            _tried.setDirection(fartherX, fartherY, high);
+            _tried.distance = 1;
+            if (sweepDown())
             {
                 // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
                 var share:Number = (1 + fartherFactor) / (2 * fartherFactor);
@@ -167,19 +174,17 @@ package starlogo.search.penetration
             takeIfFree(x, y, z, _pair.room);
         }
 
-        // Sweeps the first body down from a height, at a place moved by x and y from its own. Returns whether it is free at that height. If it is,
-        // finds when it meets the ground.
-        private function sweepDown(x:Number, y:Number, high:Number):Boolean
+        // Sweeps the first body down from the displacement that is tried, to the height of its own place. Returns whether it is free at the beginning.
+        // If it is, finds when it meets the ground.
+        private function sweepDown():Boolean
         {
-            _tried.setDirection(x, y, high);
-            _tried.distance = 1;
             if (_pair.testAt(_tried))
             {
                 return false;
             }
+            _sweep.endAfter(0, 0, -_tried.z);
             _tried.z = 0;
             _pair.displace(_tried);
-            _sweep.endAfter(0, 0, -high);
             _pair.findImpact(_sweep, _met);
             return true;
         }

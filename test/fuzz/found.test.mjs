@@ -209,6 +209,10 @@ const FOUND = {
 	["rest",59,0.4299707745667547,0.339603700209409,0,6],
 	["walk",27,-2,2,0,0.5,-0.5,0.25,true],
 	["go",43,0,-2.255427073687315,0.8237269904930145,false]],
+	"a sphere in a corridor as wide as itself goes out past its end, however close it is to it": [["add",1.8826988141518086,-1.974195548100397,0,1],
+	["add",-1,-0.9678890905342996,-0.5396654247306287,0.5],
+	["ground",6,6,true,1,-2,-2,"rough",831130],
+	["stand",64,0,0.25,0]],
 };
 
 for (const [name, calls] of Object.entries(FOUND)) test(name, () => assert.equal(problemOf(calls), null));

@@ -207,7 +207,7 @@ function faultsOf({ level, footing, body, size, radius, place, speed }, { begin,
 	if (footing.pushed > 0) faults.push(["through", `was pushed ${footing.pushed}`]);
 	if (footing.stands && gap > CLOSE * size) faults.push(["afloat", "stands on nothing"]);
 	// less than a hundredth of a degree is not decided
-	if (!footing.stands && isOnFloor(level, body, Math.cos((options.slopeDegrees - 0.01) * Math.PI / 180), CLEAR * size)) faults.push(["afloat", "does not stand on a floor"]);
+	if (!footing.stands && isOnFloor(level, body, Math.cos((options.slopeDegrees - 0.01) * Math.PI / 180), 1e-9 * size)) faults.push(["afloat", "does not stand on a floor"]);
 	// a longer way downhill may meet more than the eight surfaces after which a slide ends
 	if (footing.part < MOST && Math.hypot(dx, dy) < radius) {
 		const isFree = (rise) => [0, 0.25, 0.5, 0.75, 1].every((part) => gapToLevel(movedBy(before, [part * dx, part * dy, rise]), level, CLEAR * size) > CLEAR * size);

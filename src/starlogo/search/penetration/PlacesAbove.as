@@ -1,27 +1,29 @@
 package starlogo.search.penetration
 {
+    import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
 
     /**
      * Shortens a way out of the ground. All places above a free one are free. So if a way out is shorter than another one, the body is also free
      * somewhere on the upper half of the sphere around it whose radius is the longer way. The search tries places that are spread over this half. From a
-     * free one, a sweep down finds how high the body has to be there, and from there it slides back towards its own place. Then the radius is that of
-     * the shorter way. Pits that are hardly wider than the body may have no such place, so places above pushes are tried too.
+     * free one, a sweep down finds how high the body has to be there, and from there it slides back towards its own place, as long as this shortens the
+     * way. Then the radius is that of the shorter way. Pits that are hardly wider than the body may have no such place, so places above pushes are
+     * tried too.
      *
      * @private
      */
     public final class PlacesAbove
     {
         // How many places are tried.
-        private static const PLACES:int = 160;
+        private static const PLACES:int = 120;
 
         // The cosine and the sine of the golden angle, the angle between two places after each other.
         private static const TURN_X:Number = -0.7373688780783197;
         private static const TURN_Y:Number = 0.6754902942615238;
 
-        // The most planes that the body slides along.
-        private static const MOST_PLANES:int = 6;
+        // The most planes that the body slides along before it forgets them. Three meet in one place.
+        private static const MOST_PLANES:int = 3;
 
         private var _pair:DisplacedPair;
 
@@ -29,8 +31,10 @@ package starlogo.search.penetration
         private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
         private var _target:ShortestExit = new ShortestExit();
 
-        // The shortest way out so far, and the displacement that is tried.
+        // The shortest way out so far, the place above which one is looked for, and the displacement that is tried. The place is a field, because V8
+        // would allocate objects for Numbers that are passed.
         private var _shortest:ContactPoint = new ContactPoint();
+        private var _place:Vector3D = new Vector3D();
         private var _tried:Displacement = new Displacement();
 
         // A sweep, and the contact at its end.
@@ -57,12 +61,14 @@ package starlogo.search.penetration
             _shortest.copyFrom(out);
             for (var push:int = 0; push < pushOut.blockedEnd; push += 2)
             {
-                tryAbove(pushOut.blockedPlaces[push], pushOut.blockedPlaces[int(push + 1)]);
+                _place.setTo(pushOut.blockedPlaces[push], pushOut.blockedPlaces[int(push + 1)], 0);
+                tryAbovePlace();
             }
             for (var i:int = 0; i < PLACES; i++)
             {
                 var along:Number = _shortest.depth * Math.sqrt((i + 0.5) / PLACES);
-                tryAbove(along * x, along * y);
+                _place.setTo(along * x, along * y, 0);
+                tryAbovePlace();
                 var before:Number = x;
                 x = TURN_X * x - TURN_Y * y;
                 y = TURN_Y * before + TURN_X * y;
@@ -73,29 +79,31 @@ package starlogo.search.penetration
             }
         }
 
-        // Tries a place that is so high above another one that it is as far as the shortest way. If the body is free there, finds a shorter way. The
+        // Tries a place that is so high above _place that it is as far as the shortest way. If the body is free there, finds a shorter way. The
         // place is the pair's room farther, and the way ends before it. So the body is free a little farther along the way too, even between walls that
         // are as far apart as it is wide.
-        private function tryAbove(x:Number, y:Number):void
+        private function tryAbovePlace():void
         {
-            var along:Number = Math.sqrt(x * x + y * y);
+            var along:Number = Math.sqrt(_place.x * _place.x + _place.y * _place.y);
             var fartherFactor:Number = along > 0 ? 1 + _pair.room / along : 1;
-            var fartherX:Number = x * fartherFactor;
-            var fartherY:Number = y * fartherFactor;
+            var fartherX:Number = _place.x * fartherFactor;
+            var fartherY:Number = _place.y * fartherFactor;
             var highSquared:Number = _shortest.depth * _shortest.depth - (fartherX * fartherX + fartherY * fartherY);
             if (!(highSquared > 0))
             {
                 return;
             }
             var high:Number = Math.sqrt(highSquared);
-            if (sweepDown(fartherX, fartherY, high))
+            _tried.setDirection(fartherX, fartherY, high);
+            _tried.distance = 1;
+            if (sweepDown())
             {
-                // halfway between the place and the one farther; and a little higher, because a way along the ground leads away from it slowly
+                // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
                 var share:Number = (1 + fartherFactor) / (2 * fartherFactor);
-                var lowest:Number = high * (1 - Math.min(_sweep.time, 1)) + _pair.tolerance;
+                var lowest:Number = high * (1 - Math.min(_sweep.time, 1)) + _pair.room;
                 if (takeIfFree(fartherX * share, fartherY * share, lowest, _pair.tolerance))
                 {
-                    slideBack(fartherX * share, fartherY * share, lowest);
+                    slideBackRepeatedly();
                 }
             }
         }
@@ -119,10 +127,26 @@ package starlogo.search.penetration
             return true;
         }
 
-        // Slides the first body from a free place back towards its own. What it meets are planes that it slides along. Takes the way to where it ends, if
-        // the body is free as far beyond as after a push, because it may have slid into a gap.
-        private function slideBack(x:Number, y:Number, z:Number):void
+        // Slides the first body back from the end of the shortest way until a slide hardly shortens it. What a body slides along may be round, so at
+        // the end of a slide it may have left the planes that it met first, and is free to go on.
+        private function slideBackRepeatedly():void
         {
+            var before:Number;
+            do
+            {
+                before = _shortest.depth;
+                slideBack();
+            }
+            while (_shortest.depth < DirectionSearch.GAIN * before);
+        }
+
+        // Slides the first body from the end of the shortest way back towards its own place. What it meets are planes that it slides along. Takes the way
+        // to where it ends, if the body is free as far beyond as after a push, because it may have slid into a gap.
+        private function slideBack():void
+        {
+            var x:Number = _shortest.depth * _shortest.normalX;
+            var y:Number = _shortest.depth * _shortest.normalY;
+            var z:Number = _shortest.depth * _shortest.normalZ;
             _planes.begin();
             _planes.solve(1, 0, _target);
             for (var i:int = 0; i < MOST_PLANES && _target.length < _shortest.depth; i++)
@@ -150,19 +174,17 @@ package starlogo.search.penetration
             takeIfFree(x, y, z, _pair.room);
         }
 
-        // Sweeps the first body down from a height, at a place moved by x and y from its own. Returns whether it is free at that height. If it is,
-        // finds when it meets the ground.
-        private function sweepDown(x:Number, y:Number, high:Number):Boolean
+        // Sweeps the first body down from the displacement that is tried, to the height of its own place. Returns whether it is free at the beginning.
+        // If it is, finds when it meets the ground.
+        private function sweepDown():Boolean
         {
-            _tried.setDirection(x, y, high);
-            _tried.distance = 1;
             if (_pair.testAt(_tried))
             {
                 return false;
             }
+            _sweep.endAfter(0, 0, -_tried.z);
             _tried.z = 0;
             _pair.displace(_tried);
-            _sweep.endAfter(0, 0, -high);
             _pair.findImpact(_sweep, _met);
             return true;
         }

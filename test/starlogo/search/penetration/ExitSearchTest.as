@@ -326,6 +326,30 @@ package starlogo.search.penetration
             _wrong.assertNone();
         }
 
+        // Past the end of the walls, the free places between their corners become narrower towards the ball, and end at a place above the floor.
+        [Test]
+        public function outOfTheEndOfACorridorAsWideAsTheBall():void
+        {
+            var collider:TightestFitCollider = new TightestFitCollider(landOf(BuiltInModel.sphere()));
+            var terrain:Terrain = new Terrain(3, 3);
+            terrain.isBlocky = true;
+            for (var column:int = 0; column < 3; column++)
+            {
+                terrain.setHeight(column, 0, 1.1);
+                terrain.setHeight(column, 2, 0.7);
+            }
+            for (var i:int = Effort.choose(30, 1000); i > 0; i--)
+            {
+                var ball:Agent = new Agent("sphere");
+                var low:Number = _random.logBetween(1e-3, 0.1);
+                ball.moveTo(-0.5, 1, -low);
+                var contact:Contact = collider.contactOf(ball, terrain.agent);
+                check("end of a corridor", collider, ball, terrain.agent, contact);
+                _wrong.addIf(contact.depth > 1.1 * low, "longer than up", low + ", " + describe(ball, terrain.agent, contact));
+            }
+            _wrong.assertNone();
+        }
+
         // A floor and a roof that cross, each of so many squares along each side.
         private static function cornerOf(angle:Number, parts:int):Model
         {

@@ -114,7 +114,7 @@ function $stopOf(agent, { queries, dx, dy, filter, x, y }) {
  */
 export function $warnOfInside(agents, index, shape, place, below, depth, isTree) {
 	const level = agents[index];
-	const mover = agents.find((each) => each?.shape === shape && each.x === place.x && each.y === place.y && each.z === place.z);
+	const mover = agents.find((each) => each?.shape === shape && Math.hypot(each.x - place.x, each.y - place.y, each.z - place.z) <= 0.01 * each.size);
 	const isCast = !mover && shape === $STRUCTURE;
 	const name = mover ?? (isCast ? "a structure that is cast" : `the shape ${JSON.stringify(shape)}`);
 	const key = `inside ${level.shape} ${shape}`;

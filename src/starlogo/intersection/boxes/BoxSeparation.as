@@ -7,7 +7,7 @@ package starlogo.intersection.boxes
      */
     public final class BoxSeparation
     {
-        /** Whether two boxes overlap along the normals of a's faces. */
+        /** Whether two boxes overlap along the normals of a's faces. The axes have length 1. */
         public static function overlapAlongFacesOfA(pair:BoxPair):Boolean
         {
             var b:BoxAxes = pair.axes;

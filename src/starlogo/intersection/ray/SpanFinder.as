@@ -134,23 +134,33 @@ package starlogo.intersection.ray
                 out.setNormalNear(x - half * acrossX, y - half * acrossY, z - half * acrossZ);
                 out.setNormalFar(x + half * acrossX, y + half * acrossY, z + half * acrossZ);
             }
-            var place:Number = share + out.near * speed;
-            if (!(place >= 0 && place <= 1))
+            var nearShare:Number = share + out.near * speed;
+            var farShare:Number = share + out.far * speed;
+            var isNearOnSide:Boolean = nearShare >= 0 && nearShare <= 1;
+            var isFarOnSide:Boolean = farShare >= 0 && farShare <= 1;
+            // A line through the side meets the ball too that it passes at its other end. If rounding says no, that is at the rim: the cylinder's end stays.
+            var mayMissBall:Boolean = isNearOnSide || isFarOnSide;
+            if (!isNearOnSide)
             {
-                if (!findInBall(ray, place > 1 ? end : start, radius, BALL))
+                if (findInBall(ray, nearShare > 1 ? end : start, radius, BALL))
+                {
+                    out.copyNear(BALL);
+                }
+                else if (!mayMissBall)
                 {
                     return false;
                 }
-                out.copyNear(BALL);
             }
-            place = share + out.far * speed;
-            if (!(place >= 0 && place <= 1))
+            if (!isFarOnSide)
             {
-                if (!findInBall(ray, place > 1 ? end : start, radius, BALL))
+                if (findInBall(ray, farShare > 1 ? end : start, radius, BALL))
+                {
+                    out.copyFar(BALL);
+                }
+                else if (!mayMissBall)
                 {
                     return false;
                 }
-                out.copyFar(BALL);
             }
             return true;
         }

@@ -170,6 +170,39 @@ package starlogo.intersection.ray
         }
 
         [Test]
+        public function whatPassesTheSideAndTheRimOfALongCapsuleMeetsIt():void
+        {
+            var random:SeededRandom = new SeededRandom(2207);
+            var structures:RandomStructures = new RandomStructures(random);
+            for (var i:int = 0; i < 4000; i++)
+            {
+                var length:Number = random.logBetween(1, 1e6);
+                var axis:Vector3D = structures.direction();
+                var across:Vector3D = axis.crossProduct(structures.direction());
+                across.normalize();
+                var other:Vector3D = axis.crossProduct(across);
+                var end:Vector3D = axis.clone();
+                end.scaleBy(length);
+                var rim:Vector3D = end.add(across);
+                var angle:Number = random.between(0.01, 0.2);
+                var side:Vector3D = new Vector3D();
+                for each (var part:Array in [[axis, 0.3 * length], [across, Math.cos(angle)], [other, Math.sin(angle)]])
+                {
+                    side.x += part[1] * part[0].x;
+                    side.y += part[1] * part[0].y;
+                    side.z += part[1] * part[0].z;
+                }
+                var way:Vector3D = rim.subtract(side);
+                way.scaleBy(1.1);
+                var capsule:Capsule = new Capsule(new Vector3D(), end, 1);
+                var message:String = "of length " + length + " at an angle of " + angle;
+                assertTrue("in at the side, " + message, enters(rayOf(rim.subtract(way), way), capsule, new RayEntry()));
+                way.negate();
+                assertTrue("in at the rim, " + message, enters(rayOf(side.subtract(way), way), capsule, new RayEntry()));
+            }
+        }
+
+        [Test]
         public function refusesCylindersAndDirectionsThatAreNone():void
         {
             assertThrows(ArgumentError, /no test of rays/, SpanFinder.find, new Ray(), new Cylinder(new Vector3D(), new Vector3D(1, 0, 0), 1), null, new RaySpan());

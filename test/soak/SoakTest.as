@@ -11,8 +11,8 @@ package soak
         private static const CHECK_EVERY:int = 20;
 
         // Whatever changes an answer, an order or a bit of a contact changes both hashes. Then write them anew: they are the same for each machine.
-        private static const HASH:String = "a18e8b41";
-        private static const HASH_OF_THE_FIRST:String = "3ac61ecc";
+        private static const HASH:String = "6c170564";
+        private static const HASH_OF_THE_FIRST:String = "c7be5604";
         private static const FRAMES_HASHED:int = 200;
         private static const FIRST_FRAMES:int = 48;
 

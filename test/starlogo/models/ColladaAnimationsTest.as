@@ -63,6 +63,19 @@ package starlogo.models
             assertPoint(moved("translate.X", "0 4 4 4", "BEZIER", 1, HALVES, BEFORE), time, (1 + 4 * (3 * share * share * (1 - share) + share * share * share)) + " 0 7");
         }
 
+        /** So a matrix keeps its last row, 0 0 0 1, on every curve. */
+        [Test]
+        public function equalNumbersStayOnCurves():void
+        {
+            const KEY:String = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
+            const KEYS:String = [KEY, KEY.replace("1 0 0 0", "1 0 0 5"), KEY, KEY].join(" ");
+            var animations:ColladaAnimations = new ColladaAnimations("a", moved("matrix", KEYS, "BEZIER", 16, KEYS, KEYS));
+            for (var i:int = 0; i <= 300; i++)
+            {
+                assertEquals("0,7", animations.verticesAt(0, i / 100).slice(1, 3).join());
+            }
+        }
+
         [Test]
         public function animationsMayBeNestedAndClipsChosen():void
         {

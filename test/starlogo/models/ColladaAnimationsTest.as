@@ -143,6 +143,29 @@ package starlogo.models
             var text:String = moved("translate.X", "0 4 8 8", "LINEAR").replace("<p>0 1 2 0 1 3</p>", "<p>0 1 3 0 1 3</p>");
             assertEquals(9, new ColladaModel("a", text).vertices.length);
             assertPoints("5 0 7 7 0 7 4 0 12", new ColladaAnimations("a", text).verticesAt(0, 1));
+            // of a skin, whose weights are for all points
+            text = skinned("joint/turn.ANGLE", "0 90 90 90", false).replace("<p>0 1 2 0 1 3</p>", "<p>1 2 3 1 2 3</p>");
+            assertEquals(9, new ColladaModel("a", text).vertices.length);
+            assertPoints("2 1 0 0 4 0 0 0 5", new ColladaAnimations("a", text).verticesAt(0, 1));
+        }
+
+        /** They count and cost once, not at each place. */
+        [Test]
+        public function pointsThatNoTriangleUsesCountOnce():void
+        {
+            const PLACES:int = 100;
+            var points:Array = [];
+            for (var i:int = 0; i < 30000; i++)
+            {
+                points.push("0 0 " + i);
+            }
+            var nodes:Array = [];
+            for (i = 0; i < PLACES; i++)
+            {
+                nodes.push('<node><instance_geometry url="#a"/></node>');
+            }
+            var text:String = Collada.scene(Collada.geometry("a", points.join(" "), Collada.triangles("0 1 3")), nodes.join(""));
+            assertEquals(9 * PLACES, new ColladaModel("a", text).vertices.length);
         }
 
         [Test]

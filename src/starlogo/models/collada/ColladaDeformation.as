@@ -7,7 +7,7 @@ package starlogo.models.collada
     /** Moves the points of a COLLADA geometry by the morphs and skins of its controllers, in steps. */
     internal final class ColladaDeformation extends StepSequence
     {
-        /** The points, when no step is left: in the scene if there is a skin, otherwise in the node that places them. */
+        /** The points that are vertices, when no step is left: in the scene if there is a skin, otherwise in the node that places them. */
         public var points:Vector.<Number> = null;
 
         /** Whether there is a skin, which puts the points into the scene. */
@@ -26,13 +26,17 @@ package starlogo.models.collada
             _pose = pose;
             add(mesh).call(function():void
                 {
-                    points = mesh.vertices.slice();
+                    points = mesh.points.slice();
                 });
             for (var i:int = deformers.length - 1; i >= 0; i--)
             {
                 isSkinned ||= deformers[i].name == "skin";
                 addDeformer(deformers[i], instance);
             }
+            call(function():void
+                {
+                    points = mesh.ofVertices(points);
+                });
         }
 
         private function addDeformer(deformer:ColladaElement, instance:ColladaElement):void
@@ -57,9 +61,9 @@ package starlogo.models.collada
                     var target:ColladaMesh = targetOf(morph, targets.words[index]);
                     return new StepSequence().add(target).call(function():void
                         {
-                            morph.refuseIf(target.vertices.length != points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
+                            morph.refuseIf(target.points.length != points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
                             morph.limits.countNumbers(points.length, morph);
-                            mix(target.vertices, base, weights[index]);
+                            mix(target.points, base, weights[index]);
                         });
                 });
         }
@@ -68,7 +72,7 @@ package starlogo.models.collada
         {
             var geometry:ColladaElement = morph.elementsById["geometry#" + id];
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
-            return _pose.meshes["#" + id] ||= new ColladaMesh(geometry);
+            return _pose.meshes["#" + id] ||= new ColladaMesh(geometry, true);
         }
 
         private function mix(target:Vector.<Number>, base:Vector.<Number>, weight:Number):void

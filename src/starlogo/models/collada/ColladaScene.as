@@ -165,7 +165,7 @@ package starlogo.models.collada
         // Each geometry is read once, even if it is in the scene many times.
         private function meshOf(geometry:ColladaElement):ColladaMesh
         {
-            return _meshes["#" + geometry.id] ||= new ColladaMesh(geometry);
+            return _meshes["#" + geometry.id] ||= new ColladaMesh(geometry, _pose != null);
         }
     }
 }

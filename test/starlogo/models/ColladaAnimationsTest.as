@@ -1,5 +1,6 @@
 package starlogo.models
 {
+    import flash.utils.getTimer;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import support.Collada;
@@ -115,6 +116,22 @@ package starlogo.models
             assertPoints("1 0 0 3 0 0 0 4 0 0 0 5", new ColladaAnimations("a", morphed("NORMALIZED")).verticesAt(0, 0));
             assertPoints("1 1 1 2 1 1 .5 3 1 .5 1 3.5", new ColladaAnimations("a", morphed("NORMALIZED")).verticesAt(0, 1));
             assertPoints("1.5 1 1 3.5 1 1 .5 5 1 .5 1 6", new ColladaAnimations("a", morphed("RELATIVE")).verticesAt(0, 1));
+        }
+
+        /** An element's numbers are found once for a pose, not at each place. */
+        [Test]
+        public function placesCostTheSameForManyChannels():void
+        {
+            var one:ColladaAnimations = placedOften(1);
+            var many:ColladaAnimations = placedOften(500);
+            var leastOfOne:Number = Infinity;
+            var leastOfMany:Number = Infinity;
+            for (var i:int = 0; i < 3; i++)
+            {
+                leastOfOne = Math.min(leastOfOne, timeOfPose(one));
+                leastOfMany = Math.min(leastOfMany, timeOfPose(many));
+            }
+            assertTrue(leastOfMany + " ms, but " + leastOfOne + " for one channel", leastOfMany < 5 * leastOfOne + 20);
         }
 
         /** Of as many poses as a game has: none of them takes from what reading the file may cost. */
@@ -242,6 +259,31 @@ package starlogo.models
             var empty:String = '<animation id="e">' + many.join("").replace(/<[^>]*>/g, "<extra/>") + "</animation>";
             var clip:String = "<library_animation_clips><animation_clip>" + many.join("") + "</animation_clip></library_animation_clips>";
             fails(/more than .* elements/, documentOf(empty, clip));
+        }
+
+        // A node with many channels that is in the scene 4096 times.
+        private static function placedOften(channels:int):ColladaAnimations
+        {
+            var moving:String = animation("x/matrix(3)(0)", "0 4 8 8", "LINEAR");
+            var channel:String = /<channel.*?>/.exec(moving)[0];
+            for (var i:int = 1; i < channels; i++)
+            {
+                moving = moving.replace("</animation>", channel + "</animation>");
+            }
+            var nodes:String = '<node id="x"><matrix sid="matrix">1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix></node>';
+            for (i = 0; i < 12; i++)
+            {
+                var inner:String = '<instance_node url="#' + (i == 0 ? "x" : "x" + i) + '"/>';
+                nodes += '<node id="x' + (i + 1) + '">' + inner + inner + "</node>";
+            }
+            return new ColladaAnimations("a", documentOf(moving, "<library_nodes>" + nodes + "</library_nodes>").replace("<instance_geometry", '<instance_node url="#x12"/><instance_geometry'));
+        }
+
+        private static function timeOfPose(animations:ColladaAnimations):Number
+        {
+            var start:Number = getTimer();
+            animations.verticesAt(0, 0.5);
+            return getTimer() - start;
         }
 
         private static function fails(problem:RegExp, text:String):void

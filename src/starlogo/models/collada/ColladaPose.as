@@ -11,6 +11,10 @@ package starlogo.models.collada
         private var _time:Number;
         private var _places:Object = {}; // of nodes in the scene, by their indices
 
+        // of the elements that were asked for, by their indices: the scene may place an element often
+        private var _numbers:Object = {};
+        private var _transforms:Object = {};
+
         /**
          * @param figure the document
          * @param animation moves it
@@ -32,14 +36,18 @@ package starlogo.models.collada
         /** The numbers that the animation gives to an element; null if they stay. */
         public function numbersOf(element:ColladaElement):Vector.<Number>
         {
-            return _animation.numbersOf(element, _time);
+            if (!(element.index in _numbers))
+            {
+                _numbers[element.index] = _animation.numbersOf(element, _time);
+            }
+            return _numbers[element.index];
         }
 
         /** The transform that an element is; null if it is none. */
         public function transformOf(element:ColladaElement):AffineTransform
         {
             var numbers:Vector.<Number> = numbersOf(element);
-            return numbers == null ? element.toTransform() : ColladaTransform.of(element, numbers);
+            return numbers == null ? element.toTransform() : (_transforms[element.index] ||= ColladaTransform.of(element, numbers));
         }
 
         /** Takes where a node is in the scene. If it is there several times, the first place counts. */

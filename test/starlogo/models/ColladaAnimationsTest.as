@@ -118,6 +118,15 @@ package starlogo.models
             assertPoints("1.5 1 1 3.5 1 1 .5 5 1 .5 1 6", new ColladaAnimations("a", morphed("RELATIVE")).verticesAt(0, 1));
         }
 
+        /** An animation moves the numbers of an array, of which the weights may be a part. */
+        [Test]
+        public function weightsMayBeAPartOfTheirArray():void
+        {
+            var text:String = morphed("RELATIVE").replace(">0</float_array>", ">9 0</float_array>").replace('"weights" count="1"', '"weights" count="2"')
+                .replace('"#weights" count="1"', '"#weights" offset="1" count="1"').replace("weights(0)", "weights(1)");
+            assertPoints("1.5 1 1 3.5 1 1 .5 5 1 .5 1 6", new ColladaAnimations("a", text).verticesAt(0, 1));
+        }
+
         /** An element's numbers are found once for a pose, not at each place. */
         [Test]
         public function placesCostTheSameForManyChannels():void

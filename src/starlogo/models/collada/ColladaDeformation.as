@@ -53,7 +53,8 @@ package starlogo.models.collada
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaList = ColladaList.of(inputs, "MORPH_TARGET", ColladaList.NAMES, morph);
             var list:ColladaList = ColladaList.of(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var weights:Vector.<Number> = _pose.numbersOf(list.array) || list.numbers;
+            var moved:Vector.<Number> = _pose.numbersOf(list.array);
+            var weights:Vector.<Number> = moved == null ? list.numbers : list.partOf(moved);
             morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(points.length) : points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps

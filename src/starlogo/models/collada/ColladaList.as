@@ -23,6 +23,8 @@ package starlogo.models.collada
         /** The words of all entries. */
         public var words:Array;
 
+        private var _first:int; // the index in the array of the first word
+
         private var _numbers:Vector.<Number> = null;
 
         /**
@@ -45,6 +47,7 @@ package starlogo.models.collada
                     words.length + " values of its array");
             count = wanted;
             width = stride;
+            _first = offset;
             words = words.slice(offset, offset + stride * wanted);
         }
 
@@ -62,6 +65,12 @@ package starlogo.models.collada
             var input:ColladaElement = element.child("input", semantic);
             element.refuseIf(input == null, "expected an <input> with the semantic " + semantic);
             return new ColladaList(input.target("source", ["source"], scope), arrays);
+        }
+
+        /** Of the numbers of the whole array, those of this list. */
+        public function partOf(numbers:Vector.<Number>):Vector.<Number>
+        {
+            return numbers.slice(_first, _first + words.length);
         }
 
         /** The numbers that the words stand for. @throws ModelError if one is not finite */

@@ -195,10 +195,18 @@ package starlogo.models
         }
 
         [Test]
+        public function targetsMayBeginAtTheScene():void
+        {
+            var text:String = documentOf(animation("s/here/translate.X", "0 4 8 8", "LINEAR")).replace('id="n"', 'id="n" sid="here"');
+            assertPoint(text, 1, "5 0 7");
+        }
+
+        [Test]
         public function whatMovesNoVertexIsIgnored():void
         {
             var text:String = documentOf(animation("light/color", "0 0 0 0", "LINEAR"));
             assertEquals("1,0", [new ColladaAnimations("a", text).count, new ColladaAnimations("a", text).durationOf(0)].join());
+            assertPoint(moved("visibility", "0 0 0 0", "LINEAR"), 1, "1 0 7");
             assertEquals(0, new ColladaAnimations("a", documentOf("")).count);
             assertThrows(RangeError, /animations 0 to -1, not 0/, new ColladaAnimations("a", documentOf("")).verticesAt, 0, 0);
             assertThrows(RangeError, /finite/, new ColladaAnimations("a", text).verticesAt, 0, NaN);
@@ -208,8 +216,8 @@ package starlogo.models
         public function whatIsWrongInAnimationsIsNamed():void
         {
             fails(/library_animations\/animation\/channel: expected a target like/, moved("translate.X.Y", "0 0 0 0", "LINEAR"));
-            fails(/no element with the sid "nothing" in .*node#n/, moved("nothing.X", "0 0 0 0", "LINEAR"));
             fails(/channel: there is no such number in the <translate>/, moved("translate.ANGLE", "0 0 0 0", "LINEAR"));
+            fails(/channel: there is no such number in the <translate>/, moved("translate(4294967296)", "0 0 0 0", "LINEAR"));
             fails(/channel: there is no such number in the <matrix>/, moved("matrix(4)(0)", "0 0 0 0", "LINEAR"));
             fails(/channel: there is no such number in the <matrix>/, moved("matrix(0)(4)", "0 0 0 0", "LINEAR"));
             fails(/channel: there is no such number in the <matrix>/, moved("matrix.X", "0 0 0 0", "LINEAR"));
@@ -244,6 +252,8 @@ package starlogo.models
                         '<library_nodes><node id="far" sid="still"><node sid="bone"/></node></library_nodes><library_animations>'));
             fails(/joints: expected at least one joint, and a matrix for each, but found 2 and 1/, text.replace('count="2" stride="16"', 'count="1" stride="16"'));
             fails(/float_array#INV_BIND_MATRIXf: expected a last row of 0 0 0 1/, text.replace("0 0 1 0 0 0 0 1 1 0", "0 0 1 0 0 0 0 2 1 0"));
+            // a rounded last row counts as 0 0 0 1
+            new ColladaAnimations("a", text.replace("0 0 1 0 0 0 0 1 1 0", "0 0 1 0 0 0 0 0.9999999 1 0"));
             fails(/vertex_weights: expected a whole number, -1 to 1, but found "2"/, text.replace("<v>1 1", "<v>2 1"));
             fails(/vertex_weights: expected a whole number, 0 to 1, but found "2"/, text.replace("<v>1 1", "<v>1 2"));
             fails(/vertex_weights: its <vcount> adds up to 3 joints, but <v> has 4/, text.replace("1 2 1 0<", "1 1 1 0<"));

@@ -41,18 +41,21 @@ package starlogo.models.collada
             }
             sampler = new ColladaSampler(channel.target("source", ["sampler"], channel.parent));
             var isWhole:Boolean = !parts[3] && !parts[4];
-            first = isWhole ? 0 : indexOf(parts[3], parts[4], parts[5]);
-            channel.refuseIf(!(first >= 0 && first < size), "there is no such number in the <" + element.name + ">");
+            // an index may be larger than an int
+            var index:Number = isWhole ? 0 : indexOf(parts[3], parts[4], parts[5]);
+            channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
+            first = index;
             channel.refuseIf(sampler.width != (isWhole ? size : 1), "its sampler has " + sampler.width + " numbers for each key, but expected " +
                     (isWhole ? size : 1));
         }
 
-        // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a node or of an array.
+        // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a scene, a node or an array, or
+        // if there is no element with a sid.
         private static function elementAt(channel:ColladaElement, id:String, sids:Array):ColladaElement
         {
             var source:ColladaElement = channel.elementsById["source#" + id];
-            var found:ColladaElement = channel.elementsById["node#" + id] || channel.elementsById["float_array#" + id]
-                || (source == null ? null : source.child("float_array"));
+            var found:ColladaElement = channel.elementsById["node#" + id] || channel.elementsById["visual_scene#" + id]
+                || channel.elementsById["float_array#" + id] || (source == null ? null : source.child("float_array"));
             for (var i:int = 0; i < sids.length && found != null; i++)
             {
                 found = inside(channel, found, sids[i]);
@@ -60,7 +63,8 @@ package starlogo.models.collada
             return found;
         }
 
-        // The element with a sid in another one, nearest to it.
+        // The element with a sid in another one, nearest to it. Null if there is none: some programs move what a node does not have, such as its
+        // visibility.
         private static function inside(channel:ColladaElement, around:ColladaElement, sid:String):ColladaElement
         {
             var pending:Vector.<ColladaElement> = new <ColladaElement>[around];
@@ -76,7 +80,7 @@ package starlogo.models.collada
                     pending.push(child);
                 }
             }
-            throw channel.error("there is no element with the sid \"" + shortened(sid) + "\" in " + around);
+            return null;
         }
 
         private static function sizeOf(element:ColladaElement):int

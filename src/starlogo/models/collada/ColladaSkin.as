@@ -13,6 +13,9 @@ package starlogo.models.collada
         private static const POINTS_PER_STEP:int = 1000;
         private static const MATRIX:int = 16;
 
+        // programs invert matrices in 32 bits, and their last rows are rounded then
+        private static const TOLERANCE:Number = 1e-6;
+
         private var _skin:ColladaElement;
 
         // takes the points to where the skin was bound
@@ -103,7 +106,7 @@ package starlogo.models.collada
                 var node:ColladaElement = nodes["node#" + names.words[i]];
                 names.array.refuseIf(node == null, "there is no joint \"" + shortened(names.words[i]) + "\" in the skeleton");
                 _nodes.push(node);
-                _inverses.push(ColladaTransform.matrix(matrices.array, matrices.numbers.slice(MATRIX * i, MATRIX * i + MATRIX)));
+                _inverses.push(ColladaTransform.matrix(matrices.array, matrices.numbers.slice(MATRIX * i, MATRIX * i + MATRIX), TOLERANCE));
             }
         }
 

@@ -50,7 +50,7 @@ package starlogo.models.collada
             return numbers == null ? element.toTransform() : (_transforms[element.index] ||= ColladaTransform.of(element, numbers));
         }
 
-        /** Takes where a node is in the scene. If it is there several times, the first place counts. */
+        /** Takes where a node is in the scene. If it is there several times, the first place counts, for all skins. */
         public function place(node:ColladaElement, transform:AffineTransform):void
         {
             _places[node.index] ||= transform;

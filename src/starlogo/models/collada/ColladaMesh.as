@@ -71,8 +71,8 @@ package starlogo.models.collada
                 {
                     symbols.push(element.attribute("material"));
                     starts.push(triangles.length / 3);
-                    var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
-                    return new StepSequence().add(points).add(new ColladaPrimitive(element, points, triangulator));
+                    var positions:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
+                    return new StepSequence().add(positions).add(new ColladaPrimitive(element, positions, triangulator));
                 });
         }
 

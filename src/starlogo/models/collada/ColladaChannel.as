@@ -1,7 +1,6 @@
 package starlogo.models.collada
 {
     import starlogo.models.shortened;
-    import starlogo.models.text.TextWords;
 
     /** Which numbers of a COLLADA document move, and how: a channel of an animation. */
     internal final class ColladaChannel
@@ -85,13 +84,7 @@ package starlogo.models.collada
 
         private static function sizeOf(element:ColladaElement):int
         {
-            if (element.name != "float_array")
-            {
-                return ColladaTransform.sizeOf(element.name);
-            }
-            var text:String = element.text;
-            element.limits.countNumbers(text.length / 2, element);
-            return TextWords.of(text).length;
+            return element.name == "float_array" ? element.countedWords().length : ColladaTransform.sizeOf(element.name);
         }
 
         // The index of a number. Of a matrix, whose numbers are in rows, the first index is the column. -1 if there is none.

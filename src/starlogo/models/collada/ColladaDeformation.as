@@ -43,7 +43,7 @@ package starlogo.models.collada
         {
             begin(function():Steps
                 {
-                    return deformer.name == "skin" ? _pose.skinOf(deformer, instance).moving(points, _pose) : morphing(deformer);
+                    return deformer.name == "skin" ? _pose.figure.skinOf(deformer, instance).moving(points, _pose) : morphing(deformer);
                 });
         }
 
@@ -73,7 +73,7 @@ package starlogo.models.collada
         {
             var geometry:ColladaElement = morph.elementsById["geometry#" + id];
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
-            return _pose.meshes["#" + id] ||= new ColladaMesh(geometry, true);
+            return _pose.figure.meshes["#" + id] ||= new ColladaMesh(geometry, true);
         }
 
         private function mix(target:Vector.<Number>, base:Vector.<Number>, weight:Number):void

@@ -1,7 +1,5 @@
 package starlogo.models.collada
 {
-    import starlogo.models.text.TextWords;
-
     /** The numbers or names that a COLLADA source has, as its accessor says. */
     internal final class ColladaList
     {
@@ -35,9 +33,7 @@ package starlogo.models.collada
         {
             var accessor:ColladaElement = source.requiredChild("technique_common").requiredChild("accessor");
             array = accessor.target("source", arrays, source);
-            var text:String = array.text;
-            accessor.limits.countNumbers(text.length / 2, accessor);
-            words = TextWords.of(text);
+            words = array.countedWords();
             array.checkCount(words.length, "values");
             var stride:Number = accessor.integer("stride", 1);
             var offset:Number = accessor.integer("offset", 0);

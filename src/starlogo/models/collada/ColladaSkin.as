@@ -160,8 +160,8 @@ package starlogo.models.collada
             element.refuseIf(element.child("input", "JOINT") == null, "expected an <input> with the semantic JOINT");
             var joint:Number = element.child("input", "JOINT").integer("offset", 0);
             var weight:Number = element.child("input", "WEIGHT").integer("offset", 0);
-            var indices:Array = wordsOf(element.child("v"));
-            readCounts(element, wordsOf(element.requiredChild("vcount")), indices.length / stride);
+            var indices:Array = element.child("v") == null ? [] : element.child("v").countedWords();
+            readCounts(element, element.requiredChild("vcount").countedWords(), indices.length / stride);
             for (var at:int = 0; at < indices.length; at += stride)
             {
                 _joints.push(indexOf(element, indices[at + joint], -1, _nodes.length - 1));
@@ -190,16 +190,6 @@ package starlogo.models.collada
                 throw element.error("expected a whole number, " + least + " to " + most + ", but found \"" + shortened(word) + "\"");
             }
             return value;
-        }
-
-        private static function wordsOf(element:ColladaElement):Array
-        {
-            var text:String = element == null ? "" : element.text;
-            if (element != null)
-            {
-                element.limits.countNumbers(text.length / 2, element);
-            }
-            return TextWords.of(text);
         }
     }
 }

@@ -12,7 +12,8 @@ package starlogo.models
      * other things (lights, cameras, materials) are ignored. Keys are LINEAR, STEP or BEZIER. Each number is interpolated on its own, those of a
      * matrix too.</p>
      *
-     * <p>The points of a skin stand where its joints put them, and a morph has its weights. A <code>ColladaModel</code> shows a skin where its
+     * <p>The points of a skin stand where its joints put them. If a joint is in the scene several times, because several nodes place the node
+     * that it is in, all skins follow its first place. A morph has its weights. A <code>ColladaModel</code> shows a skin where its
      * bind shape matrix puts it, and a morph's base shape. Both are the same in most documents while nothing moves. Where they differ, make the
      * model of a pose: <code>new Model(name, animations.verticesAt(0, 0), model.triangles)</code>.</p>
      */

@@ -14,7 +14,8 @@ package starlogo.models
      *
      * <p>The document's up axis is turned to z. The reader recognises elements by their names, in any namespace or none. Numbers may have a
      * decimal comma. The unit counts if the model is not scaled (<code>Model.AS_GIVEN</code>). The unit and up axis that single elements have of
-     * their own, lights, cameras, animations, splines and solids are ignored. A reference into another document is an error.</p>
+     * their own, lights, cameras, splines and solids are ignored. <code>ColladaAnimations</code> has the animations. A reference into another
+     * document is an error.</p>
      *
      * <p>Each geometry that a node places is a mesh with the node's name. A material is the one that is bound to the symbol of a primitive, and
      * has its name; if none is bound, the symbol is its name. Names are ids where there are no names. Both are numbered from 0 in the order of

@@ -3,7 +3,10 @@ package starlogo.models
     /**
      * The animations of a file, as poses of the model of the same file. <code>GltfAnimations</code> and <code>ColladaAnimations</code> read them:
      *
-     * <listing version="3.0">model.pose(animations.verticesAt(0, seconds % animations.durationOf(0)));</listing>
+     * <listing version="3.0">
+     * // an animation with one key only has no duration
+     * var time:Number = animations.durationOf(0) > 0 ? seconds % animations.durationOf(0) : 0;
+     * model.pose(animations.verticesAt(0, time));</listing>
      */
     public class ModelAnimations
     {
@@ -45,7 +48,7 @@ package starlogo.models
         }
 
         /**
-         * The length of an animation, from time 0 to its last key, in seconds.
+         * The length of an animation in seconds: from time 0 to its last key, or to the end that a COLLADA clip names. It may be 0.
          *
          * @param animation its index
          * @throws RangeError if there is no such animation
@@ -60,7 +63,7 @@ package starlogo.models
          * reading the file's meshes, without the file itself; for COLLADA that of placing them.
          *
          * @param animation its index
-         * @param time seconds. Before the first key and after the last one, nothing moves
+         * @param time seconds. Before the first key and after the last one, nothing moves. A COLLADA clip stays within its start and end
          * @return x, y, z of each vertex, in the order of the model's vertices; a new vector
          * @throws RangeError if there is no such animation, or the time is not finite
          * @throws ModelError if the meshes are wrong, or a coordinate is not finite at this time

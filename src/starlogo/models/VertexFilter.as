@@ -12,11 +12,13 @@ package starlogo.models
         private static const VERTICES_PER_STEP:int = 4000;
         private static const CORNERS_PER_STEP:int = 20000;
 
+        /** By vertex: 1 if a triangle uses it, otherwise 0. When no step is left; null if there are no triangles. */
+        public var isUsed:Vector.<uint> = null;
+
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // by vertex: 1 if a triangle uses it, otherwise 0; and the new index of those that are used
-        private var _isUsed:Vector.<uint>;
+        // the new index of each vertex that is used
         private var _newIndices:Vector.<int>;
 
         // the number of vertices that are used, so far
@@ -37,7 +39,7 @@ package starlogo.models
         {
             if (_triangles.length > 0)
             {
-                _isUsed = new Vector.<uint>(_vertices.length / 3);
+                isUsed = new Vector.<uint>(_vertices.length / 3);
                 slices(_triangles.length, CORNERS_PER_STEP, markUsed).call(addClosing);
             }
         }
@@ -46,16 +48,16 @@ package starlogo.models
         {
             for (var i:int = first; i < end; i++)
             {
-                _isUsed[_triangles[i]] = 1;
+                isUsed[_triangles[i]] = 1;
             }
         }
 
         private function addClosing():void
         {
-            if (_isUsed.indexOf(0) >= 0)
+            if (isUsed.indexOf(0) >= 0)
             {
-                _newIndices = new Vector.<int>(_isUsed.length);
-                slices(_isUsed.length, VERTICES_PER_STEP, moveVertices).call(cutVertices).slices(_triangles.length, CORNERS_PER_STEP, renumber);
+                _newIndices = new Vector.<int>(isUsed.length);
+                slices(isUsed.length, VERTICES_PER_STEP, moveVertices).call(cutVertices).slices(_triangles.length, CORNERS_PER_STEP, renumber);
             }
         }
 
@@ -64,7 +66,7 @@ package starlogo.models
         {
             for (var i:int = first; i < end; i++)
             {
-                if (_isUsed[i] != 0)
+                if (isUsed[i] != 0)
                 {
                     var from:int = 3 * i;
                     var to:int = 3 * _count;

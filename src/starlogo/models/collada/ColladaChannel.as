@@ -1,7 +1,6 @@
 package starlogo.models.collada
 {
     import starlogo.models.shortened;
-    import starlogo.models.text.TextWords;
 
     /** Which numbers of a COLLADA document move, and how: a channel of an animation. */
     internal final class ColladaChannel
@@ -41,18 +40,21 @@ package starlogo.models.collada
             }
             sampler = new ColladaSampler(channel.target("source", ["sampler"], channel.parent));
             var isWhole:Boolean = !parts[3] && !parts[4];
-            first = isWhole ? 0 : indexOf(parts[3], parts[4], parts[5]);
-            channel.refuseIf(!(first >= 0 && first < size), "there is no such number in the <" + element.name + ">");
+            // an index may be larger than an int
+            var index:Number = isWhole ? 0 : indexOf(parts[3], parts[4], parts[5]);
+            channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
+            first = index;
             channel.refuseIf(sampler.width != (isWhole ? size : 1), "its sampler has " + sampler.width + " numbers for each key, but expected " +
                     (isWhole ? size : 1));
         }
 
-        // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a node or of an array.
+        // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a scene, a node or an array, or
+        // if there is no element with a sid.
         private static function elementAt(channel:ColladaElement, id:String, sids:Array):ColladaElement
         {
             var source:ColladaElement = channel.elementsById["source#" + id];
-            var found:ColladaElement = channel.elementsById["node#" + id] || channel.elementsById["float_array#" + id]
-                || (source == null ? null : source.child("float_array"));
+            var found:ColladaElement = channel.elementsById["node#" + id] || channel.elementsById["visual_scene#" + id]
+                || channel.elementsById["float_array#" + id] || (source == null ? null : source.child("float_array"));
             for (var i:int = 0; i < sids.length && found != null; i++)
             {
                 found = inside(channel, found, sids[i]);
@@ -60,7 +62,8 @@ package starlogo.models.collada
             return found;
         }
 
-        // The element with a sid in another one, nearest to it.
+        // The element with a sid in another one, nearest to it. Null if there is none: some programs move what a node does not have, such as its
+        // visibility.
         private static function inside(channel:ColladaElement, around:ColladaElement, sid:String):ColladaElement
         {
             var pending:Vector.<ColladaElement> = new <ColladaElement>[around];
@@ -76,18 +79,12 @@ package starlogo.models.collada
                     pending.push(child);
                 }
             }
-            throw channel.error("there is no element with the sid \"" + shortened(sid) + "\" in " + around);
+            return null;
         }
 
         private static function sizeOf(element:ColladaElement):int
         {
-            if (element.name != "float_array")
-            {
-                return ColladaTransform.sizeOf(element.name);
-            }
-            var text:String = element.text;
-            element.limits.countNumbers(text.length / 2, element);
-            return TextWords.of(text).length;
+            return element.name == "float_array" ? element.countedWords().length : ColladaTransform.sizeOf(element.name);
         }
 
         // The index of a number. Of a matrix, whose numbers are in rows, the first index is the column. -1 if there is none.

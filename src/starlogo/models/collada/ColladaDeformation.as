@@ -7,7 +7,7 @@ package starlogo.models.collada
     /** Moves the points of a COLLADA geometry by the morphs and skins of its controllers, in steps. */
     internal final class ColladaDeformation extends StepSequence
     {
-        /** The points, when no step is left: in the scene if there is a skin, otherwise in the node that places them. */
+        /** The points that are vertices, when no step is left: in the scene if there is a skin, otherwise in the node that places them. */
         public var points:Vector.<Number> = null;
 
         /** Whether there is a skin, which puts the points into the scene. */
@@ -26,20 +26,24 @@ package starlogo.models.collada
             _pose = pose;
             add(mesh).call(function():void
                 {
-                    points = mesh.vertices.slice();
+                    points = mesh.points.slice();
                 });
             for (var i:int = deformers.length - 1; i >= 0; i--)
             {
                 isSkinned ||= deformers[i].name == "skin";
                 addDeformer(deformers[i], instance);
             }
+            call(function():void
+                {
+                    points = mesh.ofVertices(points);
+                });
         }
 
         private function addDeformer(deformer:ColladaElement, instance:ColladaElement):void
         {
             begin(function():Steps
                 {
-                    return deformer.name == "skin" ? _pose.skinOf(deformer, instance).moving(points, _pose) : morphing(deformer);
+                    return deformer.name == "skin" ? _pose.figure.skinOf(deformer, instance).moving(points, _pose) : morphing(deformer);
                 });
         }
 
@@ -49,7 +53,8 @@ package starlogo.models.collada
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaList = ColladaList.of(inputs, "MORPH_TARGET", ColladaList.NAMES, morph);
             var list:ColladaList = ColladaList.of(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var weights:Vector.<Number> = _pose.numbersOf(list.array) || list.numbers;
+            var moved:Vector.<Number> = _pose.numbersOf(list.array);
+            var weights:Vector.<Number> = moved == null ? list.numbers : list.partOf(moved);
             morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(points.length) : points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
@@ -57,9 +62,9 @@ package starlogo.models.collada
                     var target:ColladaMesh = targetOf(morph, targets.words[index]);
                     return new StepSequence().add(target).call(function():void
                         {
-                            morph.refuseIf(target.vertices.length != points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
+                            morph.refuseIf(target.points.length != points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
                             morph.limits.countNumbers(points.length, morph);
-                            mix(target.vertices, base, weights[index]);
+                            mix(target.points, base, weights[index]);
                         });
                 });
         }
@@ -68,7 +73,7 @@ package starlogo.models.collada
         {
             var geometry:ColladaElement = morph.elementsById["geometry#" + id];
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
-            return _pose.meshes["#" + id] ||= new ColladaMesh(geometry);
+            return _pose.figure.meshes["#" + id] ||= new ColladaMesh(geometry, true);
         }
 
         private function mix(target:Vector.<Number>, base:Vector.<Number>, weight:Number):void

@@ -166,6 +166,14 @@ package starlogo.models.collada
             return texts.join(" ");
         }
 
+        /** The words of the element's text. They count as numbers of the document. @throws ModelError if there are too many */
+        public function countedWords():Array
+        {
+            var all:String = text;
+            limits.countNumbers(all.length / 2, this);
+            return TextWords.of(all);
+        }
+
         /**
          * The numbers in the element's text. @throws ModelError if one is not finite
          *

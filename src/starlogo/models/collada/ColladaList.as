@@ -1,7 +1,5 @@
 package starlogo.models.collada
 {
-    import starlogo.models.text.TextWords;
-
     /** The numbers or names that a COLLADA source has, as its accessor says. */
     internal final class ColladaList
     {
@@ -23,6 +21,8 @@ package starlogo.models.collada
         /** The words of all entries. */
         public var words:Array;
 
+        private var _first:int; // the index in the array of the first word
+
         private var _numbers:Vector.<Number> = null;
 
         /**
@@ -33,9 +33,7 @@ package starlogo.models.collada
         {
             var accessor:ColladaElement = source.requiredChild("technique_common").requiredChild("accessor");
             array = accessor.target("source", arrays, source);
-            var text:String = array.text;
-            accessor.limits.countNumbers(text.length / 2, accessor);
-            words = TextWords.of(text);
+            words = array.countedWords();
             array.checkCount(words.length, "values");
             var stride:Number = accessor.integer("stride", 1);
             var offset:Number = accessor.integer("offset", 0);
@@ -45,6 +43,7 @@ package starlogo.models.collada
                     words.length + " values of its array");
             count = wanted;
             width = stride;
+            _first = offset;
             words = words.slice(offset, offset + stride * wanted);
         }
 
@@ -62,6 +61,12 @@ package starlogo.models.collada
             var input:ColladaElement = element.child("input", semantic);
             element.refuseIf(input == null, "expected an <input> with the semantic " + semantic);
             return new ColladaList(input.target("source", ["source"], scope), arrays);
+        }
+
+        /** Of the numbers of the whole array, those of this list. */
+        public function partOf(numbers:Vector.<Number>):Vector.<Number>
+        {
+            return numbers.slice(_first, _first + words.length);
         }
 
         /** The numbers that the words stand for. @throws ModelError if one is not finite */

@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -10,8 +11,11 @@ package starlogo.models.collada
         /** The geometry's element. */
         public var geometry:ColladaElement;
 
-        /** When all is read: its points. */
+        /** When all is read: the points that its triangles use, or all points if it has none. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
+
+        /** When all is read: all points, for skins and morphs. Null if they are not kept. */
+        public var points:Vector.<Number> = null;
 
         /** When all is read: three point indices for each triangle. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
@@ -23,10 +27,14 @@ package starlogo.models.collada
         public var starts:Vector.<int> = new Vector.<int>();
 
         private var _mesh:ColladaElement;
-        private var _points:Object = {}; // of positions; the key is "#" and the source's id
+        private var _sources:Object = {}; // of positions; the key is "#" and the source's id
+        private var _filter:VertexFilter;
 
-        /** @param geometry the geometry's element */
-        public function ColladaMesh(geometry:ColladaElement)
+        /**
+         * @param geometry the geometry's element
+         * @param keepsPoints whether it keeps all points, too
+         */
+        public function ColladaMesh(geometry:ColladaElement, keepsPoints:Boolean = false)
         {
             this.geometry = geometry;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
@@ -38,7 +46,22 @@ package starlogo.models.collada
                     addPrimitive(element, triangulator);
                 }
             }
-            begin(readingPoints);
+            _filter = new VertexFilter(vertices, triangles);
+            begin(readingPoints).call(function():void
+                {
+                    points = keepsPoints ? vertices.slice() : null;
+                }).add(_filter);
+        }
+
+        /** Of some numbers for all points, x, y, z of each, those for the points that are vertices. */
+        public function ofVertices(numbers:Vector.<Number>):Vector.<Number>
+        {
+            return numbers.length == vertices.length ? numbers : numbers.filter(isOfVertex);
+        }
+
+        private function isOfVertex(number:Number, index:int, numbers:Vector.<Number>):Boolean
+        {
+            return _filter.isUsed[int(index / 3)] != 0;
         }
 
         // Adds the work on a primitive, after that on its source.
@@ -48,8 +71,8 @@ package starlogo.models.collada
                 {
                     symbols.push(element.attribute("material"));
                     starts.push(triangles.length / 3);
-                    var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
-                    return new StepSequence().add(points).add(new ColladaPrimitive(element, points, triangulator));
+                    var positions:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
+                    return new StepSequence().add(positions).add(new ColladaPrimitive(element, positions, triangulator));
                 });
         }
 
@@ -78,7 +101,7 @@ package starlogo.models.collada
         private function pointsOf(source:ColladaElement):ColladaSource
         {
             // the "#" keeps the key different from every property that each Object has
-            return _points["#" + source.id] ||= new ColladaSource(source, vertices);
+            return _sources["#" + source.id] ||= new ColladaSource(source, vertices);
         }
     }
 }

@@ -6,10 +6,16 @@ package starlogo.models.collada
     /** A COLLADA document at a time of an animation: the numbers that its elements have then, and where its nodes are. */
     internal final class ColladaPose
     {
-        private var _figure:ColladaFigure;
+        /** The document. Its poses share its geometries and skins. */
+        public var figure:ColladaFigure;
+
         private var _animation:ColladaAnimation;
         private var _time:Number;
         private var _places:Object = {}; // of nodes in the scene, by their indices
+
+        // of the elements that were asked for, by their indices: the scene may place an element often
+        private var _numbers:Object = {};
+        private var _transforms:Object = {};
 
         /**
          * @param figure the document
@@ -18,31 +24,29 @@ package starlogo.models.collada
          */
         public function ColladaPose(figure:ColladaFigure, animation:ColladaAnimation, time:Number)
         {
-            _figure = figure;
+            this.figure = figure;
             _animation = animation;
             _time = time;
-        }
-
-        /** The geometries that are read, by "#" and id. */
-        public function get meshes():Object
-        {
-            return _figure.meshes;
         }
 
         /** The numbers that the animation gives to an element; null if they stay. */
         public function numbersOf(element:ColladaElement):Vector.<Number>
         {
-            return _animation.numbersOf(element, _time);
+            if (!(element.index in _numbers))
+            {
+                _numbers[element.index] = _animation.numbersOf(element, _time);
+            }
+            return _numbers[element.index];
         }
 
         /** The transform that an element is; null if it is none. */
         public function transformOf(element:ColladaElement):AffineTransform
         {
             var numbers:Vector.<Number> = numbersOf(element);
-            return numbers == null ? element.toTransform() : ColladaTransform.of(element, numbers);
+            return numbers == null ? element.toTransform() : (_transforms[element.index] ||= ColladaTransform.of(element, numbers));
         }
 
-        /** Takes where a node is in the scene. If it is there several times, the first place counts. */
+        /** Takes where a node is in the scene. If it is there several times, the first place counts, for all skins. */
         public function place(node:ColladaElement, transform:AffineTransform):void
         {
             _places[node.index] ||= transform;
@@ -54,24 +58,6 @@ package starlogo.models.collada
             var found:AffineTransform = _places[node.index];
             user.refuseIf(found == null, "its joint \"" + shortened(node.attribute("sid") || node.id) + "\" is not in the scene");
             return found;
-        }
-
-        /** The skin of an element that places it. */
-        public function skinOf(skin:ColladaElement, instance:ColladaElement):ColladaSkin
-        {
-            return _figure.skinOf(skin, instance);
-        }
-
-        /**
-         * What moves the points of a geometry: the morphs and skins of its controllers.
-         *
-         * @param instance the element that places it
-         * @param mesh the geometry
-         * @param deformers the morphs and skins, the last one first
-         */
-        public function deformation(instance:ColladaElement, mesh:ColladaMesh, deformers:Vector.<ColladaElement>):ColladaDeformation
-        {
-            return new ColladaDeformation(this, instance, mesh, deformers);
         }
     }
 }

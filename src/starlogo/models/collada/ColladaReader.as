@@ -6,7 +6,6 @@ package starlogo.models.collada
     import starlogo.models.ModelData;
     import starlogo.models.ModelBuilder;
     import starlogo.models.ModelTransform;
-    import starlogo.models.VertexFilter;
     import starlogo.models.refuseIf;
     import starlogo.models.shortened;
     import starlogo.models.text.Decimal;
@@ -89,7 +88,7 @@ package starlogo.models.collada
             return new StepSequence().add(scene).begin(function():Steps
                 {
                     return readingInstances(scene.instances);
-                }).add(new VertexFilter(_data.vertices, _data.triangles));
+                });
         }
 
         private function readingInstances(instances:Vector.<ColladaInstance>):Steps

@@ -102,10 +102,11 @@ package starlogo.models.collada
             return Math.max(0, Math.min(share, 1));
         }
 
+        // By the differences from the first number, so that four equal numbers give exactly this number. A matrix keeps its last row.
         private static function bezier(a:Number, b:Number, c:Number, d:Number, at:Number):Number
         {
             var rest:Number = 1 - at;
-            return rest * rest * rest * a + 3 * rest * rest * at * b + 3 * rest * at * at * c + at * at * at * d;
+            return a + 3 * rest * rest * at * (b - a) + 3 * rest * at * at * (c - a) + at * at * at * (d - a);
         }
 
         private function readInterpolations(list:ColladaList):void

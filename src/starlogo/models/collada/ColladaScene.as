@@ -35,7 +35,7 @@ package starlogo.models.collada
         public function ColladaScene(root:ColladaElement, pose:ColladaPose)
         {
             _pose = pose;
-            _meshes = pose == null ? {} : pose.meshes;
+            _meshes = pose == null ? {} : pose.figure.meshes;
             var scene:ColladaElement = root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
@@ -142,7 +142,7 @@ package starlogo.models.collada
                 return;
             }
             var mesh:ColladaMesh = meshOf(target);
-            var deformation:ColladaDeformation = _pose.deformation(element, mesh, deformers);
+            var deformation:ColladaDeformation = new ColladaDeformation(_pose, element, mesh, deformers);
             instances.push(new ColladaInstance(element, mesh, deformation.isSkinned ? new AffineTransform() : transform, deformation));
         }
 
@@ -165,7 +165,7 @@ package starlogo.models.collada
         // Each geometry is read once, even if it is in the scene many times.
         private function meshOf(geometry:ColladaElement):ColladaMesh
         {
-            return _meshes["#" + geometry.id] ||= new ColladaMesh(geometry);
+            return _meshes["#" + geometry.id] ||= new ColladaMesh(geometry, _pose != null);
         }
     }
 }

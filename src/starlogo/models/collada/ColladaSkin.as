@@ -13,6 +13,9 @@ package starlogo.models.collada
         private static const POINTS_PER_STEP:int = 1000;
         private static const MATRIX:int = 16;
 
+        // programs invert matrices in 32 bits, and their last rows are rounded then
+        private static const TOLERANCE:Number = 1e-6;
+
         private var _skin:ColladaElement;
 
         // takes the points to where the skin was bound
@@ -103,7 +106,7 @@ package starlogo.models.collada
                 var node:ColladaElement = nodes["node#" + names.words[i]];
                 names.array.refuseIf(node == null, "there is no joint \"" + shortened(names.words[i]) + "\" in the skeleton");
                 _nodes.push(node);
-                _inverses.push(ColladaTransform.matrix(matrices.array, matrices.numbers.slice(MATRIX * i, MATRIX * i + MATRIX)));
+                _inverses.push(ColladaTransform.matrix(matrices.array, matrices.numbers.slice(MATRIX * i, MATRIX * i + MATRIX), TOLERANCE));
             }
         }
 
@@ -157,8 +160,8 @@ package starlogo.models.collada
             element.refuseIf(element.child("input", "JOINT") == null, "expected an <input> with the semantic JOINT");
             var joint:Number = element.child("input", "JOINT").integer("offset", 0);
             var weight:Number = element.child("input", "WEIGHT").integer("offset", 0);
-            var indices:Array = wordsOf(element.child("v"));
-            readCounts(element, wordsOf(element.requiredChild("vcount")), indices.length / stride);
+            var indices:Array = element.child("v") == null ? [] : element.child("v").countedWords();
+            readCounts(element, element.requiredChild("vcount").countedWords(), indices.length / stride);
             for (var at:int = 0; at < indices.length; at += stride)
             {
                 _joints.push(indexOf(element, indices[at + joint], -1, _nodes.length - 1));
@@ -187,16 +190,6 @@ package starlogo.models.collada
                 throw element.error("expected a whole number, " + least + " to " + most + ", but found \"" + shortened(word) + "\"");
             }
             return value;
-        }
-
-        private static function wordsOf(element:ColladaElement):Array
-        {
-            var text:String = element == null ? "" : element.text;
-            if (element != null)
-            {
-                element.limits.countNumbers(text.length / 2, element);
-            }
-            return TextWords.of(text);
         }
     }
 }

@@ -49,11 +49,16 @@ package starlogo.models.collada
             }
         }
 
-        /** The transform with 16 numbers, row by row. @param element names the place of an error */
-        internal static function matrix(element:ColladaElement, m:Vector.<Number>):AffineTransform
+        /**
+         * The transform with 16 numbers, row by row.
+         *
+         * @param element names the place of an error
+         * @param tolerance how far the last row may be from 0 0 0 1, in each number
+         */
+        internal static function matrix(element:ColladaElement, m:Vector.<Number>, tolerance:Number = 0):AffineTransform
         {
-            element.refuseIf(m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1,
-                    "expected a last row of 0 0 0 1, but found " + m.slice(12).join(" "));
+            var difference:Number = Math.max(Math.abs(m[12]), Math.abs(m[13]), Math.abs(m[14]), Math.abs(m[15] - 1));
+            element.refuseIf(difference > tolerance, "expected a last row of 0 0 0 1, but found " + m.slice(12).join(" "));
             return new AffineTransform(m.slice(0, 12));
         }
 

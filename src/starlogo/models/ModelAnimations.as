@@ -1,12 +1,10 @@
 package starlogo.models
 {
     /**
-     * The animations of a file, as poses of the model of the same file. <code>GltfAnimations</code> and <code>ColladaAnimations</code> read them:
+     * The animations of a file, as poses of the model of the same file. <code>GltfAnimations</code> and <code>ColladaAnimations</code> read them.
      *
-     * <listing version="3.0">
-     * // an animation with one key only has no duration
-     * var time:Number = animations.durationOf(0) > 0 ? seconds % animations.durationOf(0) : 0;
-     * model.pose(animations.verticesAt(0, time));</listing>
+     * <p><code>model.pose(animations.verticesAt(0, seconds % animations.durationOf(0)))</code> plays the first one again and again. If it has one key
+     * only, it has no duration: ask for <code>verticesAt(0, 0)</code>.</p>
      */
     public class ModelAnimations
     {

@@ -1,8 +1,6 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ConvexKernel;
-    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
 
@@ -38,12 +36,9 @@ package starlogo.ground
         // What counts only beyond this distance counts in spite of rounding errors.
         private var _slack:Number = 0;
 
-        // A box around a square, and what decides whether the shape comes near it.
-        private var _square:ConvexShape = new ConvexShape();
-        private var _middle:Vector3D = new Vector3D();
-        private var _halves:Vector3D = new Vector3D();
-        private var _sweep:RelativeMotion = new RelativeMotion();
-        private var _kernel:ConvexKernel = new ConvexKernel();
+        private var _separation:SquareSeparation = new SquareSeparation();
+        private var _least:Vector3D = new Vector3D();
+        private var _greatest:Vector3D = new Vector3D();
 
         /** Begins with a search, which is kept. */
         public function begin(search:GroundSearch):void
@@ -163,24 +158,16 @@ package starlogo.ground
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
         public function stayApart(level:int, column:int, row:int, heights:HeightRange):Boolean
         {
-            // the distance is infinite if the ground may be nothing but holes
-            if (search.shape == null || search.maxDistance == Infinity)
+            if (search.shape == null)
             {
                 return false;
             }
-            var half:Number = widthAt(level) / 2;
-            _middle.setTo(alongX.firstCell + (2 * column + 1) * half, alongY.firstCell + (2 * row + 1) * half, (heights.least + heights.greatest) / 2);
-            _halves.setTo(half + _slack, half + _slack, (heights.greatest - heights.least) / 2 + _slack);
-            _square.setBox(_middle, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, _halves);
-            _square.radius = search.maxDistance;
-            if (search.motion.isStill)
-            {
-                return !_kernel.areTouching(search.shape, _square);
-            }
-            _sweep.copyVector(search.motion);
-            _sweep.latest = search.motion.latest;
-            _kernel.findTime(search.shape, _square, _sweep);
-            return _sweep.time > _sweep.latest;
+            var width:Number = widthAt(level);
+            var x:Number = alongX.firstCell + column * width;
+            var y:Number = alongY.firstCell + row * width;
+            _least.setTo(x - _slack, y - _slack, heights.least - _slack);
+            _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
+            return _separation.stayApart(search, _least, _greatest);
         }
     }
 }

@@ -1,0 +1,90 @@
+package starlogo.ground
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
+    import starlogo.convex.Interval;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Tolerances;
+
+    /** Rules out squares of the ground that the shape of a GroundSearch clearly does not come near. */
+    internal final class SquareSeparation
+    {
+        // The direction along which the two are apart, from the square to the shape; and how far the shape's core extends along it.
+        private var _direction:Vector3D = new Vector3D();
+        private var _ofShape:Interval = new Interval();
+
+        private var _place:Vector3D = new Vector3D();
+
+        /**
+         * Whether the shape, with its margin, stays farther away from an axis-aligned box around a square than the search's
+         * <code>maxDistance</code>. Their distance along one direction decides: it is exact for spheres, and a close lower bound for capsules and
+         * boxes.
+         *
+         * @param search has the shape, and its motion
+         * @param low the least corner around the square
+         * @param high the greatest one
+         */
+        public function stayApart(search:GroundSearch, low:Vector3D, high:Vector3D):Boolean
+        {
+            var shape:ConvexShape = search.shape;
+            var direction:Vector3D = _direction;
+            findDirection(shape, low, high);
+            if (!(direction.normalize() > 0))
+            {
+                return false;
+            }
+            shape.project(direction, _ofShape);
+            var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.least
+                - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.extent
+                - Math.max(direction.x * high.x, direction.x * low.x) - Math.max(direction.y * high.y, direction.y * low.y)
+                - Math.max(direction.z * high.z, direction.z * low.z);
+            var motion:RelativeMotion = search.motion;
+            var travel:Number = motion.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
+            return distance + Math.min(0, travel) > search.maxDistance;
+        }
+
+        // Finds a direction along which the two may be apart. It is between points of both that are near each other.
+        private function findDirection(shape:ConvexShape, low:Vector3D, high:Vector3D):void
+        {
+            var direction:Vector3D = _direction;
+            _place.setTo((low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2);
+            findNear(shape, _place, direction);
+            _place.setTo(Math.max(low.x, Math.min(high.x, direction.x)), Math.max(low.y, Math.min(high.y, direction.y)),
+                    Math.max(low.z, Math.min(high.z, direction.z)));
+            findNear(shape, _place, direction);
+            direction.decrementBy(_place);
+        }
+
+        // Finds the point of a core that is nearest to a place. For a hull it is the centre instead. The edges of a box are perpendicular, so each gives
+        // its part of the way from their common corner.
+        private static function findNear(shape:ConvexShape, place:Vector3D, out:Vector3D):void
+        {
+            out.setTo(shape.x, shape.y, shape.z);
+            if (!shape.areEdgesPerpendicular)
+            {
+                return;
+            }
+            var p:Vector.<Number> = shape.points;
+            var edges:Vector.<int> = shape.edges;
+            var x:Number = place.x - (shape.x + p[0]);
+            var y:Number = place.y - (shape.y + p[1]);
+            var z:Number = place.z - (shape.z + p[2]);
+            out.x += p[0];
+            out.y += p[1];
+            out.z += p[2];
+            for (var i:int = 1; i < edges.length; i += 4)
+            {
+                var to:int = edges[i];
+                var ux:Number = p[to] - p[0];
+                var uy:Number = p[int(to + 1)] - p[1];
+                var uz:Number = p[int(to + 2)] - p[2];
+                // NaN for an edge of no length
+                var share:Number = (x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
+                share = share > 0 ? (share < 1 ? share : 1) : 0;
+                out.x += share * ux;
+                out.y += share * uy;
+                out.z += share * uz;
+            }
+        }
+    }
+}

@@ -138,31 +138,18 @@ package starlogo.intersection.ray
             var farShare:Number = share + out.far * speed;
             var isNearOnSide:Boolean = nearShare >= 0 && nearShare <= 1;
             var isFarOnSide:Boolean = farShare >= 0 && farShare <= 1;
+            var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearShare > 1 ? end : start, radius, BALL);
+            if (isInNearBall)
+            {
+                out.copyNear(BALL);
+            }
+            var isInFarBall:Boolean = !isFarOnSide && findInBall(ray, farShare > 1 ? end : start, radius, BALL);
+            if (isInFarBall)
+            {
+                out.copyFar(BALL);
+            }
             // A line through the side meets the ball too that it passes at its other end. If rounding says no, that is at the rim: the cylinder's end stays.
-            var mayMissBall:Boolean = isNearOnSide || isFarOnSide;
-            if (!isNearOnSide)
-            {
-                if (findInBall(ray, nearShare > 1 ? end : start, radius, BALL))
-                {
-                    out.copyNear(BALL);
-                }
-                else if (!mayMissBall)
-                {
-                    return false;
-                }
-            }
-            if (!isFarOnSide)
-            {
-                if (findInBall(ray, farShare > 1 ? end : start, radius, BALL))
-                {
-                    out.copyFar(BALL);
-                }
-                else if (!mayMissBall)
-                {
-                    return false;
-                }
-            }
-            return true;
+            return isNearOnSide || isFarOnSide || (isInNearBall && isInFarBall);
         }
 
         /**

@@ -292,7 +292,7 @@ package starlogo.search.pairs
             var x:Number = _sum.x / _count;
             var y:Number = _sum.y / _count;
             var z:Number = _sum.z / _count;
-            if (!(squaredFromMiddle(boxes, x, y, z) >= squaredFromMiddle(boxes, out.x, out.y, out.z)))
+            if (squaredFromMiddle(boxes, x, y, z) < squaredFromMiddle(boxes, out.x, out.y, out.z))
             {
                 out.x = x;
                 out.y = y;

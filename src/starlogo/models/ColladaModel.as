@@ -41,7 +41,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, scaling, ColladaReader.of(name, text, upAxis, scaling).build());
+            super(null, null, null, null, ColladaReader.of(name, text, upAxis, scaling).build());
         }
 
         /**

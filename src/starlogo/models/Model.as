@@ -67,13 +67,18 @@ package starlogo.models
          * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
          * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
-         * @param data for the engine alone: what a ModelBuilder has made. The model keeps it, and the other arguments have no effect
+         * @param data for the engine alone: what a ModelBuilder has made, in place of the other arguments, which are null. The model keeps it
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
-         * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
+         * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers. If there is
+         * data, and another argument is not null
          */
         public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, data:ModelData = null)
         {
+            if (data != null && (name != null || vertices != null || triangles != null || scaling != null))
+            {
+                throw new ArgumentError("a model of data has no other arguments: the data have the name \"" + data.name + "\"");
+            }
             _data = data || ModelData.of(name, vertices, triangles, scaling);
         }
 

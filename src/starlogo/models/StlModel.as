@@ -23,7 +23,7 @@ package starlogo.models
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, scaling, StlReader.of(name, bytes, null, upAxis, scaling).build());
+            super(null, null, null, null, StlReader.of(name, bytes, null, upAxis, scaling).build());
         }
 
         /**

@@ -33,6 +33,17 @@ package starlogo.models
             assertEquals("0,1,2", model.triangles.join());
         }
 
+        /** No argument is ignored. */
+        [Test]
+        public function isMadeOfDataOrOfArguments():void
+        {
+            var data:ModelData = ModelData.of("bar", new <Number>[10, 20, 30, 14, 22, 38], null, Model.FOOTPRINT);
+            assertEquals("bar", new Model(null, null, null, null, data).name);
+            assertThrows(ArgumentError, /no other arguments.*"bar"/, create, Model, "a", null, null, null, data);
+            assertThrows(ArgumentError, /no other arguments/, create, Model, null, data.vertices, null, null, data);
+            assertThrows(ArgumentError, /no other arguments/, create, Model, null, null, null, Model.FOOTPRINT, data);
+        }
+
         [Test]
         public function keepsFlatGround():void
         {

@@ -89,6 +89,7 @@ function compare(t, { version, THREE, engine }, Loader, name, text, { clip = nul
 	const animations = new engine.ColladaAnimations(name, text);
 	const index = animations.indexOf(clip ?? "");
 	const start = clip === null ? 0 : Number(new RegExp(`name="${clip}" start="([^"]*)"`).exec(text)[1]);
+	const atRest = distanceOf(cornersOf(model), drawnPoints(THREE, scene));
 	const [played] = scene.animations;
 	const keys = [...new Set(played.tracks.flatMap(({ times }) => [...times]))].filter((time) => time >= start);
 	const mixer = new THREE.AnimationMixer(scene);
@@ -106,6 +107,7 @@ function compare(t, { version, THREE, engine }, Loader, name, text, { clip = nul
 	}
 	t.diagnostic(`three ${version}, ${name}: ${keys.length} keys, ${most}`);
 	assert.ok(keys.length > 3 && most < TOLERANCE, `${name}: ${most}`);
+	assert.ok(atRest < TOLERANCE, `${name} at rest: ${atRest}`);
 }
 
 for (const peer of await peers()) {

@@ -37,6 +37,26 @@ package support
                 '</mesh></geometry></library_geometries>';
         }
 
+        /** A controller with a skin whose points all move with the node "joint", which was bound at the origin. @param shape the bind shape matrix */
+        public static function skin(id:String, source:String, points:int, shape:String):String
+        {
+            var words:String = new Array(points + 1).join("1 ");
+            return '<controller id="' + id + '"><skin source="#' + source + '"><bind_shape_matrix>' + shape + '</bind_shape_matrix>' +
+                list("joints", "IDREF_array", "joint", 1) + list("binds", "float_array", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1", 16) +
+                list("weights", "float_array", "1", 1) +
+                '<joints><input semantic="JOINT" source="#joints"/><input semantic="INV_BIND_MATRIX" source="#binds"/></joints>' +
+                '<vertex_weights count="' + points + '"><input semantic="JOINT" source="#joints" offset="0"/>' +
+                '<input semantic="WEIGHT" source="#weights" offset="1"/><vcount>' + words + '</vcount><v>' + words.replace(/1/g, "0 0") +
+                '</v></vertex_weights></skin></controller>';
+        }
+
+        private static function list(id:String, array:String, words:String, stride:int):String
+        {
+            var count:int = words.split(" ").length;
+            return '<source id="' + id + '"><' + array + ' id="' + id + 'Array" count="' + count + '">' + words + '</' + array + '><technique_common>' +
+                '<accessor source="#' + id + 'Array" count="' + count / stride + '" stride="' + stride + '"/></technique_common></source>';
+        }
+
         /** Triangles of these corners. */
         public static function triangles(corners:String):String
         {

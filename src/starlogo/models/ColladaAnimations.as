@@ -1,7 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.collada.ColladaFigure;
+    import starlogo.models.collada.ColladaAnimation;
     import starlogo.models.text.FileText;
 
     /**
@@ -13,9 +13,8 @@ package starlogo.models
      * matrix too.</p>
      *
      * <p>The points of a skin stand where its joints put them. If a joint is in the scene several times, because several nodes place the node
-     * that it is in, all skins follow its first place. A morph has its weights. A <code>ColladaModel</code> shows a skin where its
-     * bind shape matrix puts it, and a morph's base shape. Both are the same in most documents while nothing moves. Where they differ, make the
-     * model of a pose: <code>new Model(name, animations.verticesAt(0, 0), model.triangles)</code>.</p>
+     * that it is in, a skin follows the joint in the innermost node around both. A morph has its weights. A <code>ColladaModel</code> shows its
+     * base shape.</p>
      */
     public final class ColladaAnimations extends ModelAnimations
     {
@@ -29,7 +28,7 @@ package starlogo.models
          */
         public function ColladaAnimations(name:String, text:String, upAxis:Object = null)
         {
-            super(new ColladaFigure(name, text, upAxis).animations);
+            super(ColladaAnimation.allIn(name, text, upAxis));
         }
 
         /**

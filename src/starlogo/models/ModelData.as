@@ -1,6 +1,8 @@
 package starlogo.models
 {
     import starlogo.models.cooked.CookedFile;
+    import starlogo.steps.Steps;
+    import starlogo.steps.finish;
 
     /**
      * What a model is made of, as a record. First come the settings, then the content, then where it is from. The caller and the reader of a format
@@ -88,6 +90,18 @@ package starlogo.models
             data.transform = upAxis as ModelTransform;
             data.upAxis = data.transform == null ? String(upAxis) : "z";
             return data;
+        }
+
+        /**
+         * The vertices that a reader gives, z up and not normalised.
+         *
+         * @param reading the steps that fill this data
+         */
+        public function verticesBy(reading:Steps):Vector.<Number>
+        {
+            finish(reading);
+            finish(turnToZUp(upAxis).transformingPoints(vertices));
+            return vertices;
         }
 
         /**

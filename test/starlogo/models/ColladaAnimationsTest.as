@@ -109,6 +109,49 @@ package starlogo.models
             }
         }
 
+        /** A model shows a skin where its joints are while nothing moves, wherever it was bound. */
+        [Test]
+        public function modelsShowSkinsAtTheirJoints():void
+        {
+            var turned:String = skinned("joint/turn.ANGLE", "90 90 90 90", false).replace(">0 0 1 0</rotate>", ">0 0 1 90</rotate>");
+            var model:ColladaModel = new ColladaModel("a", turned, null, Model.AS_GIVEN);
+            assertPoints("1 0 0 2 1 0 0 4 0 0 0 5", model.vertices);
+            assertPoints(model.vertices.join(" "), new ColladaAnimations("a", turned).verticesAt(0, 0));
+            assertEquals("0,1,2,0,1,3", model.triangles.join());
+            var mirrored:String = turned.replace('sid="still">', 'sid="still"><scale>1 1 -1</scale>');
+            assertEquals("0,2,1,0,3,1", new ColladaModel("a", mirrored, null, Model.AS_GIVEN).triangles.join());
+        }
+
+        /** Each follows the joints that are placed with it, even if all are one node of the document. */
+        [Test]
+        public function figuresThatAreOneNodeHaveTheirOwnJoints():void
+        {
+            const PLACES:String = '<node id="p"><translate>0 0 10</translate><instance_node url="#q"/></node><instance_node url="#q"/>' +
+                '<node id="q"><translate>0 20 0</translate><instance_node url="#figure"/></node><node><instance_node url="#figure"/></node>';
+            var text:String = skinned("joint/turn.ANGLE", "0 90 90 90", false).replace(/(<visual_scene id="s">)(.*)(<\/visual_scene>)/,
+                    '$1<node id="shown">' + PLACES.replace(/<node id="q">.*?<\/node>/, "") + "</node>$3<node id=\"figure\">$2</node>");
+            text = text.replace(/(<node id="figure">.*<\/node>)(<\/library_visual_scenes>)/, "$2<library_nodes>$1" +
+                    /<node id="q">.*?<\/node>/.exec(PLACES)[0] + "</library_nodes>");
+            assertPoints("1 20 10 2 21 10 0 24 10 0 20 15 1 20 0 2 21 0 0 24 0 0 20 5 1 0 0 2 1 0 0 4 0 0 0 5", new ColladaAnimations("a", text).verticesAt(0, 1));
+            // the skin beside the place of its joints
+            text = skinned("joint/turn.ANGLE", "0 90 90 90", false);
+            var joints:String = /<node id="root".*<\/node>(?=<node><instance_controller)/.exec(text)[0];
+            var skin:String = /<instance_controller.*<\/instance_controller>/.exec(text)[0];
+            text = text.replace(joints + "<node>" + skin + "</node>", '<node><translate>0 0 10</translate><instance_node url="#root"/><node>' + skin +
+                    '</node></node><node><instance_node url="#root"/>' + skin + "</node>" + skin);
+            text = text.replace("<library_animations>", "<library_nodes>" + joints + "</library_nodes><library_animations>");
+            assertPoints("1 0 10 2 1 10 0 4 10 0 0 15 1 0 0 2 1 0 0 4 0 0 0 5 1 0 10 2 1 10 0 4 10 0 0 15", new ColladaAnimations("a", text).verticesAt(0, 1));
+        }
+
+        [Test]
+        public function sidsMayHaveDots():void
+        {
+            var text:String = moved("move.to.X", "0 4 8 8", "LINEAR").replace('sid="translate"', 'sid="move.to"');
+            assertPoint(text, 0.5, "3 0 7");
+            text = moved("move.X", "0 0 0 4 0 0 8 0 0 8 0 0", "LINEAR", 3).replace('sid="translate"', 'sid="move.X"');
+            assertPoint(text, 0.5, "3 0 0");
+        }
+
         [Test]
         public function weightsOfMorphsMove():void
         {
@@ -212,7 +255,7 @@ package starlogo.models
         [Test]
         public function whatIsWrongInAnimationsIsNamed():void
         {
-            fails(/library_animations\/animation\/channel: expected a target like/, moved("translate.X.Y", "0 0 0 0", "LINEAR"));
+            fails(/library_animations\/animation\/channel: expected a target like/, moved("translate(X)", "0 0 0 0", "LINEAR"));
             fails(/channel: there is no such number in the <translate>/, moved("translate.ANGLE", "0 0 0 0", "LINEAR"));
             fails(/channel: there is no such number in the <translate>/, moved("translate(4294967296)", "0 0 0 0", "LINEAR"));
             fails(/channel: there is no such number in the <matrix>/, moved("matrix(4)(0)", "0 0 0 0", "LINEAR"));

@@ -80,12 +80,12 @@ package starlogo.models
         }
 
         [Test]
-        public function leavesSkinsAtRest():void
+        public function leavesMorphsAtRestAndPutsSkinsToTheirJoints():void
         {
-            const SKIN:String = '<library_controllers><controller id="c"><skin source="#m"><bind_shape_matrix>3 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1' +
-                '</bind_shape_matrix></skin></controller><controller id="m"><morph source="#a"/></controller></library_controllers>';
-            var model:Model = read(Collada.scene(box() + SKIN,
-                        '<node><scale>1 3 1</scale><instance_controller url="#c"/></node>'));
+            var controllers:String = "<library_controllers>" + Collada.skin("c", "m", 8, "3 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1") +
+                '<controller id="m"><morph source="#a"/></controller></library_controllers>';
+            var model:Model = read(Collada.scene(box() + controllers,
+                        '<node><scale>9 9 9</scale><instance_controller url="#c"/></node><node><scale>1 3 1</scale><node id="joint"/></node>'));
             assertSize("3,6,4", model);
         }
 

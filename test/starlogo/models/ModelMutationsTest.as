@@ -28,12 +28,12 @@ package starlogo.models
                 '<p>0 0 1 1 3 0 2 9</p></tristrips>' +
                 '<trifans count="1">' + Collada.INPUT + "<p>0 1 2 3</p></trifans>") +
             '<library_nodes><node id="n"><skew>20 1 0 0 0 1 0</skew><instance_geometry url="#a"/></node></library_nodes>' +
-            '<library_controllers><controller id="c"><skin source="#m"><bind_shape_matrix>3 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1' +
-            '</bind_shape_matrix></skin></controller><controller id="m"><morph source="#a"/></controller></library_controllers>';
+            "<library_controllers>" + Collada.skin("c", "m", 8, "3 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1") +
+            '<controller id="m"><morph source="#a"/></controller></library_controllers>';
         private static const COLLADA:String = '<?xml version="1.0" encoding="utf-8"?>\n' + Collada.scene(LIBRARIES,
                 '<node id="top">' +
                 '<translate>1 2 3</translate><rotate>0 0 1 45</rotate><scale>1 2 3</scale><lookat>1 2 3 4 5 6 0 0 1</lookat>' +
-                '<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url="#a"/><node id="inner"><instance_controller url="#c"/>' +
+                '<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url="#a"/><node id="joint"><instance_controller url="#c"/>' +
                 '</node><instance_node url="#n"/></node>');
 
         private static const STL:String = "solid a\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n  endloop\n" +

@@ -1,26 +1,34 @@
 package starlogo.models.collada
 {
     import starlogo.models.FileAnimation;
+    import starlogo.steps.finish;
 
-    /** An animation of a COLLADA document. At each time it gives numbers to elements, in place of those that the document has for them. */
-    internal final class ColladaAnimation implements FileAnimation
+    /**
+     * An animation of a COLLADA document. At each time its channels give numbers to elements, in place of those that the document has for them.
+     *
+     * @private
+     */
+    public final class ColladaAnimation implements FileAnimation
     {
-        private var _figure:ColladaFigure;
+        private var _document:ColladaDocument;
+        private var _upAxis:Object;
         private var _name:String;
         private var _start:Number;
         private var _end:Number;
         private var _channels:Object = {}; // lists of those that move an element, by the element's index
 
         /**
-         * @param figure the document
+         * @param document the document
+         * @param upAxis as for ColladaReader.of()
          * @param name its name
          * @param channels what moves
          * @param start the time in the document when it starts, in seconds
          * @param end the time when it ends; NaN for the last key
          */
-        public function ColladaAnimation(figure:ColladaFigure, name:String, channels:Vector.<ColladaChannel>, start:Number = 0, end:Number = NaN)
+        public function ColladaAnimation(document:ColladaDocument, upAxis:Object, name:String, channels:Vector.<ColladaChannel>, start:Number, end:Number)
         {
-            _figure = figure;
+            _document = document;
+            _upAxis = upAxis;
             _name = name;
             _start = start;
             var lastKey:Number = start;
@@ -35,13 +43,78 @@ package starlogo.models.collada
             _end = end == end ? end : lastKey;
         }
 
-        /** The animation of a clip. */
-        internal static function ofClip(figure:ColladaFigure, clip:ColladaElement, channels:Vector.<ColladaChannel>):ColladaAnimation
+        /**
+         * Reads the animations of a document. If there are any, it makes a pose, so that the geometries and skins are read and checked.
+         *
+         * @param name the model's name
+         * @param text the document's text
+         * @param upAxis as for ColladaReader.of()
+         * @throws ModelError if the document is wrong
+         */
+        public static function allIn(name:String, text:String, upAxis:Object):Vector.<FileAnimation>
         {
-            var start:Number = clip.toNumber(clip.attribute("start") || "0");
-            var end:Number = clip.attribute("end") == "" ? NaN : clip.toNumber(clip.attribute("end"));
-            clip.refuseIf(end < start, "it ends before it starts");
-            return new ColladaAnimation(figure, clip.attribute("name") || clip.id, channels, start, end);
+            var document:ColladaDocument = new ColladaDocument(name, text);
+            finish(document.xml);
+            document.limits.restart();
+            var root:ColladaElement = document.root;
+            var read:Object = {};
+            var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
+            var all:Vector.<ColladaElement> = entriesOf(root, "library_animations", "animation");
+            var clips:Vector.<ColladaElement> = entriesOf(root, "library_animation_clips", "animation_clip");
+            for each (var clip:ColladaElement in clips)
+            {
+                var parts:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+                for each (var part:ColladaElement in clip.childrenNamed("instance_animation"))
+                {
+                    parts.push(part.target("url", ["animation"]));
+                }
+                var start:Number = clip.toNumber(clip.attribute("start") || "0");
+                var end:Number = clip.attribute("end") == "" ? NaN : clip.toNumber(clip.attribute("end"));
+                clip.refuseIf(end < start, "it ends before it starts");
+                animations.push(new ColladaAnimation(document, upAxis, clip.attribute("name") || clip.id, channelsOf(parts, read), start, end));
+            }
+            if (clips.length == 0 && all.length > 0)
+            {
+                animations.push(new ColladaAnimation(document, upAxis, "", channelsOf(all, read), 0, NaN));
+            }
+            if (animations.length > 0)
+            {
+                animations[0].verticesAt(0);
+            }
+            return animations;
+        }
+
+        // The children with a name of all libraries with a name.
+        private static function entriesOf(root:ColladaElement, libraryName:String, name:String):Vector.<ColladaElement>
+        {
+            var entries:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+            for each (var library:ColladaElement in root.childrenNamed(libraryName))
+            {
+                entries = entries.concat(library.childrenNamed(name));
+            }
+            return entries;
+        }
+
+        // The channels of some animations, and of those within them. A channel is read once, even if several clips have it.
+        // @param read the channels that are read so far, by the index of their elements
+        private static function channelsOf(elements:Vector.<ColladaElement>, read:Object):Vector.<ColladaChannel>
+        {
+            var channels:Vector.<ColladaChannel> = new Vector.<ColladaChannel>();
+            var pending:Vector.<ColladaElement> = elements.slice().reverse();
+            while (pending.length > 0)
+            {
+                var element:ColladaElement = pending.pop();
+                element.limits.countElements(1 + element.children.length, element);
+                for each (var channel:ColladaElement in element.childrenNamed("channel"))
+                {
+                    channels.push(read[channel.index] ||= new ColladaChannel(channel));
+                }
+                for each (var inner:ColladaElement in element.childrenNamed("animation").reverse())
+                {
+                    pending.push(inner);
+                }
+            }
+            return channels;
         }
 
         /** @inheritDoc */
@@ -59,7 +132,7 @@ package starlogo.models.collada
         /** @inheritDoc */
         public function verticesAt(time:Number):Vector.<Number>
         {
-            return _figure.verticesAt(this, Math.min(_start + Math.max(time, 0), _end));
+            return ColladaReader.verticesAt(_document, _upAxis, this, Math.min(_start + Math.max(time, 0), _end));
         }
 
         /** The numbers of an element at a time of the document; null if they stay. */

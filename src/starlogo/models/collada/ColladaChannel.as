@@ -5,8 +5,9 @@ package starlogo.models.collada
     /** Which numbers of a COLLADA document move, and how: a channel of an animation. */
     internal final class ColladaChannel
     {
-        // An id, the sids of elements within it, and a member: a name, or one or two indices.
-        private static const TARGET:RegExp = /^([^\/(]+)((?:\/[^\/.(]+)*)(?:\.(\w+)|\((\d+)\)(?:\((\d+)\))?)?$/;
+        // An id, the sids of elements within it, and one or two indices. In place of the indices, the last sid may end with a member's name.
+        private static const TARGET:RegExp = /^([^\/(]+)((?:\/[^\/(]+)*)(?:\((\d+)\)(?:\((\d+)\))?)?$/;
+        private static const WITH_MEMBER:RegExp = /^(.+)\.(\w+)$/;
         private static const MEMBERS:Array = ["X", "Y", "Z", "ANGLE"];
         private static const MATRIX:int = 16;
 
@@ -31,7 +32,14 @@ package starlogo.models.collada
             var target:String = channel.attribute("target");
             var parts:Array = TARGET.exec(target);
             channel.refuseIf(parts == null, "expected a target like \"node/translate.X\", but found \"" + shortened(target) + "\"");
-            element = elementAt(channel, parts[1], parts[2].split("/").slice(1));
+            var sids:Array = parts[2].split("/").slice(1);
+            element = elementAt(channel, parts[1], sids);
+            // a dot may also be in a sid
+            var ending:Array = element != null || sids.length == 0 ? null : WITH_MEMBER.exec(sids.pop());
+            if (ending != null)
+            {
+                element = elementAt(channel, parts[1], sids.concat(ending[1]));
+            }
             size = element == null ? 0 : sizeOf(element);
             if (size == 0)
             {
@@ -39,9 +47,9 @@ package starlogo.models.collada
                 return;
             }
             sampler = new ColladaSampler(channel.target("source", ["sampler"], channel.parent));
-            var isWhole:Boolean = !parts[3] && !parts[4];
+            var isWhole:Boolean = ending == null && !parts[3];
             // an index may be larger than an int
-            var index:Number = isWhole ? 0 : indexOf(parts[3], parts[4], parts[5]);
+            var index:Number = isWhole ? 0 : indexOf(ending == null ? null : ending[2], parts[3], parts[4]);
             channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
             first = index;
             channel.refuseIf(sampler.width != (isWhole ? size : 1), "its sampler has " + sampler.width + " numbers for each key, but expected " +

@@ -1,10 +1,11 @@
 package starlogo.models.collada
 {
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.shortened;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** Moves the points of a COLLADA geometry by the morphs and skins of its controllers, in steps. */
+    /** Moves the points of a COLLADA geometry by the morphs and skins of its controllers, in steps. At rest a morph is its base shape. */
     internal final class ColladaDeformation extends StepSequence
     {
         /** The points that are vertices, when no step is left: in the scene if there is a skin, otherwise in the node that places them. */
@@ -13,15 +14,19 @@ package starlogo.models.collada
         /** Whether there is a skin, which puts the points into the scene. */
         public var isSkinned:Boolean = false;
 
+        /** Whether the first joint of the last skin mirrors, when no step is left. */
+        public var isMirror:Boolean = false;
+
         private var _pose:ColladaPose;
 
         /**
          * @param pose the document at a time
          * @param instance the element that places the geometry
+         * @param place where it is
          * @param mesh the geometry
          * @param deformers the morphs and skins, the last one first
          */
-        public function ColladaDeformation(pose:ColladaPose, instance:ColladaElement, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
+        public function ColladaDeformation(pose:ColladaPose, instance:ColladaElement, place:ColladaPlace, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
         {
             _pose = pose;
             add(mesh).call(function():void
@@ -30,8 +35,7 @@ package starlogo.models.collada
                 });
             for (var i:int = deformers.length - 1; i >= 0; i--)
             {
-                isSkinned ||= deformers[i].name == "skin";
-                addDeformer(deformers[i], instance);
+                addDeformer(deformers[i], instance, place);
             }
             call(function():void
                 {
@@ -39,12 +43,26 @@ package starlogo.models.collada
                 });
         }
 
-        private function addDeformer(deformer:ColladaElement, instance:ColladaElement):void
+        private function addDeformer(deformer:ColladaElement, instance:ColladaElement, place:ColladaPlace):void
         {
-            begin(function():Steps
-                {
-                    return deformer.name == "skin" ? _pose.figure.skinOf(deformer, instance).moving(points, _pose) : morphing(deformer);
-                });
+            if (deformer.name == "skin")
+            {
+                var skin:ColladaSkin = _pose.document.skinOf(deformer, instance);
+                isSkinned = true;
+                add(skin).begin(function():Steps
+                    {
+                        var palette:Vector.<AffineTransform> = skin.paletteOf(_pose, place);
+                        isMirror = palette[1].isMirror;
+                        return skin.moving(points, palette);
+                    });
+            }
+            else if (!_pose.isAtRest)
+            {
+                begin(function():Steps
+                    {
+                        return morphing(deformer);
+                    });
+            }
         }
 
         // The targets of a relative morph are added. Other targets share the shape with the base, whose weight is the rest.
@@ -73,7 +91,7 @@ package starlogo.models.collada
         {
             var geometry:ColladaElement = morph.elementsById["geometry#" + id];
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
-            return _pose.figure.meshes["#" + id] ||= new ColladaMesh(geometry, true);
+            return _pose.document.meshOf(geometry);
         }
 
         private function mix(target:Vector.<Number>, base:Vector.<Number>, weight:Number):void

@@ -22,14 +22,14 @@ package starlogo.models.collada
         /**
          * @param element the element that places the geometry; the geometry's own element if there is no scene
          * @param mesh the geometry's vertices and triangles. All instances of a geometry share them
-         * @param transform takes its points to the scene
-         * @param deformation moves its points first, in a pose; null for none
+         * @param transform takes its points to the scene, unless a skin does
+         * @param deformation moves its points first; null for none
          */
         public function ColladaInstance(element:ColladaElement, mesh:ColladaMesh, transform:AffineTransform, deformation:ColladaDeformation = null)
         {
             _element = element;
             _mesh = mesh;
-            _transform = transform;
+            _transform = deformation != null && deformation.isSkinned ? new AffineTransform() : transform;
             _deformation = deformation;
         }
 
@@ -47,7 +47,7 @@ package starlogo.models.collada
                 });
         }
 
-        // If the transform mirrors, the triangles' corner order is reversed.
+        // If the transform mirrors, or the first joint of a skin, the triangles' corner order is reversed.
         private function addingMesh(data:ModelData, out:Vector.<Number>):Steps
         {
             var firstVertex:int = out.length / 3;
@@ -112,7 +112,7 @@ package starlogo.models.collada
         {
             var from:Vector.<uint> = _mesh.triangles;
             var at:int = firstCorner + first;
-            var second:int = _transform.isMirror ? 2 : 1;
+            var second:int = _transform.isMirror || _deformation != null && _deformation.isMirror ? 2 : 1;
             var third:int = 3 - second;
             for (var i:int = first; i < last; i += 3)
             {

@@ -14,7 +14,7 @@ package starlogo.models.collada
         /** When all is read: the points that its triangles use, or all points if it has none. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
-        /** When all is read: all points, for skins and morphs. Null if they are not kept. */
+        /** When all is read: all points, for skins and morphs. */
         public var points:Vector.<Number> = null;
 
         /** When all is read: three point indices for each triangle. */
@@ -30,11 +30,8 @@ package starlogo.models.collada
         private var _sources:Object = {}; // of positions; the key is "#" and the source's id
         private var _filter:VertexFilter;
 
-        /**
-         * @param geometry the geometry's element
-         * @param keepsPoints whether it keeps all points, too
-         */
-        public function ColladaMesh(geometry:ColladaElement, keepsPoints:Boolean = false)
+        /** @param geometry the geometry's element */
+        public function ColladaMesh(geometry:ColladaElement)
         {
             this.geometry = geometry;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
@@ -49,7 +46,7 @@ package starlogo.models.collada
             _filter = new VertexFilter(vertices, triangles);
             begin(readingPoints).call(function():void
                 {
-                    points = keepsPoints ? vertices.slice() : null;
+                    points = vertices.slice();
                 }).add(_filter);
         }
 

@@ -1,7 +1,6 @@
 package starlogo.models.collada
 {
     import flash.geom.Vector3D;
-    import starlogo.models.FileLimits;
     import starlogo.models.Model;
     import starlogo.models.ModelData;
     import starlogo.models.ModelBuilder;
@@ -17,8 +16,11 @@ package starlogo.models.collada
      * Reads a COLLADA document. ColladaModel says which parts.
      *
      * <p>An XmlReader makes ColladaElements of the text. A ColladaScene finds the geometries and where nodes place them. Each geometry is
-     * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place is a ColladaInstance, which
-     * adds the mesh to the model.</p>
+     * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place of a geometry is a
+     * ColladaInstance, which adds the mesh to the model. A ColladaDeformation moves points by morphs and by ColladaSkins, before.</p>
+     *
+     * <p>A ColladaPose is the ColladaDocument at rest or at a time of a ColladaAnimation, whose ColladaChannels have the numbers of
+     * ColladaSamplers.</p>
      *
      * @private
      */
@@ -28,16 +30,17 @@ package starlogo.models.collada
 
         /**
          * @param data takes what is read
-         * @param xml the document; its steps may be done
+         * @param document the document; its steps may be done
          * @param isAxisNamed whether the axis that points up in the data counts, instead of the one that the document names
-         * @param pose moves the scene; null at rest
+         * @param animation moves the scene; null at rest
+         * @param time the time of the animation, in the document's time, in seconds
          */
-        public function ColladaReader(data:ModelData, xml:XmlReader, isAxisNamed:Boolean, pose:ColladaPose = null)
+        public function ColladaReader(data:ModelData, document:ColladaDocument, isAxisNamed:Boolean, animation:ColladaAnimation = null, time:Number = 0)
         {
             _data = data;
-            add(xml).begin(function():Steps
+            add(document.xml).begin(function():Steps
                 {
-                    return readingDocument(rootOf(data.name, xml), isAxisNamed, pose);
+                    return readingDocument(document.root, isAxisNamed, new ColladaPose(document, animation, time));
                 });
         }
 
@@ -52,28 +55,20 @@ package starlogo.models.collada
         public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelBuilder
         {
             var data:ModelData = dataFor(name, upAxis, scaling);
-            return new ModelBuilder(data, new ColladaReader(data, xmlOf(data.name, text), upAxis != null));
+            return new ModelBuilder(data, new ColladaReader(data, new ColladaDocument(data.name, text), upAxis != null));
         }
 
-        /** The data of a model that is not read yet. The parameters are those of of(). */
-        internal static function dataFor(name:String, upAxis:Object, scaling:String):ModelData
+        /** Reads the vertices at a time of an animation. They are not normalised. The parameters are those of of() and of the constructor. */
+        internal static function verticesAt(document:ColladaDocument, upAxis:Object, animation:ColladaAnimation, time:Number):Vector.<Number>
+        {
+            var data:ModelData = dataFor(document.limits.modelName, upAxis, null);
+            document.limits.restart();
+            return data.verticesBy(new ColladaReader(data, document, upAxis != null, animation, time));
+        }
+
+        private static function dataFor(name:String, upAxis:Object, scaling:String):ModelData
         {
             return ModelData.forFile(name, upAxis == null ? "z" : upAxis, scaling);
-        }
-
-        /** The steps that read the elements of a text. @param name the model's name */
-        internal static function xmlOf(name:String, text:String):XmlReader
-        {
-            refuseIf(text == null, name, "there is no text to read");
-            return new XmlReader(text, new FileLimits(name, text.length));
-        }
-
-        /** The root of a document, whose elements are read. @param name the model's name @throws ModelError if it is not COLLADA */
-        internal static function rootOf(name:String, xml:XmlReader):ColladaElement
-        {
-            refuseIf(xml.root == null, name, "this is not XML: expected a COLLADA document");
-            xml.root.refuseIf(xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + xml.root.name + ">");
-            return xml.root;
         }
 
         private function readingDocument(root:ColladaElement, isAxisNamed:Boolean, pose:ColladaPose):Steps

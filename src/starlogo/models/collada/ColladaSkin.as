@@ -7,10 +7,11 @@ package starlogo.models.collada
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** The joints of a COLLADA skin, and their weights at each point. */
-    internal final class ColladaSkin
+    /** The joints of a COLLADA skin, and their weights at each point. Its steps read them. */
+    internal final class ColladaSkin extends StepSequence
     {
         private static const POINTS_PER_STEP:int = 1000;
+        private static const INFLUENCES_PER_STEP:int = 2000;
         private static const MATRIX:int = 16;
 
         // programs invert matrices in 32 bits, and their last rows are rounded then
@@ -40,23 +41,30 @@ package starlogo.models.collada
             _skin = skin;
             var shape:ColladaElement = skin.child("bind_shape_matrix");
             _shape = shape == null ? new AffineTransform() : shape.toTransform();
-            readJoints(skin.requiredChild("joints"), instance);
-            readWeights(skin.requiredChild("vertex_weights"));
+            call(function():void
+                {
+                    readJoints(skin.requiredChild("joints"), instance);
+                }).begin(readingWeights);
         }
 
-        /** The steps that move points to the scene. @param pose tells where the joints are */
-        public function moving(points:Vector.<Number>, pose:ColladaPose):Steps
+        /** What moves points to the scene by joint -1, 0, 1, ... @param place where the skin is */
+        public function paletteOf(pose:ColladaPose, place:ColladaPlace):Vector.<AffineTransform>
+        {
+            _skin.limits.countElements(_nodes.length, _skin);
+            var palette:Vector.<AffineTransform> = new <AffineTransform>[_shape];
+            for (var i:int = 0; i < _nodes.length; i++)
+            {
+                palette.push(pose.jointAt(_nodes[i], place, _skin).after(_inverses[i]).after(_shape));
+            }
+            return palette;
+        }
+
+        /** The steps that move points by a palette. */
+        public function moving(points:Vector.<Number>, palette:Vector.<AffineTransform>):Steps
         {
             var count:int = _starts.length - 1;
             _skin.refuseIf(points.length != 3 * count, "it has weights for " + count + " points, but its geometry has " + points.length / 3);
             _skin.limits.countNumbers(2 * _joints.length, _skin);
-            _skin.limits.countElements(_nodes.length, _skin);
-            // what moves points by joint -1, 0, 1, ...
-            var palette:Vector.<AffineTransform> = new <AffineTransform>[_shape];
-            for (var i:int = 0; i < _nodes.length; i++)
-            {
-                palette.push(pose.placeOf(_nodes[i], _skin).after(_inverses[i]).after(_shape));
-            }
             return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
                 {
                     move(points, palette, first, end);
@@ -149,9 +157,10 @@ package starlogo.models.collada
             return roots;
         }
 
-        private function readWeights(element:ColladaElement):void
+        private function readingWeights():Steps
         {
-            var weights:Vector.<Number> = ColladaList.of(element, "WEIGHT", ["float_array"], _skin).numbers;
+            var element:ColladaElement = _skin.requiredChild("vertex_weights");
+            var weights:ColladaList = ColladaList.of(element, "WEIGHT", ["float_array"], _skin);
             var stride:Number = 1;
             for each (var input:ColladaElement in element.childrenNamed("input"))
             {
@@ -161,25 +170,34 @@ package starlogo.models.collada
             var joint:Number = element.child("input", "JOINT").integer("offset", 0);
             var weight:Number = element.child("input", "WEIGHT").integer("offset", 0);
             var indices:Array = element.child("v") == null ? [] : element.child("v").countedWords();
-            readCounts(element, element.requiredChild("vcount").countedWords(), indices.length / stride);
-            for (var at:int = 0; at < indices.length; at += stride)
-            {
-                _joints.push(indexOf(element, indices[at + joint], -1, _nodes.length - 1));
-                _weights.push(weights[indexOf(element, indices[at + weight], 0, weights.length - 1)]);
-            }
+            var influences:Number = indices.length / stride;
+            return new StepSequence().add(readingCounts(element, influences)).slices(influences, INFLUENCES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = first; i < end; i++)
+                    {
+                        _joints.push(indexOf(element, indices[i * stride + joint], -1, _nodes.length - 1));
+                        _weights.push(weights.array.toNumber(weights.words[indexOf(element, indices[i * stride + weight], 0, weights.words.length - 1)]));
+                    }
+                });
         }
 
-        // Reads how many influences each point has. There are as many as given.
-        private function readCounts(element:ColladaElement, counts:Array, influences:Number):void
+        // The steps that read how many influences each point has. There are as many as given.
+        private function readingCounts(element:ColladaElement, influences:Number):Steps
         {
-            element.checkCount(counts.length, "numbers in <vcount>");
+            var counts:Array = element.requiredChild("vcount").countedWords();
             var sum:Number = 0;
-            for each (var word:String in counts)
-            {
-                sum += indexOf(element, word, 0, influences);
-                _starts.push(sum);
-            }
-            element.refuseIf(sum != influences, "its <vcount> adds up to " + sum + " joints, but <v> has " + influences);
+            element.checkCount(counts.length, "numbers in <vcount>");
+            return new StepSequence().slices(counts.length, INFLUENCES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = first; i < end; i++)
+                    {
+                        sum += indexOf(element, counts[i], 0, influences);
+                        _starts.push(sum);
+                    }
+                }).call(function():void
+                {
+                    element.refuseIf(sum != influences, "its <vcount> adds up to " + sum + " joints, but <v> has " + influences);
+                });
         }
 
         private static function indexOf(element:ColladaElement, word:String, least:Number, most:Number):int

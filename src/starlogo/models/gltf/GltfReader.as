@@ -3,10 +3,8 @@ package starlogo.models.gltf
     import starlogo.models.ModelData;
     import starlogo.models.ModelBuilder;
     import starlogo.models.VertexFilter;
-    import starlogo.models.turnToZUp;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
-    import starlogo.steps.finish;
 
     /**
      * Reads a glTF file. GltfModel says which parts.
@@ -60,9 +58,7 @@ package starlogo.models.gltf
         {
             var data:ModelData = dataFor(file, upAxis, null);
             file.limits.restart();
-            finish(new GltfReader(data, file, animation, time));
-            finish(turnToZUp(data.upAxis).transformingPoints(data.vertices));
-            return data.vertices;
+            return data.verticesBy(new GltfReader(data, file, animation, time));
         }
 
         private static function dataFor(file:GltfFile, upAxis:Object, scaling:String):ModelData

@@ -1,0 +1,55 @@
+package starlogo.models.collada
+{
+    import starlogo.models.FileLimits;
+    import starlogo.models.refuseIf;
+
+    /**
+     * A COLLADA document, and what its poses share: its geometries and its skins are read once.
+     *
+     * @private
+     */
+    public final class ColladaDocument
+    {
+        /** Its steps read the document. */
+        internal var xml:XmlReader;
+
+        private var _meshes:Object = {}; // by the index of the geometry's element
+        private var _skins:Object = {}; // by the index of the element that places them
+
+        /**
+         * @param name the model's name
+         * @param text the document's text
+         */
+        public function ColladaDocument(name:String, text:String)
+        {
+            refuseIf(text == null, name, "there is no text to read");
+            xml = new XmlReader(text, new FileLimits(name, text.length));
+        }
+
+        /** What the document may have and cost. */
+        internal function get limits():FileLimits
+        {
+            return xml.limits;
+        }
+
+        /** The root, when all is read. @throws ModelError if it is not COLLADA */
+        internal function get root():ColladaElement
+        {
+            refuseIf(xml.root == null, limits.modelName, "this is not XML: expected a COLLADA document");
+            xml.root.refuseIf(xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + xml.root.name + ">");
+            return xml.root;
+        }
+
+        /** The mesh of a geometry, which may be in the scene many times. */
+        internal function meshOf(geometry:ColladaElement):ColladaMesh
+        {
+            return _meshes[geometry.index] ||= new ColladaMesh(geometry);
+        }
+
+        /** The skin of an element that places it. */
+        internal function skinOf(skin:ColladaElement, instance:ColladaElement):ColladaSkin
+        {
+            return _skins[instance.index] ||= new ColladaSkin(skin, instance);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+package starlogo.models.collada
+{
+    import starlogo.geometry.AffineTransform;
+
+    /** A node of a COLLADA document at one of its places in the scene. */
+    internal final class ColladaPlace
+    {
+        /** The node's element. */
+        public var node:ColladaElement;
+
+        /** The place around this one; null for that of the scene. */
+        public var around:ColladaPlace;
+
+        /** How many places are around this one. */
+        public var depth:int;
+
+        /** What takes points of the node to the scene. It grows with each of the node's transform elements that is visited. */
+        public var transform:AffineTransform;
+
+        /** The number of places that come before this one. */
+        public var first:int;
+
+        /** The number of places before this one, of this one and of those in it, when all of them are visited. */
+        public var end:int;
+
+        /**
+         * @param node the node's element
+         * @param around the place around this one; null for the scene
+         * @param first the number of places that come before this one
+         */
+        public function ColladaPlace(node:ColladaElement, around:ColladaPlace, first:int)
+        {
+            this.node = node;
+            this.around = around;
+            this.first = first;
+            depth = around == null ? 0 : around.depth + 1;
+            transform = around == null ? new AffineTransform() : around.transform;
+        }
+
+        /** Whether a node is at this place, or at one around it. */
+        public function isWithin(node:ColladaElement):Boolean
+        {
+            for (var place:ColladaPlace = this; place != null; place = place.around)
+            {
+                if (place.node == node)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+}

@@ -1,9 +1,11 @@
-/** The page of calls: what it says that a frame, a question and a walk pass is what runs, as V8 counts it. Checks starlogo.collision. */
+/** The page of calls: what it says that a frame, a question, a walk and a model pass is what runs, as V8 counts it. Checks starlogo.collision. */
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { Agent, AgentFilter, AgentQueries, BuiltInModel, Collision, CombinationCollider, GreatLand, TightestFitCollider } from "../../bin/module/starlogo-collision.js";
+import {
+	Agent, AgentFilter, AgentQueries, BuiltInModel, ColladaModel, Collision, CombinationCollider, CookedModel, GltfModel, GreatLand, ObjModel, TightestFitCollider,
+} from "../../bin/module/starlogo-collision.js";
 import { beginCoverage } from "../runner/coverage.mjs";
 
 const at = (file) => fileURLToPath(new URL(`../../${file}`, import.meta.url));
@@ -86,4 +88,27 @@ test("docs/calls.md names the classes of queries that a walk passes", () => {
 	const named = [...namesIn(section("A question") + section("A walk")), "WalkOptions", "Footing"];
 	assert.ok(ran.length > 15, ran.join());
 	assert.deepEqual(ran.filter((name) => !named.includes(name)), []);
+});
+
+test("docs/calls.md says how many classes a model passes from its file to its structures", () => {
+	const rooms = new Set([...classesOf("models", "libraries", "fitting", "geometry/hull", "hierarchy", "solid"), "GreatLand", "StepSequence"]);
+	const corners = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [2, 1, 0], [0, 4, 0], [1, 1, 3]];
+	const obj = corners.map((corner) => `v ${corner.join(" ")}\n`).join("") + "f 1 2 3 4 5\nf 1 6 2\nf 2 6 3\nf 3 6 4\nf 4 6 5\nf 5 6 1\n";
+	const dae = '<COLLADA><library_geometries><geometry id="g"><mesh><source id="p"><float_array id="f">' + corners.flat().join(" ") +
+		'</float_array><technique_common><accessor source="#f" stride="3"/></technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>' +
+		'<polylist><input semantic="VERTEX" source="#v" offset="0"/><vcount>5 3 3 3 3 3</vcount><p>0 1 2 3 4 0 5 1 1 5 2 2 5 3 3 5 4 4 5 0</p></polylist></mesh></geometry></library_geometries>' +
+		'<library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>';
+	const points = Buffer.from(new Float32Array(corners.flat()).buffer).toString("base64");
+	const gltf = JSON.stringify({ asset: { version: "2.0" }, nodes: [{ mesh: 0, translation: [1, 2, 3] }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+		accessors: [{ bufferView: 0, componentType: 5126, type: "VEC3", count: 6 }], bufferViews: [{ buffer: 0, byteLength: 72 }],
+		buffers: [{ byteLength: 72, uri: `data:application/octet-stream;base64,${points}` }] });
+	const cooked = new GreatLand().cook(ObjModel.fromBytes("a", Buffer.from(obj)));
+	const files = { "An OBJ": [ObjModel, Buffer.from(obj)], "a COLLADA": [ColladaModel, Buffer.from(dae)], "a glTF": [GltfModel, Buffer.from(gltf)], "a cooked": [CookedModel, cooked] };
+	const told = section("A model").replace(/\s+/g, " ");
+	for (const [format, [Reader, bytes]] of Object.entries(files)) {
+		const land = new GreatLand();
+		const ran = classesThatRun(rooms, () => land.addModel(Reader.fromBytes("a", bytes)));
+		assert.ok(land.hasModel("a"));
+		assert.match(told, new RegExp(`${format} file (passes )?${ran.length}\\b`, "i"), `${format} file: ${ran.length} classes, ${ran.join()}`);
+	}
 });

@@ -17,18 +17,18 @@ package starlogo.models.collada
         /** Whether the first joint of the last skin mirrors, when no step is left. */
         public var isMirror:Boolean = false;
 
-        private var _pose:ColladaPose;
+        private var _scene:ColladaScene;
 
         /**
-         * @param pose the document at a time
+         * @param scene knows where joints are, and what moves
          * @param instance the element that places the geometry
          * @param place where it is
          * @param mesh the geometry
          * @param deformers the morphs and skins, the last one first
          */
-        public function ColladaDeformation(pose:ColladaPose, instance:ColladaElement, place:ColladaPlace, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
+        public function ColladaDeformation(scene:ColladaScene, instance:ColladaElement, place:ColladaPlace, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
         {
-            _pose = pose;
+            _scene = scene;
             add(mesh).call(function():void
                 {
                     points = mesh.points.slice();
@@ -47,16 +47,16 @@ package starlogo.models.collada
         {
             if (deformer.name == "skin")
             {
-                var skin:ColladaSkin = _pose.document.skinOf(deformer, instance);
+                var skin:ColladaSkin = _scene.document.skinOf(deformer, instance);
                 isSkinned = true;
                 add(skin).begin(function():Steps
                     {
-                        var palette:Vector.<AffineTransform> = skin.paletteOf(_pose, place);
+                        var palette:Vector.<AffineTransform> = skin.paletteOf(_scene, place);
                         isMirror = palette[1].isMirror;
                         return skin.moving(points, palette);
                     });
             }
-            else if (!_pose.isAtRest)
+            else if (!_scene.isAtRest)
             {
                 begin(function():Steps
                     {
@@ -71,7 +71,7 @@ package starlogo.models.collada
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaList = ColladaList.of(inputs, "MORPH_TARGET", ColladaList.NAMES, morph);
             var list:ColladaList = ColladaList.of(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var moved:Vector.<Number> = _pose.numbersOf(list.array);
+            var moved:Vector.<Number> = _scene.numbersOf(list.array);
             var weights:Vector.<Number> = moved == null ? list.numbers : list.partOf(moved);
             morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(points.length) : points.slice();
@@ -91,7 +91,7 @@ package starlogo.models.collada
         {
             var geometry:ColladaElement = morph.elementsById["geometry#" + id];
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
-            return _pose.document.meshOf(geometry);
+            return _scene.document.meshOf(geometry);
         }
 
         private function mix(target:Vector.<Number>, base:Vector.<Number>, weight:Number):void

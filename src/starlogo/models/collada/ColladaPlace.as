@@ -37,6 +37,45 @@ package starlogo.models.collada
             transform = around == null ? new AffineTransform() : around.transform;
         }
 
+        /**
+         * Of the places of a node, the one that is in the innermost place around this that has one; the first of those. So each of several
+         * figures has joints of its own.
+         *
+         * @param places in the scene's order, at least one
+         */
+        public function nearestOf(places:Array):ColladaPlace
+        {
+            for (var outer:ColladaPlace = this; places.length > 1 && outer != null; outer = outer.around)
+            {
+                var next:int = indexFrom(places, outer.first);
+                if (next < places.length && places[next].first < outer.end)
+                {
+                    return places[next];
+                }
+            }
+            return places[0];
+        }
+
+        // The index of the first place that has at least so many places before it.
+        private static function indexFrom(places:Array, first:int):int
+        {
+            var low:int = 0;
+            var high:int = places.length;
+            while (low < high)
+            {
+                var middle:int = (low + high) >> 1;
+                if (places[middle].first < first)
+                {
+                    low = middle + 1;
+                }
+                else
+                {
+                    high = middle;
+                }
+            }
+            return low;
+        }
+
         /** Whether a node is at this place, or at one around it. */
         public function isWithin(node:ColladaElement):Boolean
         {

@@ -19,14 +19,14 @@ package starlogo.models.collada
      * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place of a geometry is a
      * ColladaInstance, which adds the mesh to the model. A ColladaDeformation moves points by morphs and by ColladaSkins, before.</p>
      *
-     * <p>A ColladaPose is the ColladaDocument at rest or at a time of a ColladaAnimation, whose ColladaChannels have the numbers of
-     * ColladaSamplers.</p>
+     * <p>A ColladaAnimation moves the scene by ColladaChannels, which have the numbers of ColladaSamplers.</p>
      *
      * @private
      */
     public final class ColladaReader extends StepSequence
     {
         private var _data:ModelData;
+        private var _scene:ColladaScene;
 
         /**
          * @param data takes what is read
@@ -40,8 +40,10 @@ package starlogo.models.collada
             _data = data;
             add(document.xml).begin(function():Steps
                 {
-                    return readingDocument(document.root, isAxisNamed, new ColladaPose(document, animation, time));
-                });
+                    readAsset(document.root.child("asset"), isAxisNamed);
+                    _scene = new ColladaScene(document, animation, time);
+                    return _scene;
+                }).begin(readingInstances);
         }
 
         /**
@@ -71,23 +73,18 @@ package starlogo.models.collada
             return ModelData.forFile(name, upAxis == null ? "z" : upAxis, scaling);
         }
 
-        private function readingDocument(root:ColladaElement, isAxisNamed:Boolean, pose:ColladaPose):Steps
+        private function readAsset(asset:ColladaElement, isAxisNamed:Boolean):void
         {
-            var asset:ColladaElement = root.child("asset");
             _data.upAxis = isAxisNamed ? _data.upAxis : upAxisOf(asset);
             if (_data.scaling == Model.AS_GIVEN && _data.transform == null)
             {
                 _data.transform = toMetres(asset);
             }
-            var scene:ColladaScene = new ColladaScene(root, pose);
-            return new StepSequence().add(scene).begin(function():Steps
-                {
-                    return readingInstances(scene.instances);
-                });
         }
 
-        private function readingInstances(instances:Vector.<ColladaInstance>):Steps
+        private function readingInstances():Steps
         {
+            var instances:Vector.<ColladaInstance> = _scene.instances;
             var loosePoints:Vector.<Number> = new Vector.<Number>();
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {

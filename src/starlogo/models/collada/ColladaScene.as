@@ -5,8 +5,8 @@ package starlogo.models.collada
     import starlogo.steps.StepSequence;
 
     /**
-     * Visits the nodes of a COLLADA scene and finds their geometries, and where its nodes are. If there is no scene, it takes all geometries of
-     * the library.
+     * The scene of a COLLADA document at rest or at a time of an animation. Its steps visit the nodes and find where they are, and their
+     * geometries. If there is no scene, it takes all geometries of the library.
      */
     internal final class ColladaScene extends StepSequence
     {
@@ -20,7 +20,14 @@ package starlogo.models.collada
         /** The geometries in the document's order, when no step is left. */
         public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
-        private var _pose:ColladaPose;
+        private var _document:ColladaDocument;
+        private var _animation:ColladaAnimation;
+        private var _time:Number;
+        private var _places:Object = {}; // lists of the places of a node, in their order, by the node's index
+
+        // of the elements that were asked for, by their indices: the scene may place an element often
+        private var _numbers:Object = {};
+        private var _transforms:Object = {};
 
         // The elements that are to be visited, the next one last. Null stands for the end of the innermost node.
         private var _pending:Vector.<ColladaElement> = new Vector.<ColladaElement>();
@@ -30,12 +37,16 @@ package starlogo.models.collada
         private var _placeCount:int = 0;
 
         /**
-         * @param root the document's root element
-         * @param pose moves the scene, and takes where its nodes are
+         * @param document the document; all its steps must be done
+         * @param animation moves the nodes; null at rest
+         * @param time the time of the animation, in the document's time, in seconds
          */
-        public function ColladaScene(root:ColladaElement, pose:ColladaPose)
+        public function ColladaScene(document:ColladaDocument, animation:ColladaAnimation, time:Number)
         {
-            _pose = pose;
+            _document = document;
+            _animation = animation;
+            _time = time;
+            var root:ColladaElement = document.root;
             var scene:ColladaElement = root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
@@ -47,6 +58,43 @@ package starlogo.models.collada
             {
                 addLibrary(root);
             }
+        }
+
+        /** The document. Its scenes share its geometries and skins. */
+        public function get document():ColladaDocument
+        {
+            return _document;
+        }
+
+        /** Whether nothing moves. */
+        public function get isAtRest():Boolean
+        {
+            return _animation == null;
+        }
+
+        /** The numbers that the animation gives to an element; null if they stay. */
+        public function numbersOf(element:ColladaElement):Vector.<Number>
+        {
+            if (_animation != null && !(element.index in _numbers))
+            {
+                _numbers[element.index] = _animation.numbersOf(element, _time);
+            }
+            return _numbers[element.index];
+        }
+
+        /**
+         * What takes points of a joint to the scene, when no step is left.
+         *
+         * @param joint the joint's node
+         * @param place where the skin is. Of several places of the joint, the nearest one counts
+         * @param skin the skin's element, for the error
+         * @throws ModelError if the joint is not in the scene
+         */
+        public function jointAt(joint:ColladaElement, place:ColladaPlace, skin:ColladaElement):AffineTransform
+        {
+            var places:Array = _places[joint.index];
+            skin.refuseIf(places == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
+            return place.nearestOf(places).transform;
         }
 
         private function visitSome():Boolean
@@ -64,7 +112,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, _pose.document.meshOf(geometry), new AffineTransform()));
+                    instances.push(new ColladaInstance(geometry, _document.meshOf(geometry), new AffineTransform()));
                 }
             }
         }
@@ -75,7 +123,7 @@ package starlogo.models.collada
             _place = new ColladaPlace(node, _place, _placeCount++);
             node.refuseIf(_place.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
             node.limits.countElements(COUNT_PER_PLACING * (1 + node.children.length), node);
-            _pose.addPlace(_place);
+            (_places[node.index] ||= []).push(_place);
             _pending.push(null);
             for (var i:int = node.children.length - 1; i >= 0; i--)
             {
@@ -95,7 +143,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaInstance(element, _pose.document.meshOf(element.target("url", ["geometry"])), _place.transform));
+                    instances.push(new ColladaInstance(element, _document.meshOf(element.target("url", ["geometry"])), _place.transform));
                     break;
                 case "instance_controller":
                     addController(element);
@@ -109,9 +157,16 @@ package starlogo.models.collada
                     enter(element);
                     break;
                 default:
-                    var local:AffineTransform = _pose.transformOf(element);
+                    var local:AffineTransform = transformOf(element);
                     _place.transform = local == null ? _place.transform : _place.transform.after(local);
             }
+        }
+
+        // The transform that an element is; null if it is none.
+        private function transformOf(element:ColladaElement):AffineTransform
+        {
+            var numbers:Vector.<Number> = numbersOf(element);
+            return numbers == null ? element.toTransform() : (_transforms[element.index] ||= ColladaTransform.of(element, numbers));
         }
 
         // Follows controllers down to the geometry, and finds their skins and morphs.
@@ -128,8 +183,8 @@ package starlogo.models.collada
                         " controllers follow one another, or they refer to each other in a circle");
                 deformers.push(deformer);
             }
-            var mesh:ColladaMesh = _pose.document.meshOf(target);
-            instances.push(new ColladaInstance(element, mesh, _place.transform, new ColladaDeformation(_pose, element, _place, mesh, deformers)));
+            var mesh:ColladaMesh = _document.meshOf(target);
+            instances.push(new ColladaInstance(element, mesh, _place.transform, new ColladaDeformation(this, element, _place, mesh, deformers)));
         }
     }
 }

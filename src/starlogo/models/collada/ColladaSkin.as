@@ -47,14 +47,14 @@ package starlogo.models.collada
                 }).begin(readingWeights);
         }
 
-        /** What moves points to the scene by joint -1, 0, 1, ... @param place where the skin is */
-        public function paletteOf(pose:ColladaPose, place:ColladaPlace):Vector.<AffineTransform>
+        /** What moves points to the scene by joint -1, 0, 1, ... @param place where the skin is in the scene */
+        public function paletteOf(scene:ColladaScene, place:ColladaPlace):Vector.<AffineTransform>
         {
             _skin.limits.countElements(_nodes.length, _skin);
             var palette:Vector.<AffineTransform> = new <AffineTransform>[_shape];
             for (var i:int = 0; i < _nodes.length; i++)
             {
-                palette.push(pose.jointAt(_nodes[i], place, _skin).after(_inverses[i]).after(_shape));
+                palette.push(scene.jointAt(_nodes[i], place, _skin).after(_inverses[i]).after(_shape));
             }
             return palette;
         }

@@ -101,16 +101,17 @@ package starlogo.solid.interior
         private function extendGroup(start:int, vertex:int):void
         {
             var vertices:Vector.<Number> = _mesh.vertices;
+            var outermost:Vector.<Number> = points;
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var low:int = start + 6 * axis;
                 var coordinate:Number = vertices[int(vertex + axis)];
-                var to:int = coordinate < points[int(low + axis)] ? low : low + 3;
-                if (to == low || coordinate > points[int(to + axis)])
+                var to:int = coordinate < outermost[int(low + axis)] ? low : low + 3;
+                if (to == low || coordinate > outermost[int(to + axis)])
                 {
-                    points[to] = vertices[vertex];
-                    points[to + 1] = vertices[vertex + 1];
-                    points[to + 2] = vertices[vertex + 2];
+                    outermost[to] = vertices[vertex];
+                    outermost[int(to + 1)] = vertices[int(vertex + 1)];
+                    outermost[int(to + 2)] = vertices[int(vertex + 2)];
                 }
             }
         }

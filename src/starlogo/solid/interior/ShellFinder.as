@@ -17,9 +17,10 @@ package starlogo.solid.interior
         private var _edges:EdgeMatcher;
         private var _first:int = 0;
 
-        // The triangles of all shells so far. It is also the queue of triangles to visit.
-        private var _queue:Vector.<int> = new Vector.<int>();
+        // The triangles of all shells so far. It is also the queue of triangles to visit: from the next one on, as far as it goes.
+        private var _queue:Vector.<int>;
         private var _next:int = 0;
+        private var _end:int = 0;
 
         /**
          * @param surface receives the shells
@@ -29,6 +30,7 @@ package starlogo.solid.interior
         {
             _surface = surface;
             _edges = edges;
+            _queue = new Vector.<int>(surface.signedShells.length, true);
             repeat(visitTriangles);
         }
 
@@ -37,7 +39,7 @@ package starlogo.solid.interior
             var signedShells:Vector.<int> = _surface.signedShells;
             for (var i:int = 0; i < TRIANGLES_PER_STEP; i++)
             {
-                if (_next < _queue.length)
+                if (_next < _end)
                 {
                     goOnFrom(_queue[_next++]);
                 }
@@ -63,7 +65,7 @@ package starlogo.solid.interior
         {
             _surface.signedShells[triangle] = signedShell;
             balances[int(balances.length - 1)] += signedShell > 0 ? 1 : -1;
-            _queue.push(triangle);
+            _queue[_end++] = triangle;
         }
 
         private function goOnFrom(triangle:int):void

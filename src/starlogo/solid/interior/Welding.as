@@ -6,13 +6,19 @@ package starlogo.solid.interior
 
     /**
      * Finds the vertices that are at the same place, within a tolerance, because rounding may have separated the vertices of a seam. A hash
-     * table has the places by the cells of a grid. Each cell is twice as wide as the tolerance, so the places near a vertex are in eight
-     * cells at most. Places are farther apart than the tolerance, so a cell has few of them. The table is not a HashTable, because it need
-     * not tell cells apart: a vertex is compared with the places anyway. A HashTable would take longer.
+     * table has the places by the cells of a grid. A cell is so much wider than the tolerance that most vertices are farther than that from
+     * all other cells. Then no other cell is searched. Places are farther apart than the tolerance, so a cell has few of them. The table is not
+     * a HashTable, because it need not tell cells apart: a vertex is compared with the places anyway. A HashTable would take longer.
      */
     internal final class Welding extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 500;
+
+        // The width of a cell, in tolerances. Smaller: more vertices are near another cell. Larger: a cell may have more places.
+        private static const CELL_WIDTH:int = 8;
+
+        // Where a cell is near the next one, as a fraction of its width: as far as the tolerance, and more than is rounded.
+        private static const NEAR:Number = 1.01 / CELL_WIDTH;
 
         /** For each vertex, the first vertex at the same place. */
         public var welded:Vector.<int>;
@@ -71,22 +77,23 @@ package starlogo.solid.interior
 
         private function placeOf(vertex:int):int
         {
-            var cellsPerUnit:Number = 0.5 / _tolerance;
+            var cellsPerUnit:Number = 1 / (CELL_WIDTH * _tolerance);
             var x:Number = (_vertices[3 * vertex] - _bounds.minX) * cellsPerUnit;
             var y:Number = (_vertices[int(3 * vertex + 1)] - _bounds.minY) * cellsPerUnit;
             var z:Number = (_vertices[int(3 * vertex + 2)] - _bounds.minZ) * cellsPerUnit;
             var cellX:int = x;
             var cellY:int = y;
             var cellZ:int = z;
-            // In each direction the nearer of the two neighbours.
-            var besideX:int = x - cellX < 0.5 ? cellX - 1 : cellX + 1;
-            var besideY:int = y - cellY < 0.5 ? cellY - 1 : cellY + 1;
-            var besideZ:int = z - cellZ < 0.5 ? cellZ - 1 : cellZ + 1;
+            var besideX:int = cellX + sideOf(x - cellX);
+            var besideY:int = cellY + sideOf(y - cellY);
+            var besideZ:int = cellZ + sideOf(z - cellZ);
             var own:int = hash(cellX, cellY, cellZ);
             _nearest = -1;
             _distance = _tolerance;
             findNearest(own, vertex);
-            for (var i:int = 1; i < 8 && (_nearest < 0 || _distance > 0); i++)
+            var corner:int = (besideX == cellX ? 0 : 1) | (besideY == cellY ? 0 : 2) | (besideZ == cellZ ? 0 : 4);
+            // all cells that differ from the own one in some of these directions
+            for (var i:int = corner; i > 0 && _distance > 0; i = i - 1 & corner)
             {
                 findNearest(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex);
             }
@@ -98,6 +105,12 @@ package starlogo.solid.interior
             _before[vertex] = _last[own];
             _last[own] = vertex + 1;
             return vertex;
+        }
+
+        // Where the next cell is in a direction: -1, 1, or 0 if it is farther away than the tolerance, whatever is rounded.
+        private static function sideOf(part:Number):int
+        {
+            return part < NEAR ? -1 : (part > 1 - NEAR ? 1 : 0);
         }
 
         // Looks for a nearer place among those with a hash, most of which are in one cell.

@@ -94,18 +94,24 @@ package starlogo.solid.interior
         // Gathers the edges of each lower vertex.
         private function gather(first:int, end:int):void
         {
-            for (var triangle:int = first; triangle < end; triangle++)
+            for (var edge:int = 3 * first; edge < 3 * end; edge += 3)
             {
-                if (hasEdges(triangle))
+                var a:int = beginOf(edge);
+                var b:int = beginOf(edge + 1);
+                var c:int = beginOf(edge + 2);
+                if (a != b && b != c && c != a)
                 {
-                    for (var edge:int = 3 * triangle; edge < 3 * triangle + 3; edge++)
-                    {
-                        var low:int = lowOf(edge);
-                        _before[edge] = _lastOfLow[low];
-                        _lastOfLow[low] = edge + 1;
-                    }
+                    gatherAt(a < b ? a : b, edge);
+                    gatherAt(b < c ? b : c, edge + 1);
+                    gatherAt(c < a ? c : a, edge + 2);
                 }
             }
+        }
+
+        private function gatherAt(low:int, edge:int):void
+        {
+            _before[edge] = _lastOfLow[low];
+            _lastOfLow[low] = edge + 1;
         }
 
         // Links the edges between the same vertices, those of each lower vertex from the last one to the first. Until they are matched, the partner of

@@ -101,19 +101,26 @@ package starlogo.solid.interior
         private function extendGroup(start:int, vertex:int):void
         {
             var vertices:Vector.<Number> = _mesh.vertices;
-            var outermost:Vector.<Number> = points;
             for (var axis:int = 0; axis < 3; axis++)
             {
-                var low:int = start + 6 * axis;
                 var coordinate:Number = vertices[int(vertex + axis)];
-                var to:int = coordinate < outermost[int(low + axis)] ? low : low + 3;
-                if (to == low || coordinate > outermost[int(to + axis)])
+                var low:int = start + 7 * axis;
+                if (coordinate < points[low])
                 {
-                    outermost[to] = vertices[vertex];
-                    outermost[int(to + 1)] = vertices[int(vertex + 1)];
-                    outermost[int(to + 2)] = vertices[int(vertex + 2)];
+                    setPoint(low - axis, vertex);
+                }
+                else if (coordinate > points[int(low + 3)])
+                {
+                    setPoint(low + 3 - axis, vertex);
                 }
             }
+        }
+
+        private function setPoint(at:int, vertex:int):void
+        {
+            points[at] = _mesh.vertices[vertex];
+            points[at + 1] = _mesh.vertices[vertex + 1];
+            points[at + 2] = _mesh.vertices[vertex + 2];
         }
     }
 }

@@ -70,31 +70,35 @@ package starlogo.solid.interior
 
         private function goOnFrom(triangle:int):void
         {
-            var shell:int = balances.length - 1;
-            var shellStates:Vector.<int> = _surface.shellStates;
+            var partners:Vector.<int> = _edges.partners;
+            var signedShells:Vector.<int> = _surface.signedShells;
+            var own:int = signedShells[triangle];
             for (var edge:int = 3 * triangle; edge < 3 * triangle + 3; edge++)
             {
-                var partner:int = _edges.partners[edge] - 1;
+                var partner:int = partners[edge] - 1;
                 if (partner < 0)
                 {
-                    shellStates[shell] = SurfaceTopology.OPEN;
+                    lowerState(SurfaceTopology.OPEN);
                     continue;
                 }
-                var signedShell:int = _surface.signedShells[triangle];
-                if (_edges.beginOf(edge) == _edges.beginOf(partner))
+                var expected:int = _edges.beginOf(edge) == _edges.beginOf(partner) ? -own : own;
+                var found:int = signedShells[int(partner / 3)];
+                if (found == 0)
                 {
-                    signedShell = -signedShell;
+                    addTriangle(partner / 3, expected);
                 }
-                var neighbour:int = partner / 3;
-                if (_surface.signedShells[neighbour] == 0)
+                else if (found != expected)
                 {
-                    addTriangle(neighbour, signedShell);
-                }
-                else if (_surface.signedShells[neighbour] != signedShell && shellStates[shell] == SurfaceTopology.TWO_SIDED)
-                {
-                    shellStates[shell] = SurfaceTopology.ONE_SIDED;
+                    lowerState(SurfaceTopology.ONE_SIDED);
                 }
             }
+        }
+
+        // The last shell is open rather than one-sided, and one-sided rather than two-sided: the least state counts.
+        private function lowerState(state:int):void
+        {
+            var states:Vector.<int> = _surface.shellStates;
+            states[int(states.length - 1)] = Math.min(states[int(states.length - 1)], state);
         }
     }
 }

@@ -1,5 +1,6 @@
 package starlogo.solid.interior
 {
+    import starlogo.data.fixedInts;
     import starlogo.steps.StepSequence;
 
     /**
@@ -56,10 +57,10 @@ package starlogo.solid.interior
             _triangles = triangles;
             _welding = welding;
             var vertexCount:int = welding.welded.length;
-            partners = new Vector.<int>(triangles.length, true);
-            _before = new Vector.<int>(triangles.length, true);
-            _lastOfLow = new Vector.<int>(vertexCount, true);
-            _visitedOfHigh = new Vector.<int>(vertexCount, true);
+            partners = fixedInts(triangles.length);
+            _before = fixedInts(triangles.length);
+            _lastOfLow = fixedInts(vertexCount);
+            _visitedOfHigh = fixedInts(vertexCount);
             slices(triangles.length / 3, TRIANGLES_PER_STEP, gather).slices(vertexCount, VERTICES_PER_STEP, link)
                 .slices(triangles.length, EDGES_PER_STEP, match).call(beginNonManifold);
         }

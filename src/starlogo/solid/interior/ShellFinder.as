@@ -1,5 +1,6 @@
 package starlogo.solid.interior
 {
+    import starlogo.data.fixedInts;
     import starlogo.steps.StepSequence;
 
     /**
@@ -30,7 +31,7 @@ package starlogo.solid.interior
         {
             _surface = surface;
             _edges = edges;
-            _queue = new Vector.<int>(surface.signedShells.length, true);
+            _queue = fixedInts(surface.signedShells.length);
             repeat(visitTriangles);
         }
 

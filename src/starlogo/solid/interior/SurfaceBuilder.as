@@ -1,5 +1,6 @@
 package starlogo.solid.interior
 {
+    import starlogo.data.fixedInts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -40,7 +41,7 @@ package starlogo.solid.interior
             _places = welding.welded;
             _surface.widestSeam = welding.widestSeam;
             _sets = new DisjointSets(vertexCount);
-            _numbers = new Vector.<int>(vertexCount, true);
+            _numbers = fixedInts(vertexCount);
             _shells = new ShellFinder(_surface, edges);
             slices(count, TRIANGLES_PER_STEP, joinVertices).slices(count, TRIANGLES_PER_STEP, numberParts);
             add(edges).add(_shells).begin(findCavities);

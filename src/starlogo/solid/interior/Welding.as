@@ -1,5 +1,6 @@
 package starlogo.solid.interior
 {
+    import starlogo.data.fixedInts;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.steps.StepSequence;
@@ -51,9 +52,9 @@ package starlogo.solid.interior
             {
                 size *= 2;
             }
-            welded = new Vector.<int>(count, true);
-            _last = new Vector.<int>(size, true);
-            _before = new Vector.<int>(count, true);
+            welded = fixedInts(count);
+            _last = fixedInts(size);
+            _before = fixedInts(count);
             slices(count, 8 * VERTICES_PER_STEP, addVertices).call(setTolerance).slices(count, VERTICES_PER_STEP, weld);
         }
 

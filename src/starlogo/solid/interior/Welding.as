@@ -36,10 +36,6 @@ package starlogo.solid.interior
         private var _last:Vector.<int>;
         private var _before:Vector.<int>;
 
-        // The nearest place found for the current vertex, or -1, and its distance.
-        private var _nearest:int;
-        private var _distance:Number;
-
         /**
          * @param vertices x, y, z of each
          */
@@ -89,19 +85,17 @@ package starlogo.solid.interior
             var besideY:int = cellY + sideOf(y - cellY);
             var besideZ:int = cellZ + sideOf(z - cellZ);
             var own:int = hash(cellX, cellY, cellZ);
-            _nearest = -1;
-            _distance = _tolerance;
-            findNearest(own, vertex);
-            var corner:int = (besideX == cellX ? 0 : 1) | (besideY == cellY ? 0 : 2) | (besideZ == cellZ ? 0 : 4);
-            // all cells that differ from the own one in some of these directions
-            for (var i:int = corner; i > 0 && _distance > 0; i = i - 1 & corner)
+            var nearest:int = nearestOf(own, vertex, -1);
+            var beside:int = (besideX == cellX ? 0 : 1) | (besideY == cellY ? 0 : 2) | (besideZ == cellZ ? 0 : 4);
+            // all cells that are beside the own one in some of these directions
+            for (var i:int = beside; i > 0; i = i - 1 & beside)
             {
-                findNearest(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex);
+                nearest = nearestOf(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex, nearest);
             }
-            if (_nearest >= 0)
+            if (nearest >= 0)
             {
-                widestSeam = _distance > widestSeam ? _distance : widestSeam;
-                return _nearest;
+                widestSeam = Math.max(widestSeam, distanceOf(vertex, nearest));
+                return nearest;
             }
             _before[vertex] = _last[own];
             _last[own] = vertex + 1;
@@ -114,21 +108,28 @@ package starlogo.solid.interior
             return part < NEAR ? -1 : (part > 1 - NEAR ? 1 : 0);
         }
 
-        // Looks for a nearer place among those with a hash, most of which are in one cell.
-        private function findNearest(hash:int, vertex:int):void
+        // The nearest place with a hash, unless the nearest one so far is as near. -1 if there is none within the tolerance.
+        private function nearestOf(hash:int, vertex:int, nearest:int):int
         {
+            var least:Number = nearest < 0 ? _tolerance : distanceOf(vertex, nearest);
             for (var place:int = _last[hash] - 1; place >= 0; place = _before[place] - 1)
             {
-                var x:Number = _vertices[3 * vertex] - _vertices[3 * place];
-                var y:Number = _vertices[int(3 * vertex + 1)] - _vertices[int(3 * place + 1)];
-                var z:Number = _vertices[int(3 * vertex + 2)] - _vertices[int(3 * place + 2)];
-                var distance:Number = Math.sqrt(x * x + y * y + z * z);
-                if (distance < _distance || distance == _distance && _nearest < 0)
+                var distance:Number = distanceOf(vertex, place);
+                if (distance < least || distance == least && nearest < 0)
                 {
-                    _distance = distance;
-                    _nearest = place;
+                    least = distance;
+                    nearest = place;
                 }
             }
+            return nearest;
+        }
+
+        private function distanceOf(vertex:int, place:int):Number
+        {
+            var x:Number = _vertices[3 * vertex] - _vertices[3 * place];
+            var y:Number = _vertices[int(3 * vertex + 1)] - _vertices[int(3 * place + 1)];
+            var z:Number = _vertices[int(3 * vertex + 2)] - _vertices[int(3 * place + 2)];
+            return Math.sqrt(x * x + y * y + z * z);
         }
 
         // The products are below 2 to the 53rd, so all of their lowest bits are exact.

@@ -15,6 +15,8 @@ export const EXTERNALS = {
 	"flash.errors.EOFError": "EOFError",
 	"flash.utils.ByteArray": "ByteArray",
 	"flash.utils.getQualifiedClassName": "classNameOf",
+	"starlogo.data.fixedInts": "$fixedInts",
+	"starlogo.data.fixedNumbers": "$fixedNumbers",
 	"starlogo.data.hintOfName": "$hintOfName",
 	"starlogo.data.textOf": "$named",
 	"starlogo.data.warn": "$warn",

@@ -146,7 +146,9 @@ class Labels {
 			this.names.push(String(name ?? ""));
 		}
 		const number = this.#known.get(thing);
-		for (let i = 0; i < count; i++) this.numbers.push(number);
+		const before = this.numbers.length;
+		this.numbers.length += count;
+		this.numbers.fill(number, before);
 	}
 }
 
@@ -210,39 +212,35 @@ class Surface {
 		this.parts.push({ count: points.length / 3, vertices: part });
 		// scaled to 0, as hidden instances often are
 		if (place.getMaxScaleOnAxis() === 0) return;
-		const numbers = new Int32Array(points.length / 3).fill(-1);
-		this.#addPoints(mesh, points, corners, place, numbers, part);
-		this.#addTriangles(corners, numbers, place.determinant() < 0);
+		this.#addTriangles(mesh, points, corners, place, part);
 		this.meshes.add(mesh, titleOf(mesh), corners.length / 3);
 		for (const { material, count } of runs) this.materials.add(material, material?.name, count);
 	}
 
-	/**
-	 * Numbers the points of corners: by the numbers of the surface's vertices, among which new positions come.
-	 *
-	 * @param numbers takes them; -1 for a point that has none yet
-	 * @param part takes the points whose positions are new
-	 */
-	#addPoints(mesh, points, corners, place, numbers, part) {
-		const { vertices } = this;
-		const known = this.#known;
-		const isYUp = this.#isYUp;
-		const at = new Vector3();
+	/** Adds triangles by their corners, and the points whose positions are new to `part`. */
+	#addTriangles(mesh, points, corners, place, part) {
+		const { triangles } = this;
+		const before = triangles.length;
+		// the surface's vertex at each point, -1 before it is known
+		const numbers = new Int32Array(points.length / 3).fill(-1);
 		for (let i = 0; i < corners.length; i++) {
 			const corner = corners[i];
-			if (numbers[corner] >= 0) continue;
-			if (!(corner in numbers)) throw this.#error(mesh, `a triangle names vertex ${corner}, the last one is ${numbers.length - 1}`);
-			const { length } = vertices;
-			at.set(points[3 * corner], points[3 * corner + 1], points[3 * corner + 2]).applyMatrix4(place);
-			numbers[corner] = isYUp ? known.indexOf(at.x, -at.z, at.y) : known.indexOf(at.x, at.y, at.z);
-			if (vertices.length > length) part.push(corner);
+			let number = numbers[corner];
+			if (number === undefined) throw this.#error(mesh, `a triangle names vertex ${corner}, the last one is ${numbers.length - 1}`);
+			if (number < 0) number = numbers[corner] = this.#vertexOf(points, corner, place, part);
+			triangles.push(number);
 		}
+		if (place.determinant() < 0) turnOver(triangles, before);
 	}
 
-	#addTriangles(corners, numbers, isMirrored) {
-		const { triangles } = this;
-		const [second, third] = isMirrored ? [2, 1] : [1, 2];
-		for (let i = 0; i < corners.length; i += 3) triangles.push(numbers[corners[i]], numbers[corners[i + second]], numbers[corners[i + third]]);
+	/** The surface's vertex at a point of a mesh. */
+	#vertexOf(points, corner, place, part) {
+		const { vertices } = this;
+		const { length } = vertices;
+		point.set(points[3 * corner], points[3 * corner + 1], points[3 * corner + 2]).applyMatrix4(place);
+		const number = this.#isYUp ? this.#known.indexOf(point.x, -point.z, point.y) : this.#known.indexOf(point.x, point.y, point.z);
+		if (vertices.length > length) part.push(corner);
+		return number;
 	}
 
 	#read(mesh) {
@@ -299,19 +297,36 @@ function drawnTriangles({ index, attributes, drawRange, groups }, material) {
 	const total = index ? index.count : attributes.position.count;
 	const hasGroups = Array.isArray(material);
 	const drawn = hasGroups ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total, materialIndex: 0 }];
-	const runs = [];
-	const taken = new Uint8Array(total);
-	const corners = [];
-	for (const { start, count, materialIndex } of drawn) {
-		const end = Math.min(total, start + count, drawRange.start + drawRange.count);
-		const before = corners.length;
-		for (let i = Math.max(start, drawRange.start); i + 2 < end; i += 3) {
-			if (taken[i]++) continue;
-			for (let k = i; k < i + 3; k++) corners.push(index ? index.array[k] : k);
-		}
-		runs.push({ material: hasGroups ? material[materialIndex] : material, count: (corners.length - before) / 3 });
+	const all = index ? index.array : Uint32Array.from({ length: total }, (_, i) => i);
+	const ranges = drawn.map(({ start, count }) => {
+		const first = Math.max(start, drawRange.start);
+		const length = Math.max(0, Math.min(total, start + count, drawRange.start + drawRange.count) - first);
+		return { first, end: first + length - (length % 3) };
+	});
+	const materials = drawn.map(({ materialIndex }) => (hasGroups ? material[materialIndex] : material));
+	// one range needs no copy
+	if (ranges.length === 1) {
+		const corners = all.subarray(ranges[0].first, ranges[0].end);
+		return { corners, runs: [{ material: materials[0], count: corners.length / 3 }] };
 	}
+	const corners = [];
+	const taken = new Uint8Array(total);
+	const runs = ranges.map(({ first, end }, i) => {
+		const before = corners.length;
+		takeCorners(all, first, end, taken, corners);
+		return { material: materials[i], count: (corners.length - before) / 3 };
+	});
 	return { corners, runs };
+}
+
+/** Takes the corners of the triangles of a range that are not taken yet. */
+function takeCorners(all, first, end, taken, corners) {
+	for (let i = first; i < end; i += 3) if (!taken[i]++) corners.push(all[i], all[i + 1], all[i + 2]);
+}
+
+/** Turns triangles over, from an index of their list on. */
+function turnOver(triangles, first) {
+	for (let i = first; i < triangles.length; i += 3) [triangles[i + 1], triangles[i + 2]] = [triangles[i + 2], triangles[i + 1]];
 }
 
 /** Gives positions indices. Equal positions get one index, because exporters repeat them for normals and textures. */

@@ -34,6 +34,16 @@ export function $doubles(length) {
 	return copiesOf(doubles, length);
 }
 
+/** A list of small integers whose length stays. It is there at once, and takes half the memory of an array. */
+export function $fixedInts(length) {
+	return new Int32Array(length);
+}
+
+/** A list of numbers whose length stays. */
+export function $fixedNumbers(length) {
+	return new Float64Array(length);
+}
+
 /** `vector.length = length`. As an expression it is the new length. */
 export function $resize(vector, length, zero) {
 	const before = vector.length;

@@ -19,17 +19,12 @@ package starlogo.data
         private var _values:Vector.<int>;
         private var _count:int = 0;
 
-        /** @param expected room for so many keys, so that it does not grow while they are added */
-        public function HashTable(expected:int = 0)
+        /** Creates a table without keys. */
+        public function HashTable()
         {
-            var length:int = FEWEST;
-            while (length < 2 * expected)
-            {
-                length *= 2;
-            }
-            _firsts = new Vector.<int>(length);
-            _seconds = new Vector.<int>(length);
-            _values = new Vector.<int>(length);
+            _firsts = new Vector.<int>(FEWEST);
+            _seconds = new Vector.<int>(FEWEST);
+            _values = new Vector.<int>(FEWEST);
         }
 
         /** The value of two keys, or -1 if they have none. Their order matters. Pass 0 as the second key if one is enough. */

@@ -60,11 +60,10 @@ package starlogo.hierarchy
          */
         public function find(trees:PosedTrees, visitor:NodePairVisitor):int
         {
-            var pose:RelativePose = trees.pose;
             var pair:BoxPair = _pair;
             var axes:BoxAxes = pair.axes;
-            var relative:Placement = pose.placement;
-            var tolerance:Number = pose.tolerance;
+            var relative:Placement = trees.pose.placement;
+            var tolerance:Number = trees.pose.tolerance;
             var boxesA:Vector.<Number> = trees.a.boxes;
             var boxesB:Vector.<Number> = trees.b.boxes;
             var endsA:Vector.<int> = trees.a.endsUpToDepth;

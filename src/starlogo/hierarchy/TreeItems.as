@@ -1,5 +1,7 @@
 package starlogo.hierarchy
 {
+    import starlogo.data.fixedNumbers;
+
     /**
      * The items of a tree while it is made: its triangles or its vertices. Divides the items of a node in two, and changes
      * their order so that the items of each node stand side by side.
@@ -49,7 +51,7 @@ package starlogo.hierarchy
         /** Measures a range of items. Must be called for all items before other methods. */
         public function measure(first:int, end:int):void
         {
-            _extents ||= new Vector.<Number>(6 * _tree.items.length, true);
+            _extents ||= fixedNumbers(6 * _tree.items.length);
             for (var i:int = first; i < end; i++)
             {
                 // the order is still that of the indices

@@ -10,6 +10,7 @@ package starlogo.solid.interior
      */
     internal final class CavityFinder extends StepSequence
     {
+        private static const VOLUMES_PER_STEP:int = 1000;
         private static const TRIANGLES_PER_STEP:int = 25;
 
         // After so many windings of shells for each triangle, one point decides about each shell. Only models with very many nested shells reach
@@ -56,8 +57,7 @@ package starlogo.solid.interior
             if (balances.length > 1)
             {
                 _shells = new Vector.<ClosedShell>(balances.length, true);
-                _extremes = new OutermostPoints(_mesh, balances.length);
-                slices(_items.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orientShells);
+                slices(_items.length, VOLUMES_PER_STEP, addVolumes).call(orientShells);
             }
         }
 
@@ -76,7 +76,6 @@ package starlogo.solid.interior
                     continue;
                 }
                 _shells[index] ||= new ClosedShell(_mesh.corners[3 * slot]);
-                _extremes.add(index, slot);
                 readTriangle(slot);
                 var vertices:Vector.<Number> = _mesh.vertices;
                 var from:int = _shells[index].origin;
@@ -109,7 +108,20 @@ package starlogo.solid.interior
             }
             if (isFound[0] && isFound[2])
             {
-                slices(_items.length, TRIANGLES_PER_STEP, testPoints).call(findCavities);
+                _extremes = new OutermostPoints(_mesh, _shells.length);
+                slices(_items.length, VOLUMES_PER_STEP, addExtremes).slices(_items.length, TRIANGLES_PER_STEP, testPoints).call(findCavities);
+            }
+        }
+
+        private function addExtremes(first:int, end:int):void
+        {
+            for (var slot:int = first; slot < end; slot++)
+            {
+                var index:int = _surface.shellOf(_items[slot]);
+                if (isTwoSided(index))
+                {
+                    _extremes.add(index, slot);
+                }
             }
         }
 

@@ -1,5 +1,7 @@
 package starlogo.solid.interior
 {
+    import starlogo.data.fixedInts;
+
     /**
      * Disjoint sets of numbered elements: union-find with path halving (Tarjan and van Leeuwen, "Worst-case analysis of set union
      * algorithms", Journal of the ACM 31(2), 1984).
@@ -15,7 +17,7 @@ package starlogo.solid.interior
          */
         public function DisjointSets(count:int)
         {
-            _parents = new Vector.<int>(count, true);
+            _parents = fixedInts(count);
             for (var i:int = 0; i < count; i++)
             {
                 _parents[i] = i;

@@ -1,6 +1,6 @@
 package starlogo.solid.interior
 {
-    import starlogo.data.HashTable;
+    import starlogo.data.fixedInts;
     import starlogo.steps.StepSequence;
 
     /**
@@ -8,12 +8,15 @@ package starlogo.solid.interior
      * (a non-manifold edge, for example where two boxes stand edge to edge), triangles that are connected elsewhere are paired first, then
      * triangles that run along the edge in opposite directions.
      *
-     * <p>An edge has three times its triangle's index as its number, plus 0, 1 or 2. The cost is linear, apart from sorting the edges at
-     * which more than two triangles meet.</p>
+     * <p>An edge has three times its triangle's index as its number, plus 0, 1 or 2. An edge is found by its lower vertex, and among the edges of
+     * that vertex by its higher one. So no hash table is needed. The cost is linear, apart from sorting the edges at which more than two triangles
+     * meet.</p>
      */
     internal final class EdgeMatcher extends StepSequence
     {
         private static const EDGES_PER_STEP:int = 3000;
+        private static const TRIANGLES_PER_STEP:int = 1000;
+        private static const VERTICES_PER_STEP:int = 1000;
         private static const NON_MANIFOLD_PER_STEP:int = 100;
         private static const MOST_TRIED:int = 8;
 
@@ -30,12 +33,15 @@ package starlogo.solid.interior
         private var _triangles:Vector.<uint>;
         private var _welding:Welding;
 
-        // The last edge between two vertices. For each edge, one more than the number of the edge before it between the same vertices, or 0.
-        private var _lasts:HashTable;
-        private var _before:Vector.<int>;
+        // For each vertex, one more than the number of the last edge of which it is the lower vertex, or 0. Null after the edges are linked.
+        private var _lastOfLow:Vector.<int>;
 
-        // For each edge, whether there is one after it between the same vertices.
-        private var _hasNext:Vector.<Boolean>;
+        // For each vertex, one more than the number of the last visited edge of which it is the higher vertex, or 0. Null after the edges are linked.
+        private var _visitedOfHigh:Vector.<int>;
+
+        // For each edge, one more than the number of the edge before it with the same lower vertex, or 0. After the edges are linked, with both the
+        // same vertices.
+        private var _before:Vector.<int>;
 
         // If more than two edges are between the same two vertices, the last of these edges is in this list, in the order of the lower
         // vertices: the lower vertex times the number of edges, plus the edge. The sets have the triangles that are connected.
@@ -50,11 +56,13 @@ package starlogo.solid.interior
         {
             _triangles = triangles;
             _welding = welding;
-            partners = new Vector.<int>(triangles.length, true);
-            _before = new Vector.<int>(triangles.length, true);
-            _hasNext = new Vector.<Boolean>(triangles.length, true);
-            _lasts = new HashTable(triangles.length);
-            slices(triangles.length, EDGES_PER_STEP, link).slices(triangles.length, EDGES_PER_STEP, match).call(beginNonManifold);
+            var vertexCount:int = welding.welded.length;
+            partners = fixedInts(triangles.length);
+            _before = fixedInts(triangles.length);
+            _lastOfLow = fixedInts(vertexCount);
+            _visitedOfHigh = fixedInts(vertexCount);
+            slices(triangles.length / 3, TRIANGLES_PER_STEP, gather).slices(vertexCount, VERTICES_PER_STEP, link)
+                .slices(triangles.length, EDGES_PER_STEP, match).call(beginNonManifold);
         }
 
         /** Whether a triangle has three different corners. Other triangles have no edges. */
@@ -84,42 +92,72 @@ package starlogo.solid.interior
             return begin < end ? begin : end;
         }
 
-        // Links the edges between the same vertices.
-        private function link(first:int, end:int):void
+        // Gathers the edges of each lower vertex.
+        private function gather(first:int, end:int):void
         {
-            for (var edge:int = first; edge < end; edge++)
+            for (var edge:int = 3 * first; edge < 3 * end; edge += 3)
             {
-                if (!hasEdges(edge / 3))
+                var a:int = beginOf(edge);
+                var b:int = beginOf(edge + 1);
+                var c:int = beginOf(edge + 2);
+                if (a != b && b != c && c != a)
                 {
-                    continue;
-                }
-                var low:int = lowOf(edge);
-                var high:int = beginOf(edge) + endOf(edge) - low;
-                var before:int = _lasts.set (low, high, edge);
-                if (before >= 0)
-                {
-                    _before[edge] = before + 1;
-                    _hasNext[before] = true;
+                    gatherAt(a < b ? a : b, edge);
+                    gatherAt(b < c ? b : c, edge + 1);
+                    gatherAt(c < a ? c : a, edge + 2);
                 }
             }
         }
 
+        private function gatherAt(low:int, edge:int):void
+        {
+            _before[edge] = _lastOfLow[low];
+            _lastOfLow[low] = edge + 1;
+        }
+
+        // Links the edges between the same vertices, those of each lower vertex from the last one to the first. Until they are matched, the partner of
+        // an edge is the next one between the same vertices.
+        private function link(first:int, end:int):void
+        {
+            for (var low:int = first; low < end; low++)
+            {
+                var edge:int = _lastOfLow[low] - 1;
+                while (edge >= 0)
+                {
+                    var before:int = _before[edge] - 1;
+                    var high:int = beginOf(edge) + endOf(edge) - low;
+                    var later:int = _visitedOfHigh[high] - 1;
+                    _before[edge] = 0;
+                    if (later >= 0 && lowOf(later) == low)
+                    {
+                        _before[later] = edge + 1;
+                        partners[edge] = later + 1;
+                    }
+                    _visitedOfHigh[high] = edge + 1;
+                    edge = before;
+                }
+            }
+        }
+
+        // Matches the last edge between two vertices with the one before it, which is matched with it already. If there are more, they wait.
         private function match(first:int, end:int):void
         {
             for (var edge:int = first; edge < end; edge++)
             {
                 var before:int = _before[edge] - 1;
-                if (_hasNext[edge] || before < 0)
+                if (before < 0 || partners[edge] != 0)
                 {
                     continue;
                 }
                 if (_before[before] == 0)
                 {
-                    pair(edge, before);
+                    partners[edge] = before + 1;
+                    continue;
                 }
-                else
+                _nonManifold.push(lowOf(edge) * Number(partners.length) + edge);
+                for (; before >= 0; before = _before[before] - 1)
                 {
-                    _nonManifold.push(lowOf(edge) * Number(partners.length) + edge);
+                    partners[before] = 0;
                 }
             }
         }
@@ -132,7 +170,7 @@ package starlogo.solid.interior
 
         private function beginNonManifold():void
         {
-            _lasts = null;
+            _lastOfLow = _visitedOfHigh = null;
             _nonManifold.sort(Array.NUMERIC);
             if (_nonManifold.length > 0)
             {

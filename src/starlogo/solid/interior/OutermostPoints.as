@@ -103,16 +103,24 @@ package starlogo.solid.interior
             var vertices:Vector.<Number> = _mesh.vertices;
             for (var axis:int = 0; axis < 3; axis++)
             {
-                var low:int = start + 6 * axis;
                 var coordinate:Number = vertices[int(vertex + axis)];
-                var to:int = coordinate < points[int(low + axis)] ? low : low + 3;
-                if (to == low || coordinate > points[int(to + axis)])
+                var low:int = start + 7 * axis;
+                if (coordinate < points[low])
                 {
-                    points[to] = vertices[vertex];
-                    points[to + 1] = vertices[vertex + 1];
-                    points[to + 2] = vertices[vertex + 2];
+                    setPoint(low - axis, vertex);
+                }
+                else if (coordinate > points[int(low + 3)])
+                {
+                    setPoint(low + 3 - axis, vertex);
                 }
             }
+        }
+
+        private function setPoint(at:int, vertex:int):void
+        {
+            points[at] = _mesh.vertices[vertex];
+            points[at + 1] = _mesh.vertices[vertex + 1];
+            points[at + 2] = _mesh.vertices[vertex + 2];
         }
     }
 }

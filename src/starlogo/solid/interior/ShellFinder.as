@@ -1,5 +1,6 @@
 package starlogo.solid.interior
 {
+    import starlogo.data.fixedInts;
     import starlogo.steps.StepSequence;
 
     /**
@@ -17,9 +18,10 @@ package starlogo.solid.interior
         private var _edges:EdgeMatcher;
         private var _first:int = 0;
 
-        // The triangles of all shells so far. It is also the queue of triangles to visit.
-        private var _queue:Vector.<int> = new Vector.<int>();
+        // The triangles of all shells so far. It is also the queue of triangles to visit: from the next one on, as far as it goes.
+        private var _queue:Vector.<int>;
         private var _next:int = 0;
+        private var _end:int = 0;
 
         /**
          * @param surface receives the shells
@@ -29,6 +31,7 @@ package starlogo.solid.interior
         {
             _surface = surface;
             _edges = edges;
+            _queue = fixedInts(surface.signedShells.length);
             repeat(visitTriangles);
         }
 
@@ -37,7 +40,7 @@ package starlogo.solid.interior
             var signedShells:Vector.<int> = _surface.signedShells;
             for (var i:int = 0; i < TRIANGLES_PER_STEP; i++)
             {
-                if (_next < _queue.length)
+                if (_next < _end)
                 {
                     goOnFrom(_queue[_next++]);
                 }
@@ -63,36 +66,40 @@ package starlogo.solid.interior
         {
             _surface.signedShells[triangle] = signedShell;
             balances[int(balances.length - 1)] += signedShell > 0 ? 1 : -1;
-            _queue.push(triangle);
+            _queue[_end++] = triangle;
         }
 
         private function goOnFrom(triangle:int):void
         {
-            var shell:int = balances.length - 1;
-            var shellStates:Vector.<int> = _surface.shellStates;
+            var partners:Vector.<int> = _edges.partners;
+            var signedShells:Vector.<int> = _surface.signedShells;
+            var own:int = signedShells[triangle];
             for (var edge:int = 3 * triangle; edge < 3 * triangle + 3; edge++)
             {
-                var partner:int = _edges.partners[edge] - 1;
+                var partner:int = partners[edge] - 1;
                 if (partner < 0)
                 {
-                    shellStates[shell] = SurfaceTopology.OPEN;
+                    lowerState(SurfaceTopology.OPEN);
                     continue;
                 }
-                var signedShell:int = _surface.signedShells[triangle];
-                if (_edges.beginOf(edge) == _edges.beginOf(partner))
+                var expected:int = _edges.beginOf(edge) == _edges.beginOf(partner) ? -own : own;
+                var found:int = signedShells[int(partner / 3)];
+                if (found == 0)
                 {
-                    signedShell = -signedShell;
+                    addTriangle(partner / 3, expected);
                 }
-                var neighbour:int = partner / 3;
-                if (_surface.signedShells[neighbour] == 0)
+                else if (found != expected)
                 {
-                    addTriangle(neighbour, signedShell);
-                }
-                else if (_surface.signedShells[neighbour] != signedShell && shellStates[shell] == SurfaceTopology.TWO_SIDED)
-                {
-                    shellStates[shell] = SurfaceTopology.ONE_SIDED;
+                    lowerState(SurfaceTopology.ONE_SIDED);
                 }
             }
+        }
+
+        // The last shell is open rather than one-sided, and one-sided rather than two-sided: the least state counts.
+        private function lowerState(state:int):void
+        {
+            var states:Vector.<int> = _surface.shellStates;
+            states[int(states.length - 1)] = Math.min(states[int(states.length - 1)], state);
         }
     }
 }

@@ -1,6 +1,6 @@
 package starlogo.solid.interior
 {
-    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.data.fixedInts;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -12,8 +12,7 @@ package starlogo.solid.interior
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 
-        private var _surface:SurfaceTopology;
-        private var _mesh:TriangleMesh;
+        private var _triangles:Vector.<uint>;
 
         // For each vertex, the first one at its place.
         private var _places:Vector.<int>;
@@ -32,23 +31,21 @@ package starlogo.solid.interior
         public function SurfaceBuilder(windingCounter:WindingCounter, welding:Welding)
         {
             _windingCounter = windingCounter;
-            _mesh = windingCounter.mesh;
-            _surface = windingCounter.surface;
-            var count:int = _mesh.tree.itemCount;
-            var edges:EdgeMatcher = new EdgeMatcher(_mesh.tree.triangles, welding);
-            var vertexCount:int = _mesh.tree.vertices.length / 3;
+            _triangles = windingCounter.mesh.tree.triangles;
             _places = welding.welded;
-            _surface.widestSeam = welding.widestSeam;
-            _sets = new DisjointSets(vertexCount);
-            _numbers = new Vector.<int>(vertexCount, true);
-            _shells = new ShellFinder(_surface, edges);
+            windingCounter.surface.widestSeam = welding.widestSeam;
+            var count:int = _triangles.length / 3;
+            var edges:EdgeMatcher = new EdgeMatcher(_triangles, welding);
+            _sets = new DisjointSets(_places.length);
+            _numbers = fixedInts(_places.length);
+            _shells = new ShellFinder(windingCounter.surface, edges);
             slices(count, TRIANGLES_PER_STEP, joinVertices).slices(count, TRIANGLES_PER_STEP, numberParts);
             add(edges).add(_shells).begin(findCavities);
         }
 
         private function joinVertices(first:int, end:int):void
         {
-            var triangles:Vector.<uint> = _mesh.tree.triangles;
+            var triangles:Vector.<uint> = _triangles;
             for (var corner:int = 3 * first; corner < 3 * end; corner += 3)
             {
                 _sets.join(_places[triangles[corner]], _places[triangles[int(corner + 1)]]);
@@ -58,15 +55,15 @@ package starlogo.solid.interior
 
         private function numberParts(first:int, end:int):void
         {
-            var triangles:Vector.<uint> = _mesh.tree.triangles;
+            var surface:SurfaceTopology = _windingCounter.surface;
             for (var triangle:int = first; triangle < end; triangle++)
             {
-                var root:int = _sets.rootOf(_places[triangles[3 * triangle]]);
+                var root:int = _sets.rootOf(_places[_triangles[3 * triangle]]);
                 if (_numbers[root] == 0)
                 {
-                    _numbers[root] = ++_surface.partCount;
+                    _numbers[root] = ++surface.partCount;
                 }
-                _surface.parts[triangle] = _numbers[root] - 1;
+                surface.parts[triangle] = _numbers[root] - 1;
             }
         }
 

@@ -1,6 +1,7 @@
 package starlogo.solid.interior
 {
     import flash.utils.ByteArray;
+    import starlogo.data.fixedInts;
 
     /**
      * The properties of a model's surface as a whole: its parts, its shells, and which of these are closed. A SurfaceBuilder computes them,
@@ -51,8 +52,8 @@ package starlogo.solid.interior
          */
         public function SurfaceTopology(triangleCount:int)
         {
-            parts = new Vector.<int>(triangleCount, true);
-            signedShells = new Vector.<int>(triangleCount, true);
+            parts = fixedInts(triangleCount);
+            signedShells = fixedInts(triangleCount);
         }
 
         /** The number of a triangle's shell, or -1 for a triangle with two corners at one place. The triangle is counted as the model does. */

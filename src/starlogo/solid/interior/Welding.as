@@ -1,18 +1,25 @@
 package starlogo.solid.interior
 {
+    import starlogo.data.fixedInts;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.steps.StepSequence;
 
     /**
      * Finds the vertices that are at the same place, within a tolerance, because rounding may have separated the vertices of a seam. A hash
-     * table has the places by the cells of a grid. Each cell is twice as wide as the tolerance, so the places near a vertex are in eight
-     * cells at most. Places are farther apart than the tolerance, so a cell has few of them. The table is not a HashTable, because it need
-     * not tell cells apart: a vertex is compared with the places anyway. A HashTable would take longer.
+     * table has the places by the cells of a grid. A cell is so much wider than the tolerance that most vertices are farther than that from
+     * all other cells. Then no other cell is searched. Places are farther apart than the tolerance, so a cell has few of them. The table is not
+     * a HashTable, because it need not tell cells apart: a vertex is compared with the places anyway. A HashTable would take longer.
      */
     internal final class Welding extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 500;
+
+        // The width of a cell, in tolerances. Smaller: more vertices are near another cell. Larger: a cell may have more places.
+        private static const CELL_WIDTH:int = 8;
+
+        // Where a cell is near the next one, as a fraction of its width: as far as the tolerance, and more than is rounded.
+        private static const NEAR:Number = 1.01 / CELL_WIDTH;
 
         /** For each vertex, the first vertex at the same place. */
         public var welded:Vector.<int>;
@@ -29,10 +36,6 @@ package starlogo.solid.interior
         private var _last:Vector.<int>;
         private var _before:Vector.<int>;
 
-        // The nearest place found for the current vertex, or -1, and its distance.
-        private var _nearest:int;
-        private var _distance:Number;
-
         /**
          * @param vertices x, y, z of each
          */
@@ -45,9 +48,9 @@ package starlogo.solid.interior
             {
                 size *= 2;
             }
-            welded = new Vector.<int>(count, true);
-            _last = new Vector.<int>(size, true);
-            _before = new Vector.<int>(count, true);
+            welded = fixedInts(count);
+            _last = fixedInts(size);
+            _before = fixedInts(count);
             slices(count, 8 * VERTICES_PER_STEP, addVertices).call(setTolerance).slices(count, VERTICES_PER_STEP, weld);
         }
 
@@ -71,50 +74,62 @@ package starlogo.solid.interior
 
         private function placeOf(vertex:int):int
         {
-            var cellsPerUnit:Number = 0.5 / _tolerance;
+            var cellsPerUnit:Number = 1 / (CELL_WIDTH * _tolerance);
             var x:Number = (_vertices[3 * vertex] - _bounds.minX) * cellsPerUnit;
             var y:Number = (_vertices[int(3 * vertex + 1)] - _bounds.minY) * cellsPerUnit;
             var z:Number = (_vertices[int(3 * vertex + 2)] - _bounds.minZ) * cellsPerUnit;
             var cellX:int = x;
             var cellY:int = y;
             var cellZ:int = z;
-            // In each direction the nearer of the two neighbours.
-            var besideX:int = x - cellX < 0.5 ? cellX - 1 : cellX + 1;
-            var besideY:int = y - cellY < 0.5 ? cellY - 1 : cellY + 1;
-            var besideZ:int = z - cellZ < 0.5 ? cellZ - 1 : cellZ + 1;
+            var besideX:int = cellX + sideOf(x - cellX);
+            var besideY:int = cellY + sideOf(y - cellY);
+            var besideZ:int = cellZ + sideOf(z - cellZ);
             var own:int = hash(cellX, cellY, cellZ);
-            _nearest = -1;
-            _distance = _tolerance;
-            findNearest(own, vertex);
-            for (var i:int = 1; i < 8 && (_nearest < 0 || _distance > 0); i++)
+            var nearest:int = nearestOf(own, vertex, -1);
+            var beside:int = (besideX == cellX ? 0 : 1) | (besideY == cellY ? 0 : 2) | (besideZ == cellZ ? 0 : 4);
+            // all cells that are beside the own one in some of these directions
+            for (var i:int = beside; i > 0; i = i - 1 & beside)
             {
-                findNearest(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex);
+                nearest = nearestOf(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex, nearest);
             }
-            if (_nearest >= 0)
+            if (nearest >= 0)
             {
-                widestSeam = _distance > widestSeam ? _distance : widestSeam;
-                return _nearest;
+                widestSeam = Math.max(widestSeam, distanceOf(vertex, nearest));
+                return nearest;
             }
             _before[vertex] = _last[own];
             _last[own] = vertex + 1;
             return vertex;
         }
 
-        // Looks for a nearer place among those with a hash, most of which are in one cell.
-        private function findNearest(hash:int, vertex:int):void
+        // Where the next cell is in a direction: -1, 1, or 0 if it is farther away than the tolerance, whatever is rounded.
+        private static function sideOf(part:Number):int
         {
+            return part < NEAR ? -1 : (part > 1 - NEAR ? 1 : 0);
+        }
+
+        // The nearest place with a hash, unless the nearest one so far is as near. -1 if there is none within the tolerance.
+        private function nearestOf(hash:int, vertex:int, nearest:int):int
+        {
+            var least:Number = nearest < 0 ? _tolerance : distanceOf(vertex, nearest);
             for (var place:int = _last[hash] - 1; place >= 0; place = _before[place] - 1)
             {
-                var x:Number = _vertices[3 * vertex] - _vertices[3 * place];
-                var y:Number = _vertices[int(3 * vertex + 1)] - _vertices[int(3 * place + 1)];
-                var z:Number = _vertices[int(3 * vertex + 2)] - _vertices[int(3 * place + 2)];
-                var distance:Number = Math.sqrt(x * x + y * y + z * z);
-                if (distance < _distance || distance == _distance && _nearest < 0)
+                var distance:Number = distanceOf(vertex, place);
+                if (distance < least || distance == least && nearest < 0)
                 {
-                    _distance = distance;
-                    _nearest = place;
+                    least = distance;
+                    nearest = place;
                 }
             }
+            return nearest;
+        }
+
+        private function distanceOf(vertex:int, place:int):Number
+        {
+            var x:Number = _vertices[3 * vertex] - _vertices[3 * place];
+            var y:Number = _vertices[int(3 * vertex + 1)] - _vertices[int(3 * place + 1)];
+            var z:Number = _vertices[int(3 * vertex + 2)] - _vertices[int(3 * place + 2)];
+            return Math.sqrt(x * x + y * y + z * z);
         }
 
         // The products are below 2 to the 53rd, so all of their lowest bits are exact.

@@ -11,7 +11,7 @@ package evaluation
     public final class PrecisionTask extends Task
     {
         private static const AGENTS:int = 150;
-        private static const FRAMES:int = 100;
+        private static const FRAMES:int = 50;
         private static const SHAPES:Array = [Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.TIGHTEST, Agent.HULL];
 
         private var _models:Object;
@@ -28,7 +28,7 @@ package evaluation
          */
         public function PrecisionTask(models:Object, results:Results)
         {
-            super("precision of shapes", 4000);
+            super("precision of shapes", 3000);
             _models = models;
             _results = results;
         }

@@ -235,7 +235,7 @@ export const FIGURES = [
 		head: () => [['shape', 'pairs', 'precision', 'recall']],
 		rows: (entries) => bySubject(entries).map(([shape, { found, precision, recall }]) => [shape, String(found.value), percent(precision.value / 100),
 			percent(recall.value / 100)]),
-		note: 'A game of 150 agents, a hundred frames: bears, dragons, firemen, seagulls, fortresses and persons, scattered over the ground and five patches'
+		note: 'A game of 150 agents, fifty frames: bears, dragons, firemen, seagulls, fortresses and persons, scattered over the ground and five patches'
 			+ ' large. Exact mode says which touch. Precision: the share of the reported pairs that touch. Recall: the share of those that touch which'
 			+ ' are reported. Tightest: the smallest of sphere, box and capsule. Hulls have at most 16 corners.',
 	},

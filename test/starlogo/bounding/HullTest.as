@@ -64,9 +64,22 @@ package starlogo.bounding
             turn.appendRotation(40, Vector3D.Z_AXIS);
             var placement:Placement = new Placement();
             placement.size = 3;
-            for each (var change:Function in [function():void { hull.scale(2); }, function():void { hull.rotate(turn); }, function():void { hull.translate(Vector3D.X_AXIS); },
-                    function():void { hull.scaleCorners(1.5); }, function():void { hull.place(placement, other); hull = other; },
-                    function():void { hull.setNumbers(new Hull(PointSets.cloud(random, 20, 1, 1, 1)).numbers()); }])
+            for each (var change:Function in [function():void
+                    {
+                        hull.scale(2);}, function():void
+                    {
+                        hull.rotate(turn);}, function():void
+                    {
+                        hull.translate(Vector3D.X_AXIS);},
+                        function():void
+                        {
+                            hull.scaleCorners(1.5);}, function():void
+                    {
+                        hull.place(placement, other);hull = other;},
+                        function():void
+                        {
+                            hull.setNumbers(new Hull(PointSets.cloud(random, 20, 1, 1, 1)).numbers());}
+                ])
             {
                 assertEquals(extentOf(Hull(hull.clone())), extentOf(hull));
                 assertEquals(extentOf(hull), extentOf(hull));

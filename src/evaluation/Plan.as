@@ -41,7 +41,7 @@ package evaluation
             }
             _literal = new LiteralColliders(_greatLand, [_models.sphere, _models.cube, _models.bear, _models.dragon]);
             var planners:Object = {volumes: planVolumes, fits: planFits, access: planAccess, tests: planTests,
-                    hierarchies: planHierarchies, crowds: planCrowds, combination: planCombination, experiments: planExperiments, scattered: planScattered,
+                    precision: planPrecision, hierarchies: planHierarchies, crowds: planCrowds, combination: planCombination, experiments: planExperiments, scattered: planScattered,
                     monitor: planMonitor};
             for each (var figure:String in settings.figures)
             {
@@ -89,6 +89,11 @@ package evaluation
             {
                 tasks.push(new TestTask(name, _settings, _results));
             }
+        }
+
+        private function planPrecision():void
+        {
+            tasks.push(new PrecisionTask(_models, _results));
         }
 
         private function planHierarchies():void

@@ -7,8 +7,8 @@ package evaluation
     public final class Settings
     {
         /** The names of all figures. */
-        public static const FIGURES:Array = ["volumes", "fits", "access", "tests", "hierarchies", "crowds", "combination",
-                "experiments", "scattered", "monitor"];
+        public static const FIGURES:Array = ["volumes", "fits", "access", "tests", "precision", "hierarchies", "crowds",
+                "combination", "experiments", "scattered", "monitor"];
 
         /** The class names of all colliders. */
         public static const COLLIDERS:Array = ["BinCollider", "TightestFitCollider", "HierarchicalCollider",

@@ -1,29 +1,23 @@
 #!/usr/bin/env node
 /**
- * What each collision system makes of the scattered game of the playground's Compare, over many frames: how often it is right, and what a frame
- * takes in Node. Then the same of a ball in many places beside a dragon, against a loop over all triangles. Prints the tables of docs/choosing.md.
+ * What each collision system makes of a scattered game, over many frames: how often it is right, and what a frame takes in Node. The timing
+ * report counts the same way in the same game (PrecisionTask.as). Then the same of a ball in many places beside a dragon, against a loop over all
+ * triangles. Prints the tables of docs/choosing.md.
  *
- *   ./antw module && node test/docs/accuracy.mjs
+ *   ./antw module-test -Dtest=AccuracyTest && node test/docs/accuracy.mjs
  */
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { toTriangle, windingOf } from '../fuzz/geometry.mjs';
-import { read, root } from '../structure/sources.mjs';
+import { root } from '../structure/sources.mjs';
 
 const AGENTS = 150;
 const FRAMES = 400;
 const FILES = { bear: 'bear.obj', dragon: 'dragon.dae', fireman: 'fireman.dae', seagull: 'seagull.dae', fortress: 'fortress.obj', person: 'person.dae' };
 
-const { buildSync } = createRequire(path.join(root, 'js/module/package.json'))('esbuild');
-const out = path.join(root, 'bin/generated/accuracy.mjs');
-buildSync({
-	stdin: { contents: 'export * from "./compare/game.js"; export * from "starlogo-collision";', resolveDir: path.join(root, 'js/playground') },
-	bundle: true, format: 'esm', outfile: out, logLevel: 'warning',
-	alias: { 'starlogo-collision': path.join(root, 'bin/module', JSON.parse(read('bin/module/package.json')).exports['.'].default) },
-});
-const { Agent, BinCollider, BuiltInModel, Collider, ColladaModel, CombinationCollider, GreatLand, HierarchicalCollider, ObjModel, ScatteredGame, ShapeChoice, TightestFitCollider } = await import(pathToFileURL(out).href);
+const { Accuracy, Agent, BinCollider, BuiltInModel, Collider, ColladaModel, CombinationCollider, GreatLand, HierarchicalCollider, ObjModel, Scenes, ShapeChoice, TightestFitCollider } =
+	await import(pathToFileURL(path.join(root, 'bin/generated/module/tests.mjs')).href);
 
 const greatLand = Object.assign(new GreatLand(), { loadHulls: true });
 for (const [name, file] of Object.entries(FILES)) {
@@ -51,40 +45,28 @@ const systems = {
 	'HierarchicalCollider, exact': Object.assign(new HierarchicalCollider(greatLand), { exact: true }),
 };
 
-/** The pairs that a system finds, as keys. */
-function keysOf(found) {
-	const keys = new Set();
-	for (let i = 0; i < found.length; i += 2) {
-		keys.add([found[i].id, found[i + 1].id].sort((a, b) => a - b).join());
-	}
-	return keys;
-}
-
-const sums = Object.fromEntries(Object.keys(systems).map((name) => [name, { found: 0, right: 0, times: [] }]));
-const game = new ScatteredGame(AGENTS);
-let truths = 0;
+const sums = Object.fromEntries(Object.keys(systems).map((name) => [name, { accuracy: new Accuracy(), times: [] }]));
+const game = Scenes.crowded(AGENTS);
+game.agents.forEach((agent, i) => (agent.hierarchical = i % 2 === 0));
 for (let frame = 0; frame < FRAMES; frame++) {
 	game.step();
-	const truth = keysOf(systems['HierarchicalCollider, exact'].findCollisions(game.agents));
-	truths += truth.size;
+	const truth = Accuracy.truthOf(systems['HierarchicalCollider, exact'], game.agents);
 	for (const [name, system] of Object.entries(systems)) {
 		// what the one before moved is looked at anew
 		game.agents.forEach((agent) => agent.jumpTo(agent.x, agent.y, agent.z));
 		const start = performance.now();
 		const found = system.findCollisions(game.agents);
 		sums[name].times.push(performance.now() - start);
-		const keys = keysOf(found);
-		sums[name].found += keys.size;
-		sums[name].right += [...keys].filter((key) => truth.has(key)).length;
+		sums[name].accuracy.add(found, truth);
 	}
 }
 
-console.log(`${AGENTS} agents, ${FRAMES} frames, ${truths} pairs that touch; Node ${process.versions.node}`);
+console.log(`${AGENTS} agents, ${FRAMES} frames, ${sums.BinCollider.accuracy.touching} pairs that touch; Node ${process.versions.node}`);
 console.log('| system | found | false | missed | precision | recall | ms a frame |');
-for (const [name, { found, right, times }] of Object.entries(sums)) {
+for (const [name, { accuracy: { found, right, touching, precision, recall }, times }] of Object.entries(sums)) {
 	const median = times.sort((a, b) => a - b)[FRAMES / 2];
-	const percent = (part, whole) => `${Math.round((100 * part) / whole)} %`;
-	console.log(`| ${name} | ${found} | ${found - right} | ${truths - right} | ${percent(right, found)} | ${percent(right, truths)} | ${median.toFixed(3)} |`);
+	const percent = (part) => `${Math.round(100 * part)} %`;
+	console.log(`| ${name} | ${found} | ${found - right} | ${touching - right} | ${percent(precision)} | ${percent(recall)} | ${median.toFixed(3)} |`);
 }
 
 // A ball is met by the dragon as it is: a sphere.

@@ -267,6 +267,12 @@ test('the page is self-contained and has every figure there are entries of', asy
 
 const STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule', 'minimal sphere', 'minimal capsule', 'hull'];
 
+test('the precision of a shape is in percent', () => {
+	const entry = (variant, value) => ({ figure: 'precision', subject: 'hull', variant, value, unit: variant === 'found' ? 'pairs' : '%' });
+	const row = tables([entry('found', 27628), entry('precision', 73.46), entry('recall', 100)]).split('\n').find((line) => line.startsWith('hull'));
+	assert.match(row, /^hull +27628 +73 % +100 %$/);
+});
+
 test('the volumes stand under the heads of their structures', () => {
 	const volumes = STRUCTURES.map((variant, i) => ({ figure: 'volumes', subject: 'bear', variant, value: 10 + i, vertices: 547 }));
 	const [, , first, second, , row] = tables(volumes).split('\n');

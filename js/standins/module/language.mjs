@@ -4,8 +4,6 @@
  */
 import { $hintOfOption } from "./warnings/spelling.mjs";
 
-const closures = new WeakMap();
-
 /**
  * Zeros to copy: small integers if the first is 0, doubles if it is not. V8 knows that they have no gaps. It takes for granted that
  * `new Array(length)` has some, and looks for them at each reading.
@@ -332,13 +330,28 @@ export function $hasMembers(value, names) {
 	return typeof value === "object" && value !== null && names.every((name) => name in value);
 }
 
+/** Makes a class that extends it add its private fields to a given object. */
+class Given {
+	constructor(object) {
+		return object;
+	}
+}
+
+/**
+ * The closures of an object's methods, by method, in a private field of the object. A WeakMap would keep the object until V8 collects its whole heap,
+ * because a closure has the object. So each collection of young objects would copy it.
+ */
+class Closures extends Given {
+	#own = new Map();
+
+	static of(object) {
+		return #own in object ? object.#own : new Closures(object).#own;
+	}
+}
+
 /** A method of an object as a function. It is the same function each time, as in ActionScript. */
 export function $bound(object, name) {
-	let own = closures.get(object);
-	if (own === undefined) {
-		own = new Map();
-		closures.set(object, own);
-	}
+	const own = Closures.of(object);
 	const method = object[name];
 	let closure = own.get(method);
 	if (closure === undefined) {

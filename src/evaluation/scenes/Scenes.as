@@ -9,6 +9,11 @@ package evaluation.scenes
         /** The names of the casts of crowds: these, and the model with the most vertices, the thesis's worst case. */
         public static const CROWD_CASTS:Array = CASTS.concat("dragons");
 
+        /** The shapes of crowded scenes, used in turn. */
+        public static const CROWDED:Array = ["bear", "dragon", "fireman", "seagull", "fortress", "person"];
+
+        private static const CROWDED_SIZE:Number = 5;
+
         private static const SHAPES:Object = {spheres: ["sphere"], bears: ["bear"], mix: ["bear", "sphere", "cube"], dragons: ["dragon"]};
 
         /**
@@ -46,6 +51,12 @@ package evaluation.scenes
         public static function scatteredAsDense(count:int, cast:String):Scene
         {
             return new ScatteredScene(count, shapesOf(cast), Math.sqrt(1000 / count));
+        }
+
+        /** Agents of six models all over SpaceLand, five patches large, so that many touch. */
+        public static function crowded(count:int):Scene
+        {
+            return new ScatteredScene(count, CROWDED, CROWDED_SIZE);
         }
 
         /**

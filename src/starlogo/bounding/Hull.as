@@ -61,6 +61,9 @@ package starlogo.bounding
         // Empty until they are needed.
         private var _halfSpaces:Vector.<Number> = new Vector.<Number>();
 
+        // The extent of a shape of these corners; -1 until it is needed. So a body's hull finds it once, not once for each pair.
+        private var _extent:Number = -1;
+
         /**
          * Creates the hull of points. The cost is n log n for n points.
          *
@@ -281,7 +284,8 @@ package starlogo.bounding
         /** @private */
         override engine function shapeInto(out:ConvexShape):void
         {
-            out.setHull(center, points, topology.faces, topology.edges);
+            out.setHull(center, points, topology.faces, topology.edges, _extent);
+            _extent = out.extent;
             out.radius = radius;
         }
 
@@ -367,10 +371,11 @@ package starlogo.bounding
             _box.setNumbers(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, extents[3] + by, extents[4] + by, extents[5] + by]);
         }
 
-        // Sets which corners make the faces, after the corners have changed. The half-spaces are then void.
+        // Sets which corners make the faces, after the corners have changed. The half-spaces and the extent are then void.
         private function setTopology(value:HullTopology):void
         {
             topology = value;
+            _extent = -1;
             if (_halfSpaces.length > 0)
             {
                 _halfSpaces.length = 0;

@@ -12,7 +12,8 @@ package starlogo.intersection
 
     /**
      * Answers for any two convex structures. It makes shapes of the two, about which ConvexKernel decides. PairTable has it for pairs with a hull,
-     * and other kernels ask it where they do not answer themselves.
+     * and other kernels ask it where they do not answer themselves. It sets both shapes in each call, which takes little time because the shape of a
+     * hull shares the lists and the extent of the hull.
      *
      * @private
      */

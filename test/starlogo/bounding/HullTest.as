@@ -6,6 +6,7 @@ package starlogo.bounding
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
@@ -50,6 +51,48 @@ package starlogo.bounding
                 checkTopology(Hull(hull.clone().rotate(mirror())), i + ", mirrored");
             }
             assertTrue(counts[3] && counts[2] && counts[1]);
+        }
+
+        // The extent is kept until the corners change.
+        [Test]
+        public function itsShapeHasTheExtentOfItsPresentCorners():void
+        {
+            var random:SeededRandom = new SeededRandom(7102);
+            var hull:Hull = new Hull(PointSets.box(1, 2, 3, 4));
+            var other:Hull = new Hull(PointSets.box(3, 3, 3, 4));
+            var turn:Matrix3D = new Matrix3D();
+            turn.appendRotation(40, Vector3D.Z_AXIS);
+            var placement:Placement = new Placement();
+            placement.size = 3;
+            for each (var change:Function in [function():void
+                    {
+                        hull.scale(2);}, function():void
+                    {
+                        hull.rotate(turn);}, function():void
+                    {
+                        hull.translate(Vector3D.X_AXIS);},
+                        function():void
+                        {
+                            hull.scaleCorners(1.5);}, function():void
+                    {
+                        hull.place(placement, other);hull = other;},
+                        function():void
+                        {
+                            hull.setNumbers(new Hull(PointSets.cloud(random, 20, 1, 1, 1)).numbers());}
+                ])
+            {
+                assertEquals(extentOf(Hull(hull.clone())), extentOf(hull));
+                assertEquals(extentOf(hull), extentOf(hull));
+                change();
+                assertEquals(extentOf(Hull(hull.clone())), extentOf(hull));
+            }
+        }
+
+        private static function extentOf(hull:Hull):Number
+        {
+            var shape:ConvexShape = new ConvexShape();
+            hull.shapeInto(shape);
+            return shape.extent;
         }
 
         private static function checkTopology(hull:Hull, name:String):void

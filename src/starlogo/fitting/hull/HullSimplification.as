@@ -34,6 +34,7 @@ package starlogo.fitting.hull
         private var _space:UnitSpace;
         private var _solid:ProgressiveHull = null;
         private var _queue:EdgeQueue = new EdgeQueue();
+        private var _collapse:EdgeCollapse = new EdgeCollapse();
 
         // The first tip; the second one is the next corner. -2 without tips.
         private var _tip:int = -2;
@@ -135,17 +136,16 @@ package starlogo.fitting.hull
         private function takeFirst():int
         {
             var edge:int = _solid.presentEdge(_queue.pop());
-            var collapse:EdgeCollapse = edge < 0 || isQueued(edge) ? null : _solid.findCollapse(edge);
-            if (collapse == null)
+            if (edge < 0 || isQueued(edge) || !_solid.findCollapse(edge, _collapse))
             {
                 return -1;
             }
-            if (collapse.growth > _queue.leastCost)
+            if (_collapse.growth > _queue.leastCost)
             {
-                _queue.push(edge, collapse.growth);
+                _queue.push(edge, _collapse.growth);
                 return -1;
             }
-            return _solid.collapse(collapse);
+            return _solid.collapse(_collapse);
         }
 
         private function queueShortestNew(firstFace:int):void
@@ -169,10 +169,9 @@ package starlogo.fitting.hull
             {
                 return;
             }
-            var collapse:EdgeCollapse = _solid.findCollapse(edge);
-            if (collapse != null)
+            if (_solid.findCollapse(edge, _collapse))
             {
-                _queue.push(edge, collapse.growth);
+                _queue.push(edge, _collapse.growth);
             }
         }
 

@@ -17,6 +17,9 @@ package starlogo.fitting.hull
         private static const NEAR:Number = 10;
         private static const MOST_TURNS:int = 40;
 
+        private static var sThree:Vector.<Number> = new Vector.<Number>(12, true);
+        private static var sCrosses:Vector.<Number> = new Vector.<Number>(9, true);
+
         /**
          * Finds the point.
          *
@@ -29,8 +32,9 @@ package starlogo.fitting.hull
          */
         public static function find(planes:Vector.<Number>, upX:Number, upY:Number, upZ:Number, out:EdgeCollapse):Boolean
         {
-            var three:Vector.<Number> = planesFarBelow(upX, upY, upZ);
-            var crosses:Vector.<Number> = new Vector.<Number>(9, true);
+            var three:Vector.<Number> = sThree;
+            var crosses:Vector.<Number> = sCrosses;
+            writePlanesFarBelow(upX, upY, upZ, three);
             for (var turn:int = 0; turn < MOST_TURNS; turn++)
             {
                 var determinant:Number = findMeetingPoint(three, crosses, out);
@@ -56,10 +60,14 @@ package starlogo.fitting.hull
             return false;
         }
 
-        // Three planes with normals along the axes.
-        private static function planesFarBelow(upX:Number, upY:Number, upZ:Number):Vector.<Number>
+        // Writes three planes with normals along the axes.
+        private static function writePlanesFarBelow(upX:Number, upY:Number, upZ:Number, out:Vector.<Number>):void
         {
-            return new <Number>[upX < 0 ? -1 : 1, 0, 0, -FAR, 0, upY < 0 ? -1 : 1, 0, -FAR, 0, 0, upZ < 0 ? -1 : 1, -FAR];
+            out[0] = upX < 0 ? -1 : 1;
+            out[5] = upY < 0 ? -1 : 1;
+            out[10] = upZ < 0 ? -1 : 1;
+            out[1] = out[2] = out[4] = out[6] = out[8] = out[9] = 0;
+            out[3] = out[7] = out[11] = -FAR;
         }
 
         // Finds the point where the three planes meet, and the cross products. Returns the determinant of the normals; the point is right only if

@@ -165,11 +165,11 @@ package starlogo.fitting.hull
          * Finds the collapse of an edge for which the solid grows least.
          *
          * @param edge an edge of the present surface
-         * @return null if the edge cannot collapse
+         * @return whether the edge can collapse; otherwise <code>out</code> has no meaning
          */
-        public function findCollapse(edge:int):EdgeCollapse
+        public function findCollapse(edge:int, out:EdgeCollapse):Boolean
         {
-            var out:EdgeCollapse = new EdgeCollapse();
+            out.faceCount = 0;
             _search++;
             findFaces(edge, out);
             findFaces(_across[edge], out);
@@ -187,10 +187,10 @@ package starlogo.fitting.hull
             }
             if (count > MOST_FACES || !LowestPointSearch.find(_planes, upX, upY, upZ, out))
             {
-                return null;
+                return false;
             }
             findSeen(out);
-            return out;
+            return true;
         }
 
         /**

@@ -119,5 +119,5 @@ for (let i = 1; i <= Number(count); i++) {
 	console.log(`${i}. ${name}: ${killer ?? (testsOf(name, line) === null ? "SURVIVED, no test runs it" : "SURVIVED")}${killer === null || killer === "no end" ? change : ""}`);
 	if (killer === null) survivors.push(name);
 }
-rmSync(file);
+rmSync(file, { force: true });
 console.log(`${survivors.length} of ${count} survived: ${survivors.join(", ")}`);

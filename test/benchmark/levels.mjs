@@ -5,10 +5,8 @@
  * Box3D is among them if the variable BOX3D names the folder of its WebAssembly.
  */
 import { readFileSync } from "node:fs";
-import { join } from "node:path";
-import { pathToFileURL } from "node:url";
 import { engine } from "./games.mjs";
-import { RAPIER, crashcat } from "./peers.mjs";
+import { RAPIER, b3, crashcat } from "./peers.mjs";
 import { makeBvh } from "./rays.mjs";
 
 const { Agent, AgentQueries, Capsule, CombinationCollider, Footing, GltfModel, GreatLand, Model, RayHit, ShapeHit, Sphere, Vector3D, WalkOptions } = engine;
@@ -214,9 +212,6 @@ function inCrashcat({ vertices, triangles }) {
 		},
 	};
 }
-
-const BOX3D = process.env.BOX3D;
-const b3 = BOX3D && await (await import(pathToFileURL(join(BOX3D, "box3d.mjs")))).default();
 
 const POINT = [0, 0, 0];
 const SEGMENT = [0, 0, -CORE, 0, 0, CORE];

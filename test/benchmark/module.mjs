@@ -165,14 +165,14 @@ function distances() {
 
 /** First hits of rays at one model, and what is kept for them. */
 async function rays() {
-	const { makeCrashcatMesh } = await import("./peers.mjs");
+	const { b3, makeBox3dMesh, makeCrashcatMesh } = await import("./peers.mjs");
 	const rows = [];
 	for (const model of rayModels(1000, 200)) {
 		const land = new GreatLand();
 		land.loadTightestFit = false;
 		land.addModel(model);
 		const { three, bvh, ms } = makeBvh(model, Float64Array);
-		const castInCrashcat = makeCrashcatMesh(model);
+		const casts = [makeCrashcatMesh(model), ...(b3 ? [makeBox3dMesh(model)] : [])];
 		const agent = new Agent(model.name);
 		const collider = new HierarchicalCollider(land);
 		collider.exact = true;
@@ -192,25 +192,41 @@ async function rays() {
 		aimed.forEach(({ origin, direction }, i) => { found[i] = queries.cast(origin, direction)?.distance ?? Infinity; });
 		aimed.forEach(({ ray }, i) => { expected[i] = bvh.raycastFirst(ray, three.DoubleSide)?.distance ?? Infinity; });
 		const same = found.filter((distance, i) => distance === expected[i] || Math.abs(distance - expected[i]) < 1e-6).length;
-		const sameInCrashcat = aimed.filter(({ ray }, i) => {
-			const distance = castInCrashcat(ray.origin, ray.direction, 10);
-			return found[i] === distance || Math.abs(found[i] - distance) < 1e-6;
-		}).length;
+		// Box3D has single precision
+		const sameInOthers = casts.map((cast, other) => aimed.filter(({ ray }, i) => {
+			const distance = cast(ray.origin, ray.direction, 10);
+			return found[i] === distance || Math.abs(found[i] - distance) < (other === 0 ? 1e-6 : 1e-4);
+		}).length);
 		const times = measure([
 			{ run: () => aimed.forEach(({ origin, direction }) => queries.cast(origin, direction, Infinity, null, hit)) },
 			{ run: () => aimed.forEach(({ ray }) => bvh.raycastFirst(ray, three.DoubleSide)) },
-			{ run: () => aimed.forEach(({ ray }) => castInCrashcat(ray.origin, ray.direction, 10)) },
+			...casts.map((cast) => ({ run: () => aimed.forEach(({ ray }) => cast(ray.origin, ray.direction, 10)) })),
 		], 10).map((each) => 1000 * each / aimed.length);
 		const [own, ...others] = times;
-		rows.push([model.name, String(model.triangles.length / 3), ...times, ...others.map((other) => other / own), ms, String(same), String(sameInCrashcat)]);
+		rows.push([model.name, String(model.triangles.length / 3), ...times, ...others.map((other) => other / own), ms, String(same), ...sameInOthers.map(String)]);
 	}
-	const head = ["", "triangles", "engine", "three-mesh-bvh", "crashcat", "times", "times", "three-mesh-bvh's tree, ms", "its hits the same", "crashcat's"];
+	const names = ["three-mesh-bvh", "crashcat", ...(b3 ? ["Box3D"] : [])];
+	const head = ["", "triangles", "engine", ...names, ...names.map(() => "times"), "three-mesh-bvh's tree, ms", ...names.map((name) => `${name}'s hits the same`)];
 	print("First hits of 20,000 rays, exact, microseconds a ray", head, rows);
+}
+
+/**
+ * A row of what takes how long to find all pairs that touch: the engine's own tasks, the other engines (null if it cannot), how many times as long as
+ * the first each of these takes, and the pairs that each has found.
+ */
+function pairsRow(count, own, others, rounds, out) {
+	const able = others.filter(Boolean);
+	const times = measure([...own, ...able], rounds);
+	const theirs = others.map((each) => (each ? times[own.length + able.indexOf(each)] : null));
+	const pairs = [out.length / 2, ...able.map((each) => each.count())];
+	for (const each of able) each.free?.();
+	const cells = [...times.slice(0, own.length), ...theirs, ...theirs.map((time) => time && time / times[0])];
+	return [count.toLocaleString("en"), ...cells.map((cell) => cell ?? "-"), pairs.every((each) => each === pairs[0]) ? String(pairs[0]) : `DIFFER: ${pairs.join()}`];
 }
 
 /** Spheres that move, all at once: who touches whom. */
 async function peers() {
-	const { askCannon, askCrashcat, askKdbush, askRapier } = await import("./peers.mjs");
+	const { askBox3d, askCannon, askCrashcat, askKdbush, askRapier, b3 } = await import("./peers.mjs");
 	const rows = COUNTS.map((count) => {
 		// as dense as 10,000 on SpaceLand
 		const halfWidth = HALF_WIDTH * Math.sqrt(Math.max(1, count / 10000));
@@ -218,41 +234,30 @@ async function peers() {
 		const [bins, fits] = [new BinCollider(greatLand), new TightestFitCollider(greatLand)];
 		const out = [];
 		const isLarge = count > 10000;
-		const rapier = askRapier(agents);
-		const others = [askKdbush(agents), rapier, askCrashcat(agents), ...(isLarge ? [] : [askCannon(agents)])];
-		const times = measure([
+		const own = [
 			{ prepare: walk, run: () => bins.findCollisions(agents, out) },
 			{ run: () => fits.findCollisions(agents, out), prepare: () => agents.forEach((agent) => agent.moveTo(agent.x + 1e-9, agent.y, 0)) },
-			...others,
-		], isLarge ? 3 : 20);
-		rapier.run(); // it finds what touched before a step
-		const pairs = [out.length / 2, ...others.map((each) => each.count())];
-		rapier.free();
-		return [count.toLocaleString("en"), ...times, ...(isLarge ? ["-"] : []), ...times.slice(2).map((time) => time / times[0]), ...(isLarge ? ["-"] : []),
-			pairs.every((each) => each === pairs[0]) ? String(pairs[0]) : `DIFFER: ${pairs.join()}`];
+		];
+		const others = [askKdbush(agents), askRapier(agents), askCrashcat(agents), isLarge ? null : askCannon(agents), ...(b3 ? [askBox3d(agents)] : [])];
+		return pairsRow(count, own, others, isLarge ? 3 : 20, out);
 	});
-	const names = ["kdbush (2D, built anew)", "Rapier (WebAssembly)", "crashcat", "cannon-es"];
+	const names = ["kdbush (2D, built anew)", "Rapier (WebAssembly)", "crashcat", "cannon-es", ...(b3 ? ["Box3D (WebAssembly)"] : [])];
 	const head = ["spheres, all moving, ms a frame", "bins", "tightest fit", ...names, ...names.map(() => "times"), "pairs"];
 	print("Beside other engines", head, rows);
 }
 
 /** Cubes that move, each turned another way, as dense as the spheres: who touches whom. */
 async function boxes() {
-	const { askCrashcat, askRapier } = await import("./peers.mjs");
+	const { askBox3d, askCrashcat, askRapier, b3 } = await import("./peers.mjs");
 	const rows = COUNTS.slice(0, 2).map((count) => {
 		const { agents, walk } = scatter(count, ["cube"]);
 		const fits = new TightestFitCollider(greatLand);
 		const out = [];
-		const others = [askRapier(agents), askCrashcat(agents)];
-		const times = measure([{ prepare: walk, run: () => fits.findCollisions(agents, out) }, ...others], 20);
-		// Rapier finds what touched before a step
-		others[0].run();
-		const pairs = [out.length / 2, ...others.map((each) => each.count())];
-		others[0].free();
-		return [count.toLocaleString("en"), ...times, ...times.slice(1).map((time) => time / times[0]), ...pairs.map(String)];
+		const others = [askRapier(agents), askCrashcat(agents), ...(b3 ? [askBox3d(agents)] : [])];
+		return pairsRow(count, [{ prepare: walk, run: () => fits.findCollisions(agents, out) }], others, 20, out);
 	});
-	const names = ["Rapier (WebAssembly)", "crashcat"];
-	print("Cubes beside other engines", ["cubes, all moving, ms a frame", "tightest fit", ...names, "times", "times", "pairs", "Rapier's", "crashcat's"], rows);
+	const names = ["Rapier (WebAssembly)", "crashcat", ...(b3 ? ["Box3D (WebAssembly)"] : [])];
+	print("Cubes beside other engines", ["cubes, all moving, ms a frame", "tightest fit", ...names, ...names.map(() => "times"), "pairs"], rows);
 }
 
 /** Questions of each of 10,000 agents that all move, with the update, against a kd-tree that is made anew in every frame. */

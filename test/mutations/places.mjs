@@ -11,7 +11,7 @@ const CHANGES = [
 ];
 
 /** A field gets its first value: mostly another is written before it is read. */
-const FIRST_VALUE = /^\s+this\.[#$\w]+ = (-?[\d.]+|null|false|true|""|\(0 \/ 0.*|-?Infinity);$/;
+const FIRST_VALUE = /^\s+this\.[#$\w]+ = (-?[\d.]+|null|false|true|""|\(0 \/ 0.*|-?Infinity|\w+\$[A-Z][A-Z_\d]*);$/;
 
 /** The module's own checks of arguments, which are no lines of a source: test/module/input.test.mjs has their tests. */
 const BORDER = /(?<![\w.])\$(?:an?[A-Z]|bytes|check|named|numbers|options|point|refuse|warn)\w*\(/;

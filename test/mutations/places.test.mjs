@@ -12,6 +12,7 @@ const LINES = `class Other {
 class Part {
 	constructor() {
 		this.count = 3;
+		this.time = Motion$NEVER;
 	}
 	isLess(a, b) {
 		return a < b;

@@ -1,10 +1,9 @@
-// This room has what a game moves: agents, how they are turned (Turn), and the numbers of the names of their breeds and models (NameNumbers). The
-// rooms from search on read it. Read this file first.
+// This room has what a game moves: agents, how they are turned (Turn), which values they refuse (TraitChecks), and the numbers of the names of their
+// breeds and models (NameNumbers). The rooms from search on read it. Read this file first.
 // This file is long because an agent has many traits, and each one's contract stands at the trait.
 package starlogo.agents
 {
     import flash.geom.Matrix3D;
-    import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.geometry.Placement;
 
@@ -131,8 +130,8 @@ package starlogo.agents
          */
         public function Agent(shape:String, breed:String = "turtles")
         {
-            requireName("shape", shape);
-            requireBreed(breed);
+            TraitChecks.requireName(this, "shape", shape);
+            TraitChecks.requireBreed(this, breed);
             idNumber = newId();
             breedNumber = Breeds.NAMES.numberOf(breed);
             modelNumber = MODELS.numberOf(shape);
@@ -176,7 +175,7 @@ package starlogo.agents
 
         public function set shape(value:String):void
         {
-            requireName("shape", value);
+            TraitChecks.requireName(this, "shape", value);
             var other:int = MODELS.numberOf(value);
             if (other != modelNumber)
             {
@@ -193,7 +192,7 @@ package starlogo.agents
 
         public function set breed(value:String):void
         {
-            requireBreed(value);
+            TraitChecks.requireBreed(this, value);
             var other:int = Breeds.NAMES.numberOf(value);
             if (other != breedNumber)
             {
@@ -283,11 +282,7 @@ package starlogo.agents
 
         public function set size(value:Number):void
         {
-            if (!(value >= SMALLEST_SIZE && value <= LARGEST_SIZE))
-            {
-                var range:String = value > 0 && value < Infinity ? "between " + SMALLEST_SIZE + " and " + LARGEST_SIZE : "a positive, finite number";
-                throw new RangeError(this + ": size must be " + range + ", not " + value);
-            }
+            TraitChecks.requireSize(this, value);
             if (value != placement.size)
             {
                 placement.size = value;
@@ -325,9 +320,7 @@ package starlogo.agents
             // LARGEST_COORDINATE squared; the comparison is false for NaN too
             if (!(x * x + y * y + z * z <= 1e18))
             {
-                requireCoordinate("x", x);
-                requireCoordinate("y", y);
-                requireCoordinate("z", z);
+                TraitChecks.requirePlace(this, x, y, z);
             }
             var at:Placement = placement;
             if (x == at.x && y == at.y && z == at.z)
@@ -363,14 +356,7 @@ package starlogo.agents
          */
         public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void
         {
-            requireFinite("a quaternion's x", x);
-            requireFinite("a quaternion's y", y);
-            requireFinite("a quaternion's z", z);
-            requireFinite("a quaternion's w", w);
-            if (x == 0 && y == 0 && z == 0 && w == 0)
-            {
-                throw new RangeError(this + ": a quaternion must not be 0");
-            }
+            TraitChecks.requireQuaternion(this, x, y, z, w);
             if (turn.setQuaternion(x, y, z, w))
             {
                 countBodyChange();
@@ -414,9 +400,7 @@ package starlogo.agents
             {
                 throw new ArgumentError(this + ": matrix must turn, move and evenly scale, and nothing else: " + data);
             }
-            requireCoordinate("x", found.x);
-            requireCoordinate("y", found.y);
-            requireCoordinate("z", found.z);
+            TraitChecks.requirePlace(this, found.x, found.y, found.z);
             size = found.size;
             moveTo(found.x, found.y, found.z);
             var quaternion:Vector.<Number> = new Vector.<Number>(4, true);
@@ -573,9 +557,7 @@ package starlogo.agents
         {
             if (!isFinite(heading + pitch + roll))
             {
-                requireFinite("heading", heading);
-                requireFinite("pitch", pitch);
-                requireFinite("roll", roll);
+                TraitChecks.requireAngles(this, heading, pitch, roll);
             }
             // whoever turns by angles has read them, so the turn is there
             if (_turn.setAngles(heading, pitch, roll))
@@ -589,41 +571,6 @@ package starlogo.agents
         {
             bodyRevision++;
             revision++;
-        }
-
-        private function requireCoordinate(trait:String, value:Number):void
-        {
-            requireFinite(trait, value);
-            if (!(value <= LARGEST_COORDINATE && value >= -LARGEST_COORDINATE))
-            {
-                throw new RangeError(this + ": " + trait + " must be between " + -LARGEST_COORDINATE + " and " + LARGEST_COORDINATE + ", not " + value);
-            }
-        }
-
-        private function requireFinite(trait:String, value:Number):void
-        {
-            if (!isFinite(value))
-            {
-                throw new RangeError(this + ": " + trait + " must be a finite number, not " + value);
-            }
-        }
-
-        private function requireBreed(value:String):void
-        {
-            requireName("breed", value);
-            if (Breeds.isReserved(value) || (idNumber != 0 && isOfWorld))
-            {
-                var reason:String = value == Breeds.ANY_BREED ? "it stands for any breed" : "it is for the ground and the edges of the world alone";
-                throw new ArgumentError(this + ": breed must not be \"" + value + "\": " + reason);
-            }
-        }
-
-        private function requireName(trait:String, value:String):void
-        {
-            if (value == null || value == "")
-            {
-                throw new ArgumentError(this + ": " + trait + " must be a name, not " + textOf(value));
-            }
         }
     }
 }

@@ -187,6 +187,30 @@ package starlogo.collision
         }
 
         [Test]
+        public function aPointThatGlidesAlongAnEdgeTouchesItFromTheStart():void
+        {
+            var times:Array = [];
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collision:Collision = new Collision(EachCollider.make(name, landOfPoints()));
+                // no coordinate of the touch is rounded, so it has no tolerance
+                collision.bounds = new WorldBounds(-9, -9, -9, 0, 9, 9);
+                collision.onCollision("turtles", Collision.EDGE, function(agent:Agent, edge:Agent, contact:Contact):void
+                    {
+                        times.push(contact.time);
+                    });
+                var point:Agent = agentAt("point", 0, 2, 0);
+                point.sweeps = true;
+                point.size = 1e-6;
+                collision.update(new <Agent>[point]);
+                point.y = 0;
+                times = [];
+                collision.update(new <Agent>[point]);
+                assertEquals(name, "0", times.join());
+            }
+        }
+
+        [Test]
         public function anEdgeThatIsTouchedAcrossTheGapForRoundingCountsInACorner():void
         {
             var alone:WorldBounds = new WorldBounds(-9, -9, -9, Infinity, 9, 9);

@@ -1,8 +1,10 @@
 package starlogo.solid
 {
     import evaluation.pairs.SeededRandom;
+    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
@@ -142,6 +144,36 @@ package starlogo.solid
             var surface:SurfaceTopology = surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 0, 1], triangles);
             assertTrue(surface.hasClosedShell);
             assertEquals("-2", surface.shellStates.join());
+        }
+
+        [Test]
+        public function numbersThatNoSurfaceHasAreRefused():void
+        {
+            assertTrue(SurfaceTopology.read(bytesOf(1, 1, 0), 4) != null);
+            assertTrue(SurfaceTopology.read(bytesOf(4, 4, 0.1), 4) != null);
+            assertNull("more shells than triangles", SurfaceTopology.read(bytesOf(1, 5, 0), 4));
+            assertNull("more parts than triangles", SurfaceTopology.read(bytesOf(5, 1, 0), 4));
+            assertNull(SurfaceTopology.read(bytesOf(1, -1, 0), 4));
+            assertNull(SurfaceTopology.read(bytesOf(-1, 1, 0), 4));
+            assertNull(SurfaceTopology.read(bytesOf(1, 1, -0.1), 4));
+            assertNull(SurfaceTopology.read(bytesOf(1, 1, NaN), 4));
+            assertNull(SurfaceTopology.read(bytesOf(1, 1, Infinity), 4));
+        }
+
+        // Bytes of a surface of four triangles, as writeTo() writes them.
+        private static function bytesOf(partCount:int, shells:int, widestSeam:Number):ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.writeInt(partCount);
+            bytes.writeInt(shells);
+            bytes.writeDouble(widestSeam);
+            // runs: a number, and where it ends
+            for each (var number:int in [0, shells, 0, 4, 1, 4])
+            {
+                bytes.writeInt(number);
+            }
+            bytes.position = 0;
+            return bytes;
         }
 
         [Test]

@@ -5,6 +5,7 @@ package starlogo.solid
     import org.flexunit.asserts.assertTrue;
     import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
+    import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
     import support.Complaints;
@@ -12,8 +13,8 @@ package starlogo.solid
     import support.RandomConvex;
 
     /**
-     * The axes of a sweep rule out no triangle that the kernel finds to be touched. The shapes pass a triangle on the border between a touch and
-     * none, which bisection finds.
+     * The axes of a sweep rule out no triangle that the kernel finds to be touched, but those beside the way of a box. The shapes pass a triangle
+     * on the border between a touch and none, which bisection finds.
      */
     public class SweptAxesTest
     {
@@ -65,6 +66,38 @@ package starlogo.solid
             compare(HULL);
         }
 
+        [Test]
+        public function aTriangleBesideTheWayOfABoxIsRuledOut():void
+        {
+            var extent:Interval = new Interval();
+            for (var i:int = 0; i < 100; i++)
+            {
+                drawMotion();
+                var motion:Vector3D = new Vector3D(_motion.x, _motion.y, _motion.z);
+                var box:ConvexShape = _shapes.shape(BOX, RandomConvex.PLAIN, new Vector3D());
+                for (var edge:int = 1; edge < box.edges.length; edge += 4)
+                {
+                    // a small triangle at right angles to the axis across the edge and the motion, beside the middle of the way
+                    var along:Vector3D = pointOf(box, box.edges[edge]).subtract(pointOf(box, 0));
+                    var axis:Vector3D = along.crossProduct(motion);
+                    axis.normalize();
+                    box.project(axis, extent);
+                    var height:Number = 1.001 * extent.greatest;
+                    var corner:Vector3D = new Vector3D(motion.x / 2 + height * axis.x, motion.y / 2 + height * axis.y, motion.z / 2 + height * axis.z);
+                    _corners = new <Number>[corner.x, corner.y, corner.z, corner.x + 1e-3 * along.x, corner.y + 1e-3 * along.y, corner.z + 1e-3 * along.z,
+                            corner.x + 1e-3 * motion.x, corner.y + 1e-3 * motion.y, corner.z + 1e-3 * motion.z];
+                    _axes.setTo(box, 0, _motion);
+                    _wrong.addIf(!_axes.stayApart(_corners, _motion), "not ruled out", "edge " + edge + " of " + i);
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        private static function pointOf(shape:ConvexShape, at:int):Vector3D
+        {
+            return new Vector3D(shape.points[at], shape.points[at + 1], shape.points[at + 2]);
+        }
+
         private function compare(kind:int):void
         {
             for (var i:int = Effort.choose(300, 20000); i > 0; i--)
@@ -88,13 +121,18 @@ package starlogo.solid
             _triangle.setTriangle(_corners, 0);
         }
 
-        // Lets a shape pass the triangle, about as far beside it that it just touches.
-        private function passBeside(kind:int, family:int):void
+        private function drawMotion():void
         {
             var size:Number = _random.logBetween(0.3, 30);
             _motion.x = size * _random.between(-1, 1);
             _motion.y = size * _random.between(-1, 1);
             _motion.z = size * _random.between(-1, 1);
+        }
+
+        // Lets a shape pass the triangle, about as far beside it that it just touches.
+        private function passBeside(kind:int, family:int):void
+        {
+            drawMotion();
             var shape:ConvexShape = _shapes.shape(kind, family, target());
             var side:Vector3D = sideways();
             var touching:Number = 0;

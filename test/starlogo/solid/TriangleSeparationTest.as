@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.convex.ConvexKernel;
@@ -108,6 +109,29 @@ package starlogo.solid
                     }
                     return [a, b];
                 });
+        }
+
+        [Test]
+        public function whatIsBesideTheSecondOnesPlaneIsRuledOut():void
+        {
+            var random:SeededRandom = new SeededRandom(68);
+            for (var i:int = 0; i < 200; i++)
+            {
+                var a:Array = triangle(random, 1);
+                var b:Array = triangle(random, 1);
+                var origin:Vector3D = new Vector3D(b[0], b[1], b[2]);
+                var normal:Vector3D = new Vector3D(b[3], b[4], b[5]).subtract(origin).crossProduct(new Vector3D(b[6], b[7], b[8]).subtract(origin));
+                normal.scaleBy(random.pick([-1, 1]) / normal.length);
+                var lowest:Number = Infinity;
+                for (var at:int = 0; at < 9; at += 3)
+                {
+                    lowest = Math.min(lowest, normal.dotProduct(new Vector3D(a[at], a[at + 1], a[at + 2]).subtract(origin)));
+                }
+                var up:Number = random.logBetween(1e-6, 0.1) - lowest;
+                var second:ConvexShape = new ConvexShape();
+                second.setTriangle(Vector.<Number>(b), 0);
+                assertTrue(i, TriangleSeparation.areApart(Vector.<Number>(moved(a, up * normal.x, up * normal.y, up * normal.z)), 0, second));
+            }
         }
 
         [Test]

@@ -4,6 +4,7 @@
 // GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground
 {
+    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
 
     /**
@@ -276,6 +277,18 @@ package starlogo.ground
             var isRight:Boolean = at.side == at.corner + 1;
             at.fallX = isRight ? near - side : side - far;
             at.fallY = isRight ? side - far : near - side;
+        }
+
+        /** Finds the direction out of the ground at a point whose height is known: a unit vector. It is up from columns, and where there is no ground. */
+        public function findDirectionOut(at:GroundPoint, out:Vector3D):void
+        {
+            out.setTo(0, 0, 1);
+            if (!isBlocky && !isNaN(at.height))
+            {
+                findFall(at);
+                out.setTo(at.fallX, at.fallY, cellWidth);
+                out.normalize();
+            }
         }
 
         /**

@@ -172,7 +172,7 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap():Boolean
         {
-            if (!_kernel.areTouching())
+            if (_kernel.stayApart(RelativeMotion.NONE) || !_kernel.areTouching())
             {
                 return false;
             }

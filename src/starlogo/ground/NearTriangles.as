@@ -11,7 +11,7 @@ package starlogo.ground
      */
     internal final class NearTriangles
     {
-        // A box is so much larger than it was, for rounding: as a multiple of Tolerances.ROUNDING and of all lengths.
+        // Boxes are so much larger than they were, for rounding: as a multiple of Tolerances.ROUNDING and of all lengths.
         private static const WIDER:Number = 10;
 
         /** What is looked for, all but the box. It is set before a search begins. */
@@ -31,18 +31,22 @@ package starlogo.ground
         private var _next:int = 0;
         private var _areKept:Boolean = false;
 
+        // Whether the source has not begun yet. Many questions need no triangle.
+        private var _isBefore:Boolean = false;
+
         // How many boxes were left when the triangles that are kept were looked for.
         private var _boxesLeft:int = 0;
 
-        // The box with all of its motion, and a little larger.
+        // The box with all of its motion; and where its middle then is, relative to the box, and by how much it is larger.
         private var _around:GroundBox = new GroundBox();
+        private var _more:GroundBox = new GroundBox();
 
         /** Ends all searches. */
         public function stop():void
         {
-            _source.stop();
-            _areKept = false;
+            _areKept = _isBefore = false;
             _count = _next = 0;
+            _source.stop();
         }
 
         /**
@@ -55,12 +59,33 @@ package starlogo.ground
             _next = 0;
             if (!_areKept || boxesLeft < _boxesLeft)
             {
+                _areKept = false;
+                _isBefore = true;
                 _count = 0;
                 _boxesLeft = boxesLeft;
                 search.box.copyFrom(box);
-                _areKept = _source.begin(search);
+                findMore();
             }
-            takeAround(box);
+            _around.x = box.x + _more.x;
+            _around.y = box.y + _more.y;
+            _around.z = box.z + _more.z;
+            _around.halfX = box.halfX + _more.halfX;
+            _around.halfY = box.halfY + _more.halfY;
+            _around.halfZ = box.halfZ + _more.halfZ;
+        }
+
+        private function findMore():void
+        {
+            var box:GroundBox = search.box;
+            var motion:RelativeMotion = search.motion;
+            var wider:Number = WIDER * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + Math.abs(motion.x) + Math.abs(motion.y)
+                    + Math.abs(motion.z) + box.halfX + box.halfY + box.halfZ + search.grid.cellWidth);
+            _more.x = motion.latest * motion.x / 2;
+            _more.y = motion.latest * motion.y / 2;
+            _more.z = motion.latest * motion.z / 2;
+            _more.halfX = Math.abs(_more.x) + wider;
+            _more.halfY = Math.abs(_more.y) + wider;
+            _more.halfZ = Math.abs(_more.z) + wider;
         }
 
         /** Goes on to the next triangle near the box. Returns false if there is none. */
@@ -81,7 +106,12 @@ package starlogo.ground
         // Finds one more triangle, and its plane. Returns false if there is none.
         private function find():Boolean
         {
-            if (!_areKept)
+            if (_isBefore)
+            {
+                _isBefore = false;
+                _areKept = _source.begin(search);
+            }
+            else if (!_areKept)
             {
                 _count = _next = 0;
             }
@@ -99,42 +129,36 @@ package starlogo.ground
             return true;
         }
 
-        private function takeAround(box:GroundBox):void
-        {
-            var motion:RelativeMotion = search.motion;
-            var x:Number = motion.latest * motion.x / 2;
-            var y:Number = motion.latest * motion.y / 2;
-            var z:Number = motion.latest * motion.z / 2;
-            _around.x = box.x + x;
-            _around.y = box.y + y;
-            _around.z = box.z + z;
-            _around.halfX = box.halfX + (x < 0 ? -x : x);
-            _around.halfY = box.halfY + (y < 0 ? -y : y);
-            _around.halfZ = box.halfZ + (z < 0 ? -z : z);
-            var wider:Number = WIDER * Tolerances.ROUNDING * (Math.abs(_around.x) + Math.abs(_around.y) + Math.abs(_around.z)
-                    + _around.halfX + _around.halfY + _around.halfZ + search.grid.cellWidth);
-            _around.halfX += wider;
-            _around.halfY += wider;
-            _around.halfZ += wider;
-        }
-
         // Whether the box comes near the triangle and its cell, and is not all in front of the triangle's plane.
         private function isNear():Boolean
         {
             var box:GroundBox = _around;
+            var near:GroundTriangle = triangle;
             var far:Number = search.maxDistance;
-            var half:Number = search.grid.cellWidth / 2 + far;
-            if (box.z - box.halfZ - far > triangle.high || box.z + box.halfZ + far < triangle.low || Math.abs(box.x - triangle.cellX) > box.halfX + half
-                || Math.abs(box.y - triangle.cellY) > box.halfY + half)
+            var x:Number = box.x;
+            var y:Number = box.y;
+            var z:Number = box.z;
+            var halfX:Number = box.halfX;
+            var halfY:Number = box.halfY;
+            var halfZ:Number = box.halfZ;
+            var fromCell:Number = search.grid.cellWidth / 2 + far;
+            var besideX:Number = x > near.cellX ? x - near.cellX : near.cellX - x;
+            var besideY:Number = y > near.cellY ? y - near.cellY : near.cellY - y;
+            if (z - halfZ - far > near.high || z + halfZ + far < near.low || besideX > halfX + fromCell || besideY > halfY + fromCell)
             {
                 return false;
             }
-            var plane:TrianglePlane = triangle.plane;
-            var normal:Vector3D = plane.normal;
-            var front:Number = normal.x * box.x + normal.y * box.y + normal.z * box.z - Math.abs(normal.x) * box.halfX - Math.abs(normal.y) * box.halfY
-                - Math.abs(normal.z) * box.halfZ;
+            var plane:TrianglePlane = near.plane;
+            var across:Vector3D = plane.normal;
+            var alongX:Number = across.x;
+            var alongY:Number = across.y;
+            var alongZ:Number = across.z;
+            // the corner that is farthest behind the plane
+            x += alongX > 0 ? -halfX : halfX;
+            y += alongY > 0 ? -halfY : halfY;
+            z += alongZ > 0 ? -halfZ : halfZ;
             // a flat triangle has no plane
-            return !(front - plane.greatest > far - leastDepth);
+            return !(alongX * x + alongY * y + alongZ * z - plane.greatest > far - leastDepth);
         }
     }
 }

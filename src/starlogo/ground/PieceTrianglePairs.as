@@ -145,15 +145,11 @@ package starlogo.ground
         }
 
         /**
-         * Whether a point of the piece is under the ground, as far as two of its points know. The second one is the lowest above the slope that is below
-         * the first one. Nearly all pieces that reach into the ground do so there.
+         * Whether the piece reaches under the ground, as far as one more of its points knows: the lowest one above the slope below the other point. Ask
+         * <code>isUnder()</code> before. Nearly all pieces that reach under the ground do so there.
          */
         public function reachesUnder():Boolean
         {
-            if (isUnder(0))
-            {
-                return true;
-            }
             if (pieces.isAbovePieces)
             {
                 return false;
@@ -171,7 +167,7 @@ package starlogo.ground
             return _ground.height >= z + origin.z;
         }
 
-        /** Whether the current triangle is clearly below all of the piece, as seen against the direction out of the ground. Ask reachesUnder() before. */
+        /** Whether the triangle is clearly below all of the piece, along the direction out of the ground. Ask <code>reachesUnder()</code> before. */
         public function isBelowPiece():Boolean
         {
             var p:Vector.<Number> = triangle.corners;

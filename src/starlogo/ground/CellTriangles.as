@@ -116,10 +116,13 @@ package starlogo.ground
             {
                 return false;
             }
-            var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
-            var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
-            out.size = _path.search.grid.cellWidth + high - low;
-            return _passage.low <= high && _passage.high >= low;
+            var width:Number = _path.search.grid.cellWidth;
+            out.low = Math.min(corners[2], Math.min(corners[5], corners[8]));
+            out.high = Math.max(corners[2], Math.max(corners[5], corners[8]));
+            out.size = width + out.high - out.low;
+            out.cellX = _path.alongX.firstCell + (_column + 0.5) * width;
+            out.cellY = _path.alongY.firstCell + (_row + 0.5) * width;
+            return _passage.low <= out.high && _passage.high >= out.low;
         }
 
         // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is

@@ -16,5 +16,16 @@ package starlogo.ground
         public var halfX:Number = 0;
         public var halfY:Number = 0;
         public var halfZ:Number = 0;
+
+        /** Becomes the same as another box. */
+        public function copyFrom(other:GroundBox):void
+        {
+            x = other.x;
+            y = other.y;
+            z = other.z;
+            halfX = other.halfX;
+            halfY = other.halfY;
+            halfZ = other.halfZ;
+        }
     }
 }

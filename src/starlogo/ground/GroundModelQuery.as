@@ -66,13 +66,13 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pairs.isUnder(0))
+                if (_pairs.isUnder(0) || _pairs.reachesUnder())
                 {
                     return true;
                 }
                 while (_pairs.nextTriangle())
                 {
-                    if (!kernel.stayApart(RelativeMotion.NONE) && kernel.areTouching())
+                    if (!_pairs.isBelowPiece() && !kernel.stayApart(RelativeMotion.NONE) && kernel.areTouching())
                     {
                         return true;
                     }

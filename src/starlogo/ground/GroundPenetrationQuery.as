@@ -79,11 +79,18 @@ package starlogo.ground
         public function isOnSurface():Boolean
         {
             _pairs.begin(RelativeMotion.NONE, 0);
-            while (_pairs.next())
+            while (_pairs.nextPiece())
             {
-                if (_kernel.areTouching())
+                if (!_pairs.isUnder(0) && _pairs.reachesUnder())
                 {
                     return true;
+                }
+                while (_pairs.nextTriangle())
+                {
+                    if (!_kernel.stayApart(RelativeMotion.NONE) && _kernel.areTouching())
+                    {
+                        return true;
+                    }
                 }
             }
             return false;
@@ -125,9 +132,10 @@ package starlogo.ground
             while (_pairs.next())
             {
                 _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
-                if (isThrough(_pairs.triangle.corners, _tried) && isClearlyDeeper(_tried, deepest) && isDepthProven(_tried))
+                if (isClearlyDeeper(_tried, deepest) && isThrough(_pairs.triangle.corners, _tried) && isDepthProven(_tried))
                 {
                     deepest = _tried.depth;
+                    _pairs.leaveOutShallower(deepest);
                     out.copyFrom(_tried);
                 }
             }
@@ -164,7 +172,7 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap():Boolean
         {
-            if (!_kernel.areTouching())
+            if (_kernel.stayApart(RelativeMotion.NONE) || !_kernel.areTouching())
             {
                 return false;
             }

@@ -1,5 +1,6 @@
 package starlogo.ground
 {
+    import starlogo.convex.TrianglePlane;
     import starlogo.geometry.Touching;
 
     /**
@@ -14,6 +15,17 @@ package starlogo.ground
 
         /** A ball with this radius around the triangle's middle contains it. */
         public var size:Number = 0;
+
+        /** The least and the greatest height of a corner. */
+        public var low:Number = 0;
+        public var high:Number = 0;
+
+        /** The middle of the cell that it belongs to. */
+        public var cellX:Number = 0;
+        public var cellY:Number = 0;
+
+        /** Its plane, if whoever found it has set that. */
+        public var plane:TrianglePlane = new TrianglePlane();
 
         /** The margin that the triangle has because of its size. */
         public function get margin():Number

@@ -16,7 +16,7 @@ package starlogo.ground
      */
     public final class GroundTriangles
     {
-        /** The triangle that <code>next()</code> has found. Read only. */
+        /** The triangle that <code>next()</code> has found. Another record may take its place before. */
         public var triangle:GroundTriangle = new GroundTriangle();
 
         private var _path:BoxPath = new BoxPath();
@@ -30,14 +30,16 @@ package starlogo.ground
         private var _squares:Vector.<int> = new Vector.<int>();
         private var _top:int = 0;
 
-        /** Begins a search, which is kept until it ends. */
-        public function begin(search:GroundSearch):void
+        /** Begins a search, which is kept until it ends. Returns whether the box comes to few cells. */
+        public function begin(search:GroundSearch):Boolean
         {
             _path.begin(search);
             stop();
             _passage.from = 0;
             _passage.to = search.motion.latest;
-            addSquares(_path.firstLevel(), 0, 0, int.MAX_VALUE);
+            var level:int = _path.firstLevel();
+            addSquares(level, 0, 0, int.MAX_VALUE);
+            return level == 0;
         }
 
         /** Goes on to the next triangle. Returns false if there is none. */

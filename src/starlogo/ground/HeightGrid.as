@@ -1,9 +1,10 @@
 // This room says how shapes and rays meet the ground, a solid whose surface is triangles. HeightGrid has its heights, and HeightPyramid bounds of them.
 // GroundTriangles finds the triangles that a GroundSearch asks for, cell by cell (BoxPath, CellTriangles). GroundModelQuery tests a model with them:
-// each of its convex pieces (ModelPieces) with each triangle near it (PieceTrianglePairs), by a TriangleKernel. GroundRayQuery tests a ray.
+// each of its convex pieces (ModelPieces) with each triangle near it (PieceTrianglePairs, NearTriangles), by a TriangleKernel. GroundRayQuery tests a ray.
 // GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground
 {
+    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
 
     /**
@@ -276,6 +277,18 @@ package starlogo.ground
             var isRight:Boolean = at.side == at.corner + 1;
             at.fallX = isRight ? near - side : side - far;
             at.fallY = isRight ? side - far : near - side;
+        }
+
+        /** Finds the direction out of the ground at a point whose height is known: a unit vector. It is up from columns, and where there is no ground. */
+        public function findDirectionOut(at:GroundPoint, out:Vector3D):void
+        {
+            out.setTo(0, 0, 1);
+            if (!isBlocky && !isNaN(at.height))
+            {
+                findFall(at);
+                out.setTo(at.fallX, at.fallY, cellWidth);
+                out.normalize();
+            }
         }
 
         /**

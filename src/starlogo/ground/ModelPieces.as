@@ -103,34 +103,56 @@ package starlogo.ground
             _nodeCount = 1;
         }
 
+        /** How many nodes come after the current one and those below it. Read only. */
+        public function get nodesLeft():int
+        {
+            return _nodeCount;
+        }
+
         /** Goes on to the next piece, or to the next node above the pieces. Returns false if there is none. */
         public function next():Boolean
         {
-            while (_first == _end)
+            if (_first < _end)
             {
-                if (_nodeCount == 0)
-                {
-                    return false;
-                }
-                _nodeCount--;
-                if (enter(_nodes[_nodeCount]))
-                {
-                    return true;
-                }
+                _tree.mesh.readTriangle(_first, _corners);
+                kernel.setShapeToTriangle(_corners, _placement);
+                _first++;
+                takeShape(null);
+                return true;
             }
-            _tree.mesh.readTriangle(_first, _corners);
-            kernel.setShapeToTriangle(_corners, _placement);
-            _first++;
-            takeShape(null);
+            if (_nodeCount == 0)
+            {
+                return false;
+            }
+            _nodeCount--;
+            enter(_nodes[_nodeCount]);
             return true;
         }
 
-        /** Goes on below the current node, which is above the pieces. */
+        /** Goes on below the current node, which is above the pieces. The lower one of two nodes comes first, because the ground is below. */
         public function divide():void
         {
-            var left:int = _tree.boxTree.left[_nodes[_nodeCount]];
-            _nodes[_nodeCount++] = left + 1;
-            _nodes[_nodeCount++] = left;
+            var tree:BoxTree = _tree.boxTree;
+            var node:int = _nodes[_nodeCount];
+            var left:int = tree.left[node];
+            if (left == 0)
+            {
+                _first = tree.first[node];
+                _end = tree.end[node];
+                return;
+            }
+            var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
+            _nodes[int(_nodeCount + 1)] = isLeftLower ? left : left + 1;
+            _nodes[_nodeCount] = isLeftLower ? left + 1 : left;
+            _nodeCount += 2;
+        }
+
+        // How high the middle of a node is, as a multiple of the model's size.
+        private function heightOf(node:int):Number
+        {
+            var boxes:Vector.<Number> = _tree.boxTree.boxes;
+            var at:int = 6 * node;
+            return _placement.r20 * boxes[at] + _placement.r21 * boxes[int(at + 1)] + _placement.r22 * boxes[int(at + 2)];
         }
 
         /** Puts the box around the whole model, until the next piece. Returns the box. */
@@ -140,33 +162,27 @@ package starlogo.ground
             return box;
         }
 
-        // Makes a node current. Returns false if its triangles come next instead.
-        private function enter(node:int):Boolean
+        // Makes a node current.
+        private function enter(node:int):void
         {
             if (node == WHOLE)
             {
                 takeStructure(_structure);
-                return true;
+                return;
             }
             var tree:BoxTree = _tree.boxTree;
             var nodeBox:Box = tree.boxOf(node);
-            isAbovePieces = tree.endsUpToDepth[node] < _depth;
-            if (!isAbovePieces && _depth < BoxTree.EXACT)
+            isAbovePieces = _depth == BoxTree.EXACT || tree.endsUpToDepth[node] < _depth;
+            if (!isAbovePieces)
             {
                 takeStructure(nodeBox);
-                return true;
+                return;
             }
             fitBoxTo(nodeBox);
             shapeInBox = null;
             point.x = box.x;
             point.y = box.y;
             point.z = box.z;
-            if (!isAbovePieces)
-            {
-                _first = tree.first[node];
-                _end = tree.end[node];
-            }
-            return isAbovePieces;
         }
 
         // Makes a structure of the model the piece.

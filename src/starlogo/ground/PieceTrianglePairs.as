@@ -1,9 +1,12 @@
 package starlogo.ground
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
+    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
 
@@ -19,18 +22,16 @@ package starlogo.ground
         /** The pieces. A query may move the model before it begins. */
         public var pieces:ModelPieces = new ModelPieces();
 
-        private var _triangles:GroundTriangles = new GroundTriangles();
-
-        // The search for triangles near the current piece.
-        private var _search:GroundSearch = new GroundSearch();
+        // Finds triangles near the current piece.
+        private var _triangles:NearTriangles = new NearTriangles();
+        private var _search:GroundSearch = _triangles.search;
 
         // The place of the current piece's point, and the ground there.
         private var _ground:GroundPoint = new GroundPoint();
 
-        public function PieceTrianglePairs()
-        {
-            _search.box = pieces.box;
-        }
+        // The direction out of the ground below the current piece, and how far the piece reaches against it.
+        private var _out:Vector3D = new Vector3D();
+        private var _lowest:Number = 0;
 
         /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
@@ -78,12 +79,19 @@ package starlogo.ground
             pieces.begin();
             _search.motion = motion;
             _search.maxDistance = maxDistance;
+            _triangles.leastDepth = 0;
         }
 
         /** From now on only triangles count that are at most this far away. */
         public function leaveOutFarther(maxDistance:Number):void
         {
             _search.maxDistance = maxDistance;
+        }
+
+        /** From now on only triangles count behind whose planes the piece, or its box, is at least this deep. */
+        public function leaveOutShallower(depth:Number):void
+        {
+            _triangles.leastDepth = depth;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */
@@ -105,7 +113,7 @@ package starlogo.ground
             while (pieces.next())
             {
                 _search.shape = pieces.shapeInBox;
-                _triangles.begin(_search);
+                _triangles.begin(pieces.box, pieces.nodesLeft);
                 if (!pieces.isAbovePieces || !_triangles.next())
                 {
                     return true;
@@ -123,7 +131,7 @@ package starlogo.ground
                 return false;
             }
             kernel.shape.margin = pieces.margin + triangle.margin;
-            kernel.setTriangle(triangle.corners);
+            kernel.useTriangle(triangle.corners, triangle.plane);
             return true;
         }
 
@@ -134,6 +142,38 @@ package starlogo.ground
             _ground.y = pieces.point.y + origin.y;
             grid.findHeight(_ground);
             return _ground.height - depth >= pieces.point.z + origin.z;
+        }
+
+        /**
+         * Whether the piece reaches under the ground, as far as one more of its points knows: the lowest one above the slope below the other point. Ask
+         * <code>isUnder()</code> before. Nearly all pieces that reach under the ground do so there.
+         */
+        public function reachesUnder():Boolean
+        {
+            if (pieces.isAbovePieces)
+            {
+                return false;
+            }
+            var shape:ConvexShape = kernel.shape;
+            grid.findDirectionOut(_ground, _out);
+            var at:int = shape.support(_out, -1);
+            var x:Number = shape.x + shape.points[at] - shape.radius * _out.x;
+            var y:Number = shape.y + shape.points[int(at + 1)] - shape.radius * _out.y;
+            var z:Number = shape.z + shape.points[int(at + 2)] - shape.radius * _out.z;
+            _lowest = x * _out.x + y * _out.y + z * _out.z - Tolerances.EXTENTS * (shape.extent + shape.radius + Math.abs(x) + Math.abs(y) + Math.abs(z));
+            _ground.x = x + origin.x;
+            _ground.y = y + origin.y;
+            grid.findHeight(_ground);
+            return _ground.height >= z + origin.z;
+        }
+
+        /** Whether the triangle is clearly below all of the piece, along the direction out of the ground. Ask <code>reachesUnder()</code> before. */
+        public function isBelowPiece():Boolean
+        {
+            var p:Vector.<Number> = triangle.corners;
+            var most:Number = _lowest - kernel.shape.margin * Tolerances.OUTER;
+            return _out.x * p[0] + _out.y * p[1] + _out.z * p[2] < most && _out.x * p[3] + _out.y * p[4] + _out.z * p[5] < most
+                && _out.x * p[6] + _out.y * p[7] + _out.z * p[8] < most;
         }
 
         /** Moves a contact of the piece and the triangle into the world. */

@@ -66,6 +66,13 @@ package starlogo.intersection
             plane.setTriangle(corners, 0);
         }
 
+        /** Sets the triangle and its plane, which are kept. */
+        public function useTriangle(corners:Vector.<Number>, plane:TrianglePlane):void
+        {
+            _corners = corners;
+            this.plane = plane;
+        }
+
         /**
          * Whether the plane shows that the shape stays apart from the triangle until the motion's latest time. Ask this first: it is quick.
          *

@@ -128,9 +128,9 @@ package starlogo.search.pairs
          */
         public function leastExit(a:Body, b:Body, contact:ContactPoint, maxLength:Number):Number
         {
-            if (!queryOf(a, b).penetration.isOnSurface())
+            // a contact that leads straight up may be the lift, whose deepest point need not be of the body
+            if (contact.normalZ == 1 && !queryOf(a, b).penetration.isOnSurface())
             {
-                // the contact may be the lift, whose deepest point need not be of the body
                 return 0;
             }
             var back:Number = contact.depth / 2;

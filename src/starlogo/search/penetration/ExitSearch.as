@@ -95,7 +95,14 @@ package starlogo.search.penetration
                 return true;
             }
             _pair.putBack();
-            return _bounds.leastExit(_pair.first, _pair.second, _first, depth) >= LEAST_SHARE * depth;
+            // a point of the body that was deep where a push ended is deeper where the push began
+            return areExitsLong(_first, depth) || _pushOut.blockedEnd > 0 && areExitsLong(_pushOut.lastBlock, depth);
+        }
+
+        // Whether a contact shows that each exit is at least a share of a depth.
+        private function areExitsLong(contact:ContactPoint, depth:Number):Boolean
+        {
+            return _bounds.leastExit(_pair.first, _pair.second, contact, depth) >= LEAST_SHARE * depth;
         }
 
         // Tries the shortest way out of covers of the two. It is taken if there is no push.

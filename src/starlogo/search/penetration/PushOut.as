@@ -26,6 +26,9 @@ package starlogo.search.penetration
         /** The end of the numbers of <code>blockedPlaces</code>. Read only. */
         public var blockedEnd:int = 0;
 
+        /** The contact at the end of the last of these pushes, but with its place where the body was at the beginning. Read only. */
+        public var lastBlock:ContactPoint = new ContactPoint();
+
         // The number of contacts so far; those that decide about the push and the one after it, with depths from where the body was at the beginning;
         // and the push out of these.
         private var _count:int = 0;
@@ -98,6 +101,10 @@ package starlogo.search.penetration
             blockedPlaces[blockedEnd++] = _push.displacement.x;
             blockedPlaces[blockedEnd++] = _push.displacement.y;
             _pair.findContactOfParts(_next);
+            lastBlock.copyFrom(_next);
+            lastBlock.x -= _tried.distance * _tried.x;
+            lastBlock.y -= _tried.distance * _tried.y;
+            lastBlock.z -= _tried.distance * _tried.z;
             // the body is a little farther than the push
             _next.depth += (_tried.distance - _push.length) * (_next.normalX * _tried.x + _next.normalY * _tried.y + _next.normalZ * _tried.z);
             add(_next);

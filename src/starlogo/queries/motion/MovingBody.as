@@ -15,6 +15,7 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
@@ -89,23 +90,17 @@ package starlogo.queries.motion
          */
         public function readCastAgent(agent:Agent):void
         {
-            _seen.requirePlaced(agent);
-            var body:Body = _seen.bodyOf(agent);
-            if (body.shape == null || body.form >= ModelShape.TREE)
+            readAgent(agent);
+            if (hasShape && whole.form < ModelShape.TREE)
             {
-                whole.copyFrom(body);
+                readStructure(whole.shape.structure, whole.placement);
             }
-            else
-            {
-                whole.readPlaced(body);
-            }
-            begin();
         }
 
-        /** Becomes the body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
-        public function readStructure(structure:BoundingStructure):void
+        /** Becomes the body of a structure. See <code>Body.readStructure()</code>. */
+        public function readStructure(structure:BoundingStructure, at:Placement = null):void
         {
-            whole.readStructure(structure);
+            whole.readStructure(structure, at);
             begin();
         }
 

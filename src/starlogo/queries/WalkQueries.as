@@ -46,14 +46,14 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var walk:Walk = nestedWalk();
-            var stands:Boolean = go(walk, agent, dx, dy, options || DEFAULTS);
+            var walk:Walk = go(agent, dx, dy, options || DEFAULTS);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.turn);
-            var footing:Footing = write(walk, stands, out || new Footing());
+            var footing:Footing = out || new Footing();
+            footing.copyFrom(walk.footing);
             var link:PlatformLink = agent.platformLink;
             link.platform = null;
-            if (stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
+            if (footing.stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
             {
                 link.setTo(footing.on, _seen.table.bodyOf(walk.floorRow).placement, _seen.table.revisions[walk.floorRow]);
             }
@@ -63,16 +63,24 @@ package starlogo.queries
         /** Finds the footing that a walk without a way would give the agent now. Nothing moves. It may be asked in a filter's <code>accepts</code>. */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            var walk:Walk = nestedWalk();
-            return write(walk, go(walk, agent, 0, 0, options), out);
+            out.copyFrom(go(agent, 0, 0, options).footing);
+            return out;
         }
 
-        // Finds where a walk leads. Returns whether the agent stands there. Nothing moves.
-        private function go(walk:Walk, agent:Agent, dx:Number, dy:Number, options:WalkOptions):Boolean
+        // Finds where a walk leads, and on what the agent stands there. Nothing moves.
+        private function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions):Walk
         {
+            var walk:Walk = nestedWalk();
             readOptions(agent, dx, dy, options, walk);
             agent.platformLink ||= new PlatformLink(agent);
-            return _walkMover.go(agent.platformLink, walk);
+            var footing:Footing = walk.footing;
+            footing.stands = _walkMover.go(agent.platformLink, walk);
+            footing.on = footing.stands ? _seen.table.list.agents[walk.floorRow] : null;
+            if (!footing.stands)
+            {
+                copyVector(UP, footing.normal);
+            }
+            return walk;
         }
 
         // The walk of a question that begins now.
@@ -100,16 +108,6 @@ package starlogo.queries
             out.platform = -1;
             out.carry.setTo(0, 0, 0);
             out.turn = 0;
-        }
-
-        private function write(walk:Walk, stands:Boolean, out:Footing):Footing
-        {
-            out.stands = stands;
-            out.part = walk.part;
-            out.pushed = walk.pushed;
-            out.on = stands ? _seen.table.list.agents[walk.floorRow] : null;
-            copyVector(stands ? walk.floorNormal : UP, out.normal);
-            return out;
         }
     }
 }

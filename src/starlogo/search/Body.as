@@ -97,28 +97,34 @@ package starlogo.search
         /**
          * Becomes the body of a structure.
          *
-         * @throws ArgumentError if it is null, or not a sphere, box, capsule or hull
-         * @throws RangeError if it is not in the world
+         * @param at where the structure is put into the world; null if it is in the world already
+         * @throws ArgumentError if the structure is null, or not a sphere, box, capsule or hull
+         * @throws RangeError if <code>at</code> is null and the structure is not in the world
          */
-        public function readStructure(structure:BoundingStructure):void
+        public function readStructure(structure:BoundingStructure, at:Placement = null):void
         {
             requireStructure(structure);
-            structure.boxAroundInto(UPRIGHT, sExtents);
-            requireInWorld("half of a structure's length", sExtents[3], sExtents[4], sExtents[5]);
-            requireInWorld("a structure's middle", sExtents[0], sExtents[1], sExtents[2]);
-            takeStructure(structure, sExtents);
+            var inWorld:BoundingStructure = at == null ? structure : putIntoWorld(structure, at);
+            inWorld.boxAroundInto(UPRIGHT, sExtents);
+            if (at == null)
+            {
+                requireInWorld("half of a structure's length", sExtents[3], sExtents[4], sExtents[5]);
+                requireInWorld("a structure's middle", sExtents[0], sExtents[1], sExtents[2]);
+            }
+            takeShape(centred(inWorld));
+            placement.x = sExtents[0];
+            placement.y = sExtents[1];
+            placement.z = sExtents[2];
+            rank = depthLimit = 0;
+            offsetX = offsetY = offsetZ = 0;
+            halfX = sExtents[3];
+            halfY = sExtents[4];
+            halfZ = sExtents[5];
+            _isPlaced = false;
         }
 
-        /** Becomes the body of the structure that another body is in the world, without its margin. */
-        public function readPlaced(whole:Body):void
-        {
-            setPlaced(whole.shape.structure, whole.placement);
-            _placed.boxAroundInto(UPRIGHT, sExtents);
-            takeStructure(_placed, sExtents);
-        }
-
-        // Takes a structure in the world, and its extents.
-        private function takeStructure(structure:BoundingStructure, extents:Vector.<Number>):void
+        // A shape of a structure whose extents are known. Its middle is at the origin. The placement is upright afterwards.
+        private function centred(structure:BoundingStructure):ModelShape
         {
             _ownShapes ||= new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
             var own:ModelShape = _ownShapes[structure.kind];
@@ -127,67 +133,50 @@ package starlogo.search
                 own = _ownShapes[structure.kind] = new ModelShape("structure", Agent.ANY_KIND, 0);
                 own.isUpright = true;
             }
-            // the shape's structure has its middle at the origin
             placement.copyFrom(UPRIGHT);
-            placement.x = -extents[0];
-            placement.y = -extents[1];
-            placement.z = -extents[2];
+            placement.x = -sExtents[0];
+            placement.y = -sExtents[1];
+            placement.z = -sExtents[2];
             own.setStructure(structure.place(placement, own.structure));
-            placement.x = extents[0];
-            placement.y = extents[1];
-            placement.z = extents[2];
-            takeShape(own);
-            rank = depthLimit = 0;
-            offsetX = offsetY = offsetZ = 0;
-            halfX = extents[3];
-            halfY = extents[4];
-            halfZ = extents[5];
-            _isPlaced = false;
-        }
-
-        /**
-         * Becomes a part of another body, at another place: smaller about the middle of its extents.
-         *
-         * @param whole the other body
-         * @param place where the other body's place would be; null for where it is
-         * @param shrink the part of the size that is taken off, from 0 to 1
-         */
-        public function readShrunk(whole:Body, place:Vector3D, shrink:Number):void
-        {
-            var factor:Number = 1 - shrink;
-            takeShape(whole.shape);
-            rank = whole.rank;
-            depthLimit = whole.depthLimit;
-            placement.copyFrom(whole.placement);
-            placement.size *= factor;
-            if (place != null)
-            {
-                placement.x = place.x;
-                placement.y = place.y;
-                placement.z = place.z;
-            }
-            placement.x += shrink * whole.offsetX;
-            placement.y += shrink * whole.offsetY;
-            placement.z += shrink * whole.offsetZ;
-            offsetX = factor * whole.offsetX;
-            offsetY = factor * whole.offsetY;
-            offsetZ = factor * whole.offsetZ;
-            halfX = factor * whole.halfX;
-            halfY = factor * whole.halfY;
-            halfZ = factor * whole.halfZ;
-            _isPlaced = false;
+            return own;
         }
 
         /** Becomes the same as another body. While the other's model is loading, the shape is null, and only the place counts. */
         public function copyFrom(other:Body):void
         {
-            if (other.shape == null)
-            {
-                shape = null;
-                placement.copyFrom(other.placement);
-                return;
-            }
-            readShrunk(other, null, 0);
+            shape = other.shape;
+            form = other.form;
+            rank = other.rank;
+            depthLimit = other.depthLimit;
+            placement.copyFrom(other.placement);
+            offsetX = other.offsetX;
+            offsetY = other.offsetY;
+            offsetZ = other.offsetZ;
+            halfX = other.halfX;
+            halfY = other.halfY;
+            halfZ = other.halfZ;
+            _isPlaced = false;
+        }
+
+        /**
+         * Makes the body smaller about the middle of its extents.
+         *
+         * @param part the part of the size that is taken off, from 0 to 1
+         */
+        public function shrink(part:Number):void
+        {
+            var factor:Number = 1 - part;
+            placement.x += part * offsetX;
+            placement.y += part * offsetY;
+            placement.z += part * offsetZ;
+            placement.size *= factor;
+            offsetX *= factor;
+            offsetY *= factor;
+            offsetZ *= factor;
+            halfX *= factor;
+            halfY *= factor;
+            halfZ *= factor;
+            _isPlaced = false;
         }
 
         /** Turns the body of an agent as if the agent's heading were greater by some degrees. */
@@ -255,12 +244,21 @@ package starlogo.search
             return Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
         }
 
-        /** The structure in the world, widened by the margin. It is placed only when a test needs it. */
+        /** The structure in the world, widened by the margin. It is put there only when a test needs it. */
         public function worldStructure():BoundingStructure
         {
             if (!_isPlaced)
             {
-                place();
+                // the margin as a formula, because V8 makes an object for the Number of a getter
+                var widening:Number = Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
+                if (form == BoundingStructure.SPHERE)
+                {
+                    // the test of two spheres has no tolerance of its own, so the sphere is widened by it. Tests of a sphere and another structure
+                    // have one
+                    widening += (Tolerances.TOUCHING - 1) * halfX;
+                }
+                putIntoWorld(shape.structure, placement).widen(widening);
+                _isPlaced = true;
             }
             return _placed;
         }
@@ -337,23 +335,8 @@ package starlogo.search
             _isPlaced = false;
         }
 
-        private function place():void
-        {
-            // the margin as a formula, because V8 makes an object for the Number of a getter
-            var widening:Number = Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
-            if (form == BoundingStructure.SPHERE)
-            {
-                // the test of two placed spheres has no tolerance of its own, so the sphere is widened by it. Tests of a sphere and another
-                // structure have one
-                widening += (Tolerances.TOUCHING - 1) * halfX;
-            }
-            setPlaced(shape.structure, placement);
-            _placed.widen(widening);
-            _isPlaced = true;
-        }
-
-        // Makes _placed the structure at a place, in an object of its kind.
-        private function setPlaced(structure:BoundingStructure, at:Placement):void
+        // Puts a structure into the world, in an object of its kind: _placed.
+        private function putIntoWorld(structure:BoundingStructure, at:Placement):BoundingStructure
         {
             var kind:int = structure.kind;
             if (_placed != null && _placed.kind != kind)
@@ -367,6 +350,7 @@ package starlogo.search
             {
                 _placed = placed;
             }
+            return placed;
         }
     }
 }

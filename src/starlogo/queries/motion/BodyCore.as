@@ -67,7 +67,7 @@ package starlogo.queries.motion
         // The largest inset that the motion may have. With it the core is free of every shallow overlap.
         private var _mostInset:Number = 0;
 
-        // The core at the place where it was asked for last; and this place, whose x is NaN if the core's size has changed.
+        // The core where it was asked for last, and this place.
         private var _core:Body = new Body();
         private var _place:Vector3D = new Vector3D();
 
@@ -141,18 +141,17 @@ package starlogo.queries.motion
         private function setInset(width:Number):void
         {
             _inset = width;
-            _place.x = NaN;
             shrink = shrinkOf(body.whole, width);
+            _core.copyFrom(body.whole);
+            _core.shrink(shrink);
         }
 
         /** The core when the body stands at a place. It is valid until the next call. */
         public function at(place:Vector3D):Body
         {
-            if (place.x != _place.x || place.y != _place.y || place.z != _place.z)
-            {
-                _core.readShrunk(body.whole, place, shrink);
-                _place.copyFrom(place);
-            }
+            var whole:Body = body.whole;
+            _place.setTo(place.x + shrink * whole.offsetX, place.y + shrink * whole.offsetY, place.z + shrink * whole.offsetZ);
+            _core.moveTo(_place);
             return _core;
         }
 
@@ -196,7 +195,8 @@ package starlogo.queries.motion
             {
                 return body.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
             }
-            _smaller.readShrunk(other, null, shrinkOf(other, slop));
+            _smaller.copyFrom(other);
+            _smaller.shrink(shrinkOf(other, slop));
             return body.narrowPhase.areTouching(whole, _smaller);
         }
 

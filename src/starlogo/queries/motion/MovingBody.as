@@ -1,9 +1,10 @@
 // This folder moves a body among the rows of a table. A MovingBody is what moves. Three classes say where its motions end: TouchSweep in the touch of a
 // row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the body meets (SlideRest); WalkMover makes a walk of
-// slides and straight motions, with PlatformCarry before it, OverlapPush at its beginning and Foothold where it stands. Read this file first, then
+// slides and straight motions, with PlatformCarry before it and Foothold where it stands. Read this file first, then
 // BodyCore, CoreSweep.findStart(), TouchSweep, Slider and WalkMover.go().
 // Core: the body, but smaller by a slop (BodyCore). Only what the core meets stops the body, so the body may touch what it stands on or runs along.
-// Shallow overlap: one that can come from rounding in the game. A motion begins with a lift out of those (OverlapRecovery).
+// Shallow overlap: one that can come from rounding in the game. A motion begins with a lift out of those (OverlapRecovery), a walk with pushes out of
+// deep ones.
 // Plane: it stands for a row that the body overlaps deeply, or has met on a slide. The motion must not cross it.
 // Obstacles: the rows that can stop a motion. Rows with a plane for a deep overlap are none, nor one-way rows that the body passes.
 package starlogo.queries.motion
@@ -15,6 +16,7 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
@@ -89,23 +91,17 @@ package starlogo.queries.motion
          */
         public function readCastAgent(agent:Agent):void
         {
-            _seen.requirePlaced(agent);
-            var body:Body = _seen.bodyOf(agent);
-            if (body.shape == null || body.form >= ModelShape.TREE)
+            readAgent(agent);
+            if (hasShape && whole.form < ModelShape.TREE)
             {
-                whole.copyFrom(body);
+                readStructure(whole.shape.structure, whole.placement);
             }
-            else
-            {
-                whole.readPlaced(body);
-            }
-            begin();
         }
 
-        /** Becomes the body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
-        public function readStructure(structure:BoundingStructure):void
+        /** Becomes the body of a structure. See <code>Body.readStructure()</code>. */
+        public function readStructure(structure:BoundingStructure, at:Placement = null):void
         {
-            whole.readStructure(structure);
+            whole.readStructure(structure, at);
             begin();
         }
 

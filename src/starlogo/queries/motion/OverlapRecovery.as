@@ -3,10 +3,14 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.data.IntList;
+    import starlogo.engine;
+    import starlogo.search.ModelShape;
+
+    use namespace engine;
 
     /**
-     * Frees the core of a body from what it overlaps where a motion begins (leaveOverlaps), and leads the body off what it touches where its motions end
-     * (restoreClearance).
+     * Gets a body out of what it overlaps. It frees the body's core where a motion begins (leaveOverlaps), leads the body off what it touches where its
+     * motions end (restoreClearance), and tells a walk how deep the body is in others (findDepth).
      *
      * <p>A shallow overlap comes from rounding in the game: the body is lifted out of it. If the body overlaps a row more deeply, the plane of their
      * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts.</p>
@@ -36,13 +40,12 @@ package starlogo.queries.motion
         // Where the pushes begin.
         private var _before:Vector3D = new Vector3D();
 
-        // The contact of this push and of the last one.
+        // The contact of an overlap, or of this push, and that of the last push.
         private var _contact:ContactPoint = new ContactPoint();
         private var _last:ContactPoint = new ContactPoint();
 
-        // A place where the body touches a row, and the way from there to the place of the body.
+        // A place where the body touches a row.
         private var _touching:Vector3D = new Vector3D();
-        private var _beside:Vector3D = new Vector3D();
 
         /**
          * Frees the core of a body from the obstacles that it overlaps where its motion starts.
@@ -52,14 +55,15 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(start:MotionStart):void
         {
-            if (replaceObstacles(start, false) && !lift(start))
+            if (replaceObstacles(start, false) && !pushOut(start.core, start.obstacles, start.place, start.lifted))
             {
+                start.lifted.clear();
                 replaceObstacles(start, true);
             }
             if (start.core.isFlat && start.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOff(start.core, start.obstacles, start.place);
+                pushOut(start.core, start.obstacles, start.place, null);
             }
         }
 
@@ -72,11 +76,39 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
         {
             _core.beginStanding(body, rows, place);
-            pushOff(_core, rows, place);
+            pushOut(_core, rows, place, null);
         }
 
-        // Leads a body a clearance off the rows that it touches: see restoreClearance.
-        private function pushOff(core:BodyCore, rows:IntList, place:Vector3D):void
+        /**
+         * Finds how deep a body overlaps its rows at a place. Overlaps that are shallow do not count, nor those with one-way rows, nor those with a tree out
+         * of which the way is too long.
+         *
+         * @param deepest receives the contact of the deepest overlap, with the depth 0 if there is none. A push along its normal by its depth leads a
+         *     clearance out
+         * @return the sum of the depths of all overlaps
+         */
+        public function findDepth(body:MovingBody, place:Vector3D, deepest:ContactPoint):Number
+        {
+            var sum:Number = 0;
+            deepest.depth = 0;
+            _core.beginStanding(body, body.rows, place);
+            for (var i:int = 0; i < body.rows.count; i++)
+            {
+                if (findDeepOverlap(_core, body.rows.numbers[i], place, _contact))
+                {
+                    sum += _contact.depth;
+                    if (_contact.depth > deepest.depth)
+                    {
+                        deepest.copyFrom(_contact);
+                    }
+                }
+            }
+            return sum;
+        }
+
+        // Pushes a body out of one row after the other until it needs no more pushes. With a list for the contacts it is lifted out of the shallow overlaps
+        // of its core; without one it is led off the rows that it only touches. Returns whether it gets free. If not, it is where it was.
+        private function pushOut(core:BodyCore, rows:IntList, place:Vector3D, lifted:ContactList):Boolean
         {
             var isFree:Boolean = false;
             var canPush:Boolean = true;
@@ -87,50 +119,23 @@ package starlogo.queries.motion
                 isFree = true;
                 for (var i:int = 0; i < rows.count && canPush; i++)
                 {
-                    if (findPushOff(core, rows.numbers[i], place, round, _last, _contact))
+                    var row:int = rows.numbers[i];
+                    if (lifted == null ? findPushOff(core, row, place, round, _contact) : findLift(core, row, place, round, _contact))
                     {
                         isFree = false;
-                        canPush = !areOpposite(_contact, _last);
+                        canPush = _contact.depth < Infinity && !areOpposite(_contact, _last);
                         _contact.push(place, _contact.depth);
                         _last.copyFrom(_contact);
+                        if (lifted != null)
+                        {
+                            lifted.add(_contact, row);
+                        }
                     }
                 }
             }
             if (!isFree)
             {
                 place.copyFrom(_before);
-            }
-        }
-
-        // Lifts a body out of one obstacle after the other until its core overlaps none. Returns whether it gets free. If not, it is where it was.
-        private function lift(start:MotionStart):Boolean
-        {
-            var body:MovingBody = start.core.body;
-            var isFree:Boolean = false;
-            var canLift:Boolean = true;
-            _before.copyFrom(start.place);
-            _last.setNormal(0, 0, 0);
-            for (var round:int = 0; round < ROUNDS && canLift && !isFree; round++)
-            {
-                isFree = true;
-                for (var i:int = 0; i < start.obstacles.count && canLift; i++)
-                {
-                    var row:int = start.obstacles.numbers[i];
-                    if (start.core.touches(row, start.place))
-                    {
-                        findContactInRound(body, row, start.place, round, _last, _contact);
-                        isFree = false;
-                        canLift = body.isShallow(row, _contact) && !areOpposite(_contact, _last);
-                        _contact.push(start.place, _contact.depth + start.core.clearance);
-                        _last.copyFrom(_contact);
-                        start.lifted.add(_contact, row);
-                    }
-                }
-            }
-            if (!isFree)
-            {
-                start.place.copyFrom(_before);
-                start.lifted.clear();
             }
             return isFree;
         }
@@ -185,9 +190,22 @@ package starlogo.queries.motion
             return true;
         }
 
+        // Finds the lift out of a row that the core overlaps: along the contact's normal by its depth, which is Infinity if the overlap is deep. Returns whether
+        // the core overlaps the row.
+        private function findLift(core:BodyCore, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
+        {
+            if (!core.touches(row, place))
+            {
+                return false;
+            }
+            findContactInRound(core.body, row, place, round, out);
+            out.depth = core.body.isShallow(row, out) ? out.depth + core.clearance : Infinity;
+            return true;
+        }
+
         // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
         // row deeply, or passes it.
-        private function findPushOff(core:BodyCore, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
+        private function findPushOff(core:BodyCore, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
             var body:MovingBody = core.body;
             // mostly it is known faster that the core touches the row than how deep the overlap is
@@ -195,29 +213,47 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            findContactInRound(body, row, _touching, round, last, out);
+            findContactInRound(body, row, _touching, round, out);
             var most:Number = SLOPS_OF_TOUCH * core.slop;
             if (out.depth > most && !body.isShallow(row, out))
             {
                 return false;
             }
-            _beside.copyFrom(place);
-            _beside.decrementBy(_touching);
-            out.depth = Math.min(out.depth, most) + core.clearance - out.along(_beside);
+            var beside:Number = out.normalX * (place.x - _touching.x) + out.normalY * (place.y - _touching.y) + out.normalZ * (place.z - _touching.z);
+            out.depth = Math.min(out.depth, most) + core.clearance - beside;
             return true;
         }
 
         // Finds the contact with a row that the body touches at a place.
-        private static function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
+        private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):void
         {
             if (round < SURE_ROUND)
             {
                 body.findContact(row, place, out);
             }
-            if (round >= SURE_ROUND || areOpposite(out, last))
+            if (round >= SURE_ROUND || areOpposite(out, _last))
             {
                 body.findSeparatingContact(row, place, out);
             }
+        }
+
+        // Finds an overlap that a walk begins with a push out of: see findDepth. Returns whether it counts.
+        private static function findDeepOverlap(core:BodyCore, row:int, place:Vector3D, out:ContactPoint):Boolean
+        {
+            var body:MovingBody = core.body;
+            if (body.isOneWay(row) || !core.touches(row, place))
+            {
+                return false;
+            }
+            body.findSeparatingContact(row, place, out);
+            if (body.isShallow(row, out) || !core.bodyOverlaps(row, place))
+            {
+                return false;
+            }
+            body.warnIfInside(row, out);
+            out.depth += core.clearance;
+            // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
+            return body.bodyOf(row).form != ModelShape.TREE || out.depth <= body.whole.halfAlong(out);
         }
 
         // Whether a body that has both contacts is between two rows.

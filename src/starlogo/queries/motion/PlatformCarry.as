@@ -19,25 +19,27 @@ package starlogo.queries.motion
     public final class PlatformCarry
     {
         private var _seen:SeenAgents;
-        private var _sweep:CoreSweep = new CoreSweep();
-        private var _slider:Slider = new Slider();
+        private var _slider:Slider;
 
         // The rows without the platform, and where the platform carries the agent.
         private var _others:IntList = new IntList();
         private var _carried:Vector3D = new Vector3D();
 
-        // The way from there to where it comes, and the core on this way.
+        // The way from there to where it comes.
         private var _motion:Vector3D = new Vector3D();
-        private var _core:BodyCore = new BodyCore();
 
         // How the agent goes with the platform.
         private var _slid:SlideResult = new SlideResult();
         private var _straight:MotionResult = new MotionResult();
 
-        /** @param seen has the rows */
-        public function PlatformCarry(seen:SeenAgents)
+        /**
+         * @param seen has the rows
+         * @param slider slides the agent along others
+         */
+        public function PlatformCarry(seen:SeenAgents, slider:Slider)
         {
             _seen = seen;
+            _slider = slider;
         }
 
         /**
@@ -113,8 +115,7 @@ package starlogo.queries.motion
         {
             _motion.copyFrom(place);
             _motion.decrementBy(_carried);
-            _core.begin(walk.body, walk.body.rows, _carried, _motion);
-            return _sweep.meets(_core, walk.platform, _carried, _motion);
+            return _slider.meets(walk.body, walk.platform, _carried, _motion);
         }
     }
 }

@@ -102,6 +102,13 @@ package starlogo.queries.motion
             CoreSweep.setAlong(_start.place, motion, fraction, out.place);
         }
 
+        /** Whether a row, one of those near the way of a body, would stop a straight motion. */
+        public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
+        {
+            _start.core.begin(body, body.rows, from, motion);
+            return _sweep.meets(_start.core, row, from, motion);
+        }
+
         // Finds what stops the rest of a motion next.
         private function findNext(place:Vector3D, rest:Vector3D, out:MotionStart):void
         {

@@ -3,11 +3,12 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.convex.ContactPoint;
+    import starlogo.queries.Footing;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
 
     /**
-     * A walk, as a record: what the options mean for this agent, and how far it has come. WalkQueries begins it, and the WalkMover goes it.
+     * A walk, as a record: what the options mean for this agent, how far it has come, and its footing. WalkQueries begins it, and the WalkMover goes it.
      *
      * @private
      */
@@ -51,13 +52,11 @@ package starlogo.queries.motion
         /** The contact of the deepest overlap where the walk begins. A filter may walk another agent before the push. */
         public var deepest:ContactPoint = new ContactPoint();
 
-        /** How far the agent was pushed out of what it overlapped, and then the part of the motion that it has made. See Footing. */
-        public var pushed:Number = 0;
-        public var part:Number = 1;
-
-        /** The row that the agent stood on last, and the normal of its surface. */
+        /** The row that the agent stood on last. */
         public var floorRow:int = -1;
-        public var floorNormal:Vector3D = new Vector3D();
+
+        /** What comes of it. Its normal is that of the surface that the agent stood on last, until the walk ends. */
+        public var footing:Footing = new Footing();
 
         /** @param seen the agents that the walk is among */
         public function Walk(seen:SeenAgents)

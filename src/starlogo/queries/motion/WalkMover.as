@@ -24,10 +24,12 @@ package starlogo.queries.motion
         // A fall, with the slide after it, is undone if it leads less far down. A part of the extent.
         private static const REST:Number = 1e-8;
 
-        private var _platforms:PlatformCarry;
-        private var _push:OverlapPush = new OverlapPush();
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
+        // The most pushes out of what the agent overlaps where a walk begins.
+        private static const MOST_PUSHES:int = 8;
+
         private var _slider:Slider = new Slider();
+        private var _recovery:OverlapRecovery = new OverlapRecovery();
+        private var _platforms:PlatformCarry;
         private var _foothold:Foothold;
 
         // The motion and the limits of a step.
@@ -45,7 +47,7 @@ package starlogo.queries.motion
         /** @param seen has the rows */
         public function WalkMover(seen:SeenAgents)
         {
-            _platforms = new PlatformCarry(seen);
+            _platforms = new PlatformCarry(seen, _slider);
             _foothold = new Foothold(seen);
         }
 
@@ -92,25 +94,44 @@ package starlogo.queries.motion
         private function recover(walk:Walk):Boolean
         {
             walk.start.copyFrom(walk.place);
-            walk.pushed = 0;
+            walk.footing.pushed = 0;
             var stands:Boolean = goDown(walk, walk.closeDepth, _straight);
             if (!_straight.isDeep)
             {
                 return stands;
             }
             walk.place.copyFrom(walk.start);
-            var depth:Number = _push.findDepth(walk.body, walk.place, walk.deepest);
-            if (depth > 0)
-            {
-                findNear(walk, depth);
-                _push.pushOut(walk.body, walk.place, depth, walk.deepest);
-            }
+            pushOut(walk);
             var x:Number = walk.place.x - walk.start.x;
             var y:Number = walk.place.y - walk.start.y;
             var z:Number = walk.place.z - walk.start.z;
-            walk.pushed = Math.sqrt(x * x + y * y + z * z);
+            walk.footing.pushed = Math.sqrt(x * x + y * y + z * z);
             walk.start.copyFrom(walk.place);
             return goDown(walk, walk.closeDepth, _straight);
+        }
+
+        // Pushes the agent out of what it overlaps deeply. The deepest overlap comes first. A push is a slide, so it leads through nothing else. All pushes
+        // together are as long as the depths of all overlaps at the beginning.
+        private function pushOut(walk:Walk):void
+        {
+            var left:Number = _recovery.findDepth(walk.body, walk.place, walk.deepest);
+            if (!(left > 0))
+            {
+                return;
+            }
+            findNear(walk, left);
+            var pushes:int = 0;
+            do
+            {
+                var length:Number = Math.min(left, walk.deepest.depth);
+                left -= length;
+                _motion.setTo(0, 0, 0);
+                walk.deepest.push(_motion, length);
+                _slider.slide(walk.body, walk.body.rows, walk.place, _motion, SlideLimits.NONE, _slid);
+                walk.place.copyFrom(_slid.place);
+                pushes++;
+            }
+            while (pushes < MOST_PUSHES && left > 0 && _recovery.findDepth(walk.body, walk.place, walk.deepest) > 0);
         }
 
         // Goes all pieces: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
@@ -140,7 +161,7 @@ package starlogo.queries.motion
             }
             var dx:Number = walk.place.x - startX;
             var dy:Number = walk.place.y - startY;
-            walk.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.pieces * walk.pieceLength)) : 1;
+            walk.footing.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.pieces * walk.pieceLength)) : 1;
             return stands;
         }
 
@@ -168,7 +189,8 @@ package starlogo.queries.motion
         // How far a piece leads up or down if it runs along the ground below the agent.
         private static function riseOf(walk:Walk):Number
         {
-            return -(walk.floorNormal.x * walk.piece.x + walk.floorNormal.y * walk.piece.y) / walk.floorNormal.z;
+            var normal:Vector3D = walk.footing.normal;
+            return -(normal.x * walk.piece.x + normal.y * walk.piece.y) / normal.z;
         }
 
         // Tries a piece again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
@@ -264,7 +286,7 @@ package starlogo.queries.motion
         // Lets the agent stand at a place, on a row that it touches there, if the row carries it.
         private function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
         {
-            if (!_foothold.carries(walk, contact, row, place, walk.floorNormal))
+            if (!_foothold.carries(walk, contact, row, place, walk.footing.normal))
             {
                 return false;
             }

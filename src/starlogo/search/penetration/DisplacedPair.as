@@ -67,7 +67,8 @@ package starlogo.search.penetration
             _from.x = a.placement.x + (motion.startX + time * motion.x);
             _from.y = a.placement.y + (motion.startY + time * motion.y);
             _from.z = a.placement.z + (motion.startZ + time * motion.z);
-            first.readShrunk(a, _from, 0);
+            first.copyFrom(a);
+            first.moveTo(_from);
             roundingGap = _tests.roundingGapOf(a, b);
             extent = Math.max(_tests.extentOf(a, b), Math.max(roundingGap, LEAST_EXTENT));
             tolerance = Math.max(_tests.depthToleranceOf(a, b), Tolerances.SEPARATION * LEAST_EXTENT);

@@ -1,7 +1,7 @@
 package starlogo.collision
 {
-    import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.search.FoundPairs;
 
     use namespace engine;
 
@@ -25,15 +25,15 @@ package starlogo.collision
             _frame++;
         }
 
-        /** Computes the contact of a pair. */
-        public function find(pair:int, first:Agent, second:Agent):void
+        /** Computes the contact of a pair of the frame. */
+        public function find(pairs:FoundPairs, pair:int):void
         {
             while (_contacts.length <= pair)
             {
                 _contacts.push(new Contact());
                 _frames.push(0);
             }
-            _system.contactOf(first, second, _contacts[pair]);
+            _system.contactOf(pairs.firstOf(pair), pairs.secondOf(pair), _contacts[pair]);
             _frames[pair] = _frame;
         }
 
@@ -41,16 +41,15 @@ package starlogo.collision
          * Returns the contact of a pair, in an object that the next call overwrites. If a handler has changed a breed, the contact may not be
          * known yet. The collision system then computes it as the frame has seen the two agents.
          *
-         * @param pair the index of the pair
-         * @param first the first agent of the pair
-         * @param second the second agent
+         * @param pairs the pairs of the frame
+         * @param pair the index of one of them
          * @param isSecondCollider whether the second agent is the collider
          */
-        public function contactFor(pair:int, first:Agent, second:Agent, isSecondCollider:Boolean):Contact
+        public function contactFor(pairs:FoundPairs, pair:int, isSecondCollider:Boolean):Contact
         {
             if (pair >= _frames.length || _frames[pair] != _frame)
             {
-                find(pair, first, second);
+                find(pairs, pair);
             }
             _given.copyFrom(_contacts[pair]);
             if (isSecondCollider)

@@ -91,12 +91,10 @@ package starlogo.collision
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = chosen == null ? i : chosen.numbers[i];
-                var first:Agent = _pairs.firstOf(pair);
-                var second:Agent = _pairs.secondOf(pair);
                 var kinds:int = _table.handlersOfPair(_pairs, pair).contactKinds;
-                if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && tracker.touchToContinue(first, second) == null)
+                if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && tracker.touchToContinue(_pairs, pair) == null)
                 {
-                    _contacts.find(pair, first, second);
+                    _contacts.find(_pairs, pair);
                 }
             }
         }
@@ -226,7 +224,7 @@ package starlogo.collision
         {
             var collider:Agent = isSecondCollider ? second : first;
             var collidee:Agent = isSecondCollider ? first : second;
-            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, first, second, isSecondCollider) : null;
+            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(_pairs, pair, isSecondCollider) : null;
             // a local, so that the handler is not called as a method of its CollisionHandler
             var toCall:Function = handler.callback;
             count++;

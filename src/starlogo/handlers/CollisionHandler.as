@@ -36,7 +36,7 @@ package starlogo.handlers
         /** Whether it takes a contact, or may read one: see mayTakeContact. */
         public var takesContact:Boolean;
 
-        /** How many handlers of the Collision were added before it. */
+        /** How often the Collision's handlers had changed before it came. */
         public var serial:int;
 
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */

@@ -43,11 +43,10 @@ package starlogo.handlers
         private var _pairs:Vector.<PairHandlers> = new Vector.<PairHandlers>();
         private var _pairIndices:HashTable = new HashTable();
 
-        // The serial number of the next handler. The frame calls handlers with lower numbers than the second one. Whether any has come or gone since
-        // the frame began.
-        private var _nextSerial:int = 0;
-        private var _endSerial:int = 0;
-        private var _hasChanged:Boolean = false;
+        // How often the handlers have changed, and how often they had when the frame began. The first is the serial number of the next handler, so the frame
+        // calls handlers with lower numbers than the second.
+        private var _changes:int = 0;
+        private var _changesBefore:int = 0;
 
         /**
          * Adds a handler of a kind.
@@ -58,14 +57,13 @@ package starlogo.handlers
         {
             requireArguments(breed, otherBreed, callback);
             requireParameters(breed, otherBreed, callback, kind);
-            var handler:CollisionHandler = new CollisionHandler(kind, breed, otherBreed, callback, _nextSerial);
+            var handler:CollisionHandler = new CollisionHandler(kind, breed, otherBreed, callback, _changes);
             if (Breeds.isOfWorld(handler.colliderBreed) && Breeds.isOfWorld(handler.collideeBreed))
             {
                 throw new ArgumentError("TERRAIN and EDGE do not collide with each other");
             }
             addToList(handler);
-            _nextSerial++;
-            _hasChanged = true;
+            _changes++;
         }
 
         /** See Collision.removeHandler. */
@@ -79,7 +77,7 @@ package starlogo.handlers
             }
             var list:HandlerList = listFor(Breeds.NAMES.knownNumberOf(breed), Breeds.NAMES.knownNumberOf(otherBreed));
             var isRemoved:Boolean = list != null && list.remove(callback, kind == null ? ALL_KINDS : 1 << index);
-            _hasChanged ||= isRemoved;
+            _changes += isRemoved ? 1 : 0;
             return isRemoved;
         }
 
@@ -91,7 +89,7 @@ package starlogo.handlers
                 list.clear();
             }
             interests = new BreedInterests();
-            _hasChanged = true;
+            _changes++;
         }
 
         /**
@@ -101,15 +99,14 @@ package starlogo.handlers
          */
         public function begin(agents:Vector.<Agent>):void
         {
-            if (!_hasChanged)
+            if (_changes == _changesBefore)
             {
                 return;
             }
-            _hasChanged = false;
             var all:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
             for each (var list:HandlerList in _lists)
             {
-                list.appendTo(all, _nextSerial);
+                list.appendTo(all, _changes);
             }
             _lists.length = _pairs.length = 0;
             _listIndices.clear();
@@ -123,13 +120,13 @@ package starlogo.handlers
                 interests.addNumbers(handler.colliderBreed, handler.collideeBreed);
                 kinds |= handler.kind;
                 contactKinds |= handler.needsContact ? handler.kind : 0;
-                if (handler.serial >= _endSerial)
+                if (handler.serial >= _changesBefore)
                 {
                     newNames.push(Breeds.NAMES.nameOf(handler.colliderBreed), Breeds.NAMES.nameOf(handler.collideeBreed));
                 }
             }
             warnOfBreeds(newNames, agents);
-            _endSerial = _nextSerial;
+            _changesBefore = _changes;
         }
 
         /**
@@ -197,7 +194,7 @@ package starlogo.handlers
                     var list:HandlerList = listFor(collider, collidee);
                     if (list != null)
                     {
-                        list.appendTo(found, _endSerial);
+                        list.appendTo(found, _changesBefore);
                     }
                 }
             }

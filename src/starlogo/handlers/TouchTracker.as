@@ -60,12 +60,12 @@ package starlogo.handlers
         }
 
         /**
-         * The touch of two agents that goes on if they touch in the next frame too; null if there is none. It does not go on if a breed has changed, or
+         * The touch of a pair that goes on if the two touch in the next frame too; null if there is none. It does not go on if a breed has changed, or
          * if handlers were called for the first agent only.
          */
-        public function touchToContinue(a:Agent, b:Agent):Touch
+        public function touchToContinue(pairs:FoundPairs, pair:int):Touch
         {
-            var index:int = indexOf(a, b);
+            var index:int = indexOf(pairs.firstOf(pair), pairs.secondOf(pair));
             var touch:Touch = index == NONE ? null : _all[index];
             return touch != null && touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber
                 ? touch : null;
@@ -266,7 +266,7 @@ package starlogo.handlers
         private function continueTouch(pair:int, table:HandlerTable):void
         {
             var isTracked:Boolean = table.handlersOfPair(_pairs, pair).tracksTouches;
-            var touch:Touch = isTracked ? touchToContinue(_pairs.firstOf(pair), _pairs.secondOf(pair)) : null;
+            var touch:Touch = isTracked ? touchToContinue(_pairs, pair) : null;
             _touches[pair] = touch == null ? NONE : touch.index;
             if (touch != null)
             {

@@ -66,12 +66,7 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            if (_motions != null)
-            {
-                _out.addPairs(row, others, _motions.keepTouching(row, others, count, level, _times), _times);
-                return;
-            }
-            _out.addPairs(row, others, keepTouching(row, others, count, level), null);
+            addTouching(row, others, count, level);
         }
 
         /**
@@ -88,16 +83,21 @@ package starlogo.search
             }
             _input.listMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.numbers;
-            var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            if (_motions != null)
-            {
-                _out.addPairs(worldRow, others, _motions.keepTouching(worldRow, others, count, null, _times), _times);
-                return;
-            }
-            _out.addPairs(worldRow, others, keepTouchingWorld(worldRow, others, count), null);
+            addTouching(worldRow, others, _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count), null);
         }
 
-        // Keeps the rows that touch a row, and moves them to the beginning of the list. The level has the slack of their extents.
+        // Adds the pairs of a row with those that touch it. The level has the slack of their extents; it is null for the ground and the edges.
+        private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
+        {
+            if (_motions != null)
+            {
+                _out.addPairs(row, others, _motions.keepTouching(row, others, count, level, _times), _times);
+                return;
+            }
+            _out.addPairs(row, others, level == null ? keepTouchingWorld(row, others, count) : keepTouching(row, others, count, level), null);
+        }
+
+        // Keeps the rows that touch a row, and moves them to the beginning of the list.
         private function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
             // a field would be read again for each candidate

@@ -177,21 +177,16 @@ package starlogo.search
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
-            if (table.list.rankOf(a) <= table.list.rankOf(b))
-            {
-                findContactInOrder(a, b, motion, out);
-                return;
-            }
-            findContactInOrder(b, a, motion, out);
-            out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
-            motion.endAfter(-motion.x, -motion.y, -motion.z);
-        }
-
-        // Finds the contact of two agents in the order that the pairs of a search have, so rounding is the same however a game asks.
-        private function findContactInOrder(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
-        {
             var rowA:int = table.list.rowOf(a);
             var rowB:int = table.list.rowOf(b);
+            if (table.list.rankOf(a, rowA) > table.list.rankOf(b, rowB))
+            {
+                // they get the order that the pairs of a search have, so rounding is the same however a game asks
+                findContact(b, a, motion, out);
+                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+                motion.endAfter(-motion.x, -motion.y, -motion.z);
+                return;
+            }
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
             if (areSeen && _motions != null)
             {

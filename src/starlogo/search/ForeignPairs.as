@@ -2,7 +2,6 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.data.HashTable;
-    import starlogo.data.IntList;
     import starlogo.data.requireGiven;
     import starlogo.search.table.ListedAgents;
 
@@ -15,7 +14,6 @@ package starlogo.search
     public final class ForeignPairs
     {
         private var _list:ListedAgents = new ListedAgents();
-        private var _leftOrReordered:IntList = new IntList();
         private var _pairs:FoundPairs = new FoundPairs(_list);
 
         // The pairs that have been read, by their rows, the lesser first.
@@ -29,7 +27,7 @@ package starlogo.search
         public function begin(list:Vector.<Agent>):void
         {
             _list.propose(list);
-            _list.accept(_leftOrReordered);
+            _list.accept();
         }
 
         /**

@@ -51,13 +51,11 @@ package starlogo.search
         private var _times:Vector.<Number> = new Vector.<Number>();
         private var _earlyCount:int = 0;
 
-        // For sorting: the indices of the pairs in their new order, and their keys; by rank, where the next pair goes whose first row has it, and
-        // where the next one goes whose second row has it.
+        // For sorting: the indices of the pairs in their new order, and their keys; or by rank, where the next pair goes whose row has it.
         private var _indices:SortableIntList = new SortableIntList();
-        private var _firsts:Vector.<int> = new Vector.<int>();
-        private var _seconds:Vector.<int> = new Vector.<int>();
+        private var _next:Vector.<int> = new Vector.<int>();
 
-        // Where pairs and their times go when their order changes. Then it is exchanged with the list that they come from.
+        // Where pairs and their times go when their order changes. Then these lists are exchanged with those that they come from.
         private var _spare:Vector.<int> = new Vector.<int>();
         private var _spareTimes:Vector.<Number> = new Vector.<Number>();
 
@@ -124,18 +122,10 @@ package starlogo.search
         /** Puts the pairs into order. @param haveTimes whether an agent sweeps, so the pairs were added with times */
         internal function putInOrder(haveTimes:Boolean):void
         {
-            if (!haveTimes && areSorted())
+            if (!areSorted())
             {
-                return;
+                sortByRanks(haveTimes);
             }
-            if (MANY_AGENTS * count < list.rows.count)
-            {
-                sortByKeys(haveTimes);
-                return;
-            }
-            countRanks();
-            scatter(1, _seconds, haveTimes);
-            scatter(0, _firsts, haveTimes);
             if (haveTimes)
             {
                 sortByTimes();
@@ -170,7 +160,7 @@ package starlogo.search
             }
             keepBefore(pair, int.MAX_VALUE, 0, marks, mark);
             count += found.count - dropped.count;
-            exchangeRows();
+            exchangeLists();
         }
 
         // Copies the pairs from an index on up to a pair of two ranks, behind those that are copied or added already. Drops the pairs of rows with the
@@ -266,7 +256,19 @@ package starlogo.search
             return true;
         }
 
-        // Sorts by a key of both ranks, and then by times, if there are any.
+        private function sortByRanks(haveTimes:Boolean):void
+        {
+            if (MANY_AGENTS * count < list.rows.count)
+            {
+                sortByKeys(haveTimes);
+                return;
+            }
+            // pairs whose rows on a side have the same rank keep their order
+            scatter(1, haveTimes);
+            scatter(0, haveTimes);
+        }
+
+        // Sorts by a key of both ranks.
         private function sortByKeys(haveTimes:Boolean):void
         {
             var ranks:Vector.<int> = list.ranks;
@@ -275,16 +277,7 @@ package starlogo.search
             {
                 _indices.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
             }
-            _indices.sortFirst(count);
-            if (haveTimes)
-            {
-                for (i = 0; i < count; i++)
-                {
-                    _indices.keys[i] = _times[_indices.numbers[i]];
-                }
-                _indices.sortFirst(count);
-            }
-            arrange();
+            arrange(haveTimes);
         }
 
         // Sorts by times. Pairs of the same time keep their order.
@@ -295,74 +288,70 @@ package starlogo.search
             {
                 _indices.add(i, _times[i]);
             }
-            _indices.sortFirst(count);
-            arrange();
+            arrange(false);
         }
 
-        // Puts the pairs into the order of the indices.
-        private function arrange():void
+        // Puts the pairs into the order of the keys. Their times go along if they are needed afterwards.
+        private function arrange(haveTimes:Boolean):void
         {
+            _indices.sortFirst(count);
             makeRoom(count);
             for (var i:int = 0; i < count; i++)
             {
                 var pair:int = _indices.numbers[i];
                 _spare[int(2 * i)] = rows[int(2 * pair)];
                 _spare[int(2 * i + 1)] = rows[int(2 * pair + 1)];
+                if (haveTimes)
+                {
+                    _spareTimes[i] = _times[pair];
+                }
             }
-            exchangeRows();
+            exchangeLists();
         }
 
-        // Finds where the pairs of each rank begin.
-        private function countRanks():void
+        // Finds by rank where the pairs begin whose rows on a side have it.
+        private function findStarts(side:int):void
         {
             // the ground and the edges of the world have the ranks after those of the agents
             var rankCount:int = list.rows.count + ListedAgents.FIRST_LISTED;
-            if (_firsts.length < rankCount)
+            if (_next.length < rankCount)
             {
-                _firsts.length = _seconds.length = rankCount;
+                _next.length = rankCount;
             }
-            var firsts:Vector.<int> = _firsts;
-            var seconds:Vector.<int> = _seconds;
+            var next:Vector.<int> = _next;
             for (var rank:int = 0; rank < rankCount; rank++)
             {
-                firsts[rank] = seconds[rank] = 0;
+                next[rank] = 0;
             }
             var all:Vector.<int> = rows;
             var ranks:Vector.<int> = list.ranks;
             var end:int = 2 * count;
-            for (var i:int = 0; i < end; i += 2)
+            for (var i:int = side; i < end; i += 2)
             {
-                firsts[ranks[all[i]]]++;
-                seconds[ranks[all[int(i + 1)]]]++;
+                next[ranks[all[i]]] += 2;
             }
-            var firstsBefore:int = 0;
-            var secondsBefore:int = 0;
+            var start:int = 0;
             for (rank = 0; rank < rankCount; rank++)
             {
-                var ofRank:int = firsts[rank];
-                firsts[rank] = firstsBefore;
-                firstsBefore += 2 * ofRank;
-                ofRank = seconds[rank];
-                seconds[rank] = secondsBefore;
-                secondsBefore += 2 * ofRank;
+                var ofRank:int = next[rank];
+                next[rank] = start;
+                start += ofRank;
             }
         }
 
-        // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). Equals keep their
-        // order, so sorting by the second rows and then by the first ones sorts by both. The times, if there are any, go along.
-        private function scatter(side:int, next:Vector.<int>, haveTimes:Boolean):void
+        // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). The times, if there
+        // are any, go along.
+        private function scatter(side:int, haveTimes:Boolean):void
         {
+            findStarts(side);
             makeRoom(count);
+            var next:Vector.<int> = _next;
             var ranks:Vector.<int> = list.ranks;
             var from:Vector.<int> = rows;
             var to:Vector.<int> = _spare;
             var times:Vector.<Number> = _times;
             var timesTo:Vector.<Number> = _spareTimes;
             var end:int = 2 * count;
-            if (haveTimes && timesTo.length < count)
-            {
-                timesTo.length = times.length;
-            }
             for (var i:int = 0; i < end; i += 2)
             {
                 var rank:int = ranks[from[int(i + side)]];
@@ -375,12 +364,10 @@ package starlogo.search
                     timesTo[at >> 1] = times[i >> 1];
                 }
             }
-            exchangeRows();
-            _times = timesTo;
-            _spareTimes = times;
+            exchangeLists();
         }
 
-        // Makes room for so many pairs in the spare list.
+        // Makes room for so many pairs in the spare lists.
         private function makeRoom(pairCount:int):void
         {
             if (_spare.length < 2 * pairCount)
@@ -388,13 +375,20 @@ package starlogo.search
                 // grows by an eighth, because a vector that grows a little in each frame is copied each time
                 _spare.length = 2 * (pairCount + (pairCount >> 3));
             }
+            if (_spareTimes.length < _times.length)
+            {
+                _spareTimes.length = _times.length;
+            }
         }
 
-        private function exchangeRows():void
+        private function exchangeLists():void
         {
-            var before:Vector.<int> = rows;
+            var rowsBefore:Vector.<int> = rows;
             rows = _spare;
-            _spare = before;
+            _spare = rowsBefore;
+            var timesBefore:Vector.<Number> = _times;
+            _times = _spareTimes;
+            _spareTimes = timesBefore;
         }
     }
 }

@@ -3,7 +3,6 @@ package starlogo.search
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import starlogo.agents.Agent;
-    import starlogo.data.IntList;
     import starlogo.search.table.ListedAgents;
 
     /** The order of pairs, compared with a sort by comparisons. */
@@ -96,7 +95,7 @@ package starlogo.search
         private static function propose(list:ListedAgents, agents:Vector.<Agent>):void
         {
             list.propose(agents);
-            list.accept(new IntList());
+            list.accept();
         }
     }
 }

@@ -190,21 +190,22 @@ package starlogo.collision.snapshots
             for (var i:int = 0; i < touches.length; i++)
             {
                 var touch:Touch = touches[i];
+                // the ground comes before the edges
+                var indexInWorld:int = touch.second.breed == Breeds.TERRAIN ? 0 : 1;
                 var second:int;
-                if (!Breeds.isOfWorld(touch.secondBreed))
+                if (!touch.second.isOfWorld)
                 {
                     second = table.list.ranks[table.list.rowOf(touch.second)];
                 }
                 else if (touch.second === ground || touch.second === edges)
                 {
-                    // the breeds of the world have the first numbers, and the ground's breed is the first of them
-                    second = table.list.rows.count + touch.secondBreed;
+                    second = table.list.rows.count + indexInWorld;
                 }
                 else
                 {
                     formerWorld ||= _unknownWorld.concat();
-                    formerWorld[touch.secondBreed] = touch.second;
-                    second = table.list.rows.count + formerWorld.length + touch.secondBreed;
+                    formerWorld[indexInWorld] = touch.second;
+                    second = table.list.rows.count + formerWorld.length + indexInWorld;
                 }
                 bytes.writeInt(table.list.ranks[table.list.rowOf(touch.first)]);
                 bytes.writeInt(second);

@@ -77,7 +77,7 @@ package starlogo.search.table
         public function AgentTable(narrowPhase:NarrowPhase)
         {
             this.narrowPhase = narrowPhase;
-            grow(ListedAgents.FIRST_LISTED);
+            makeRoom();
         }
 
         /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>findChanges()</code> does */
@@ -103,14 +103,15 @@ package starlogo.search.table
             if (!isSame)
             {
                 list.propose(agents);
-                emptyArrived();
+                makeRoom();
                 findChanged(agents, list.proposed);
             }
             findShapes(_reshaped, _newShapes);
             // nothing below throws
             if (!isSame)
             {
-                list.accept(leftOrReordered);
+                list.findLeftOrReordered(leftOrReordered);
+                list.accept();
                 followList();
             }
             forgetOtherModels();
@@ -292,20 +293,7 @@ package starlogo.search.table
             return true;
         }
 
-        // Makes room for the rows of the proposed list, and empties those that have arrived: what other agents have left there is void.
-        private function emptyArrived():void
-        {
-            if (list.agents.length > shapes.length)
-            {
-                grow(list.agents.length);
-            }
-            for (var i:int = 0; i < list.arrived.count; i++)
-            {
-                empty(list.arrived.numbers[i]);
-            }
-        }
-
-        // Takes the order of an accepted list, and empties the rows of agents that have left.
+        // Takes the order of an accepted list, and empties the rows of agents that have left. So a new agent finds an empty row.
         private function followList():void
         {
             for (var i:int = 0; i < leftOrReordered.count; i++)
@@ -313,7 +301,8 @@ package starlogo.search.table
                 var row:int = leftOrReordered.numbers[i];
                 if (list.agents[row] == null)
                 {
-                    empty(row);
+                    shapes[row] = null;
+                    extents.level[row] = 0;
                 }
             }
             for (i = 0; i < list.rows.count; i++)
@@ -322,15 +311,15 @@ package starlogo.search.table
             }
         }
 
-        private function empty(row:int):void
-        {
-            shapes[row] = null;
-            extents.level[row] = 0;
-        }
-
-        private function grow(length:int):void
+        // Makes room for the rows of the list.
+        private function makeRoom():void
         {
             var row:int = shapes.length;
+            var length:int = list.agents.length;
+            if (length == row)
+            {
+                return;
+            }
             shapes.length = _bodies.length = length;
             breeds.length = revisions.length = _bodyRevisions.length = length;
             places.grow(length);

@@ -20,10 +20,10 @@ package starlogo.search.table
      */
     public final class ListedAgents
     {
-        /** The row of the agent of the ground, which is in no list. It is also the number of this agent's breed. */
+        /** The row of the agent of the ground, which is given beside the list. */
         public static const GROUND_ROW:int = 0;
 
-        /** The row of the agent of the edges of the world. It is also the number of this agent's breed. */
+        /** The row of the agent of the edges of the world, which is given beside the list too. */
         public static const EDGES_ROW:int = 1;
 
         /** The first row for agents of a list. */
@@ -47,15 +47,9 @@ package starlogo.search.table
         /** Whether the list that was proposed last was accepted. */
         internal var isAccepted:Boolean = true;
 
-        /** The rows that agents have got in the list that was proposed last. */
-        internal var arrived:IntList = new IntList();
-
         private var _free:IntList = new IntList();
         private var _inOrder:Vector.<int> = new Vector.<int>();
         private var _rowsById:HashTable = new HashTable();
-
-        // All rows below it are in use or free.
-        private var _end:int = FIRST_LISTED;
 
         // By row: the mark of the last list proposed with its agent. The mark of the list that was proposed last.
         private var _marks:Vector.<int> = new <int>[0, 0];
@@ -75,14 +69,15 @@ package starlogo.search.table
         /**
          * The rank of an agent: its index in the list. Agents that are not listed come after these, the older ones first. The ground and the
          * edges of the world come last. In <code>ranks</code> they come right after the list.
+         *
+         * @param row the answer of <code>rowOf()</code>
          */
-        public function rankOf(agent:Agent):int
+        public function rankOf(agent:Agent, row:int):int
         {
             if (agent.isOfWorld)
             {
                 return int.MAX_VALUE;
             }
-            var row:int = rowOf(agent);
             return row >= 0 ? ranks[row] : Body.rankOfUnlisted(agent);
         }
 
@@ -112,10 +107,9 @@ package starlogo.search.table
         {
             if (!isAccepted)
             {
-                freeArrived();
+                freeUnlisted();
             }
             isAccepted = false;
-            arrived.count = 0;
             var listed:Vector.<int> = rows.numbers;
             var to:Vector.<int> = proposed.numbers;
             _mark++;
@@ -144,18 +138,31 @@ package starlogo.search.table
         }
 
         /**
-         * Makes the agents of the proposed list the ones that are listed, and frees the rows of all others.
-         *
-         * @param leftOrReordered receives the rows whose agents are missing from the list, or have another place in it than before. The agents of all
-         *     other rows have the same order in both lists
+         * Finds the rows whose agents are missing from the proposed list, or have another place in it than in the accepted one. The agents of all other
+         * rows have the same order in both lists.
          */
-        public function accept(leftOrReordered:IntList):void
+        public function findLeftOrReordered(out:IntList):void
         {
-            leftOrReordered.count = 0;
-            listReordered(leftOrReordered);
+            out.count = 0;
+            addReordered(out);
             for (var i:int = 0; i < rows.count; i++)
             {
-                ranks[rows.numbers[i]] = UNLISTED;
+                if (_marks[rows.numbers[i]] != _mark)
+                {
+                    out.add(rows.numbers[i]);
+                }
+            }
+        }
+
+        /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
+        public function accept():void
+        {
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                if (_marks[rows.numbers[i]] != _mark)
+                {
+                    free(rows.numbers[i]);
+                }
             }
             var before:IntList = rows;
             rows = proposed;
@@ -167,15 +174,6 @@ package starlogo.search.table
             ranks[GROUND_ROW] = rows.count;
             ranks[EDGES_ROW] = rows.count + 1;
             isAccepted = true;
-            for (i = 0; i < before.count; i++)
-            {
-                var row:int = before.numbers[i];
-                if (ranks[row] == UNLISTED)
-                {
-                    free(row);
-                    leftOrReordered.add(row);
-                }
-            }
         }
 
         /**
@@ -199,30 +197,31 @@ package starlogo.search.table
 
         private function add(agent:Agent):int
         {
-            var row:int = _end;
-            if (_free.count > 0)
+            if (_free.count == 0)
             {
-                _free.count--;
-                row = _free.numbers[_free.count];
+                addRows();
             }
-            else
-            {
-                _end++;
-                // grows by an eighth, because a vector that grows by one element is copied each time
-                if (_end > agents.length)
-                {
-                    agents.length = ranks.length = _marks.length = _end + (_end >> 3);
-                }
-            }
+            _free.count--;
+            var row:int = _free.numbers[_free.count];
             agents[row] = agent;
             ranks[row] = UNLISTED;
-            arrived.add(row);
             _rowsById.set (agent.idNumber, 0, row);
             return row;
         }
 
-        // Lists rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.
-        private function listReordered(out:IntList):void
+        private function addRows():void
+        {
+            var before:int = agents.length;
+            // grows by an eighth, because a vector that grows by one element is copied each time
+            agents.length = ranks.length = _marks.length = before + 1 + (before >> 3);
+            for (var row:int = agents.length - 1; row >= before; row--)
+            {
+                _free.add(row);
+            }
+        }
+
+        // Adds rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.
+        private function addReordered(out:IntList):void
         {
             var inOrder:Vector.<int> = _inOrder;
             var end:int = 0;
@@ -250,11 +249,14 @@ package starlogo.search.table
         }
 
         // Frees the rows that agents have got in a list that was refused.
-        private function freeArrived():void
+        private function freeUnlisted():void
         {
-            for (var i:int = 0; i < arrived.count; i++)
+            for (var row:int = FIRST_LISTED; row < agents.length; row++)
             {
-                free(arrived.numbers[i]);
+                if (agents[row] != null && ranks[row] == UNLISTED)
+                {
+                    free(row);
+                }
             }
         }
 

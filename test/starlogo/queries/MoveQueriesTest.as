@@ -103,7 +103,8 @@ package starlogo.queries
             for (var i:int = Effort.choose(500, 5000); i > 0; i--)
             {
                 var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, _random.between(0.8, 1.5), 0), agentAt("sphere", 0, 0, 0), agentAt("cube", 0.6, 0, 0)];
-                var inWay:Number = 4.2e-10 * (1 + _random.pick([-1, 1]) * _random.logBetween(1e-6, 1));
+                // if the sphere is in the way of the core by less than 1e-12 or so, rounding decides whether the core meets it
+                var inWay:Number = 4.2e-10 * (1 + _random.pick([-1, 1]) * _random.logBetween(3e-3, 1));
                 // where the cube touches each of the two
                 var atSphere:Number = 0.5 + Math.sqrt(inWay * (1 - inWay));
                 var atWall:Number = 0.5 + _random.pick([-1, 1]) * _random.logBetween(1e-5, 1e-3);

@@ -99,7 +99,7 @@ export class Game {
 	 */
 	cameraPlace() {
 		const { player } = this;
-		const eye = new Vector3D(player.x, player.y, player.z + 1.6);
+		const eye = new Vector3D(player.x, player.y, player.z + 1.5);
 		const angle = radians(player.heading);
 		const [frontX, frontY] = [Math.cos(angle), Math.sin(angle)];
 		const [dx, dy, dz] = [-5.5 * frontX, -5.5 * frontY, 1.6];

@@ -12,6 +12,7 @@ export const MeshStandardMaterial = THREE.MeshStandardMaterial;
 export const heroMesh = new THREE.Mesh(new THREE.CapsuleGeometry(0.3, 1.2).translate(0, 0.9, 0));
 export const hills = new THREE.Mesh(new THREE.PlaneGeometry(80, 80).rotateX(-Math.PI / 2));
 export const Vector3 = THREE.Vector3;
+export const SphereGeometry = THREE.SphereGeometry;
 export const scene = new THREE.Scene();
 export const levelScene = new THREE.Mesh(new THREE.BoxGeometry(40, 1, 40).translate(0, -0.5, 0));
 export const camera = new THREE.PerspectiveCamera();
@@ -24,7 +25,7 @@ body.position.y = 8;
 gltf.scene.add(body);
 
 /** Whether the samples have done what the page says. */
-export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, level, crate, crateMesh, heroGroup, greatLand }) {
+export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, level, crate, crateMesh, heroGroup, coin, coinMesh, greatLand }) {
 	let calls = 0;
 	collision.onCollision('bears', 'bears', () => calls++);
 	bear.heading = 90;
@@ -40,6 +41,9 @@ export async function check({ frame, bear, other, drawn, collision, wireframe, s
 	assert.ok(mark.position.distanceTo(new THREE.Vector3(5, 0, 7)) < 1e-9);
 	assert.ok(crateMesh.position.distanceTo(new THREE.Vector3(0, 0.9, 0)) < 1e-9 && crateMesh.scale.x === 1 && crate.size === 1);
 	assert.ok(heroGroup.position.distanceTo(new THREE.Vector3(5, 0, -2)) < 1e-9 && Math.abs(heroGroup.scale.x - 1) < 1e-9);
+	const { min, max } = new THREE.Box3().setFromObject(coinMesh);
+	assert.ok(min.distanceTo(new THREE.Vector3(coin.x - 0.25, coin.z, -coin.y - 0.25)) < 1e-6);
+	assert.ok(max.distanceTo(new THREE.Vector3(coin.x + 0.25, coin.z + 0.5, -coin.y + 0.25)) < 1e-6);
 	assert.equal(Math.min(...greatLand.modelOf('crate').vertices), -1);
 	assert.equal(collision.terrain, terrain);
 	assert.ok(terrain.heightAt(3, 4) > 1.99 && Math.abs(ground.boundingBox.max.y - terrain.heightAt(3, 4)) < 1e-6);

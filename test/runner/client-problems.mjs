@@ -28,6 +28,11 @@ export function problemsIn(text) {
 	return [...ofClass, ...ofFunctions];
 }
 
+/** Whether a class is a part of the game that is named like a class of tests, as a HitTest: nothing in it is marked as a test, or looks like one. */
+export function isForTheGame(text) {
+	return /\bclass\b/.test(text) && !/\[(Test|Theory|Suite|RunWith)\b|\bextends\b/.test(text) && problemsIn(text).length === 0;
+}
+
 /** What is wrong with a function, or null. Classes of old versions of FlexUnit, which extend TestCase, need no [Test]. */
 function problemOf([, metadata, words, name, type = 'void'], isOld) {
 	const tag = /\[(Test|Before|After)\b/.exec(metadata)?.[1];

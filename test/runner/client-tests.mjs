@@ -9,7 +9,7 @@
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { choose, testsBefore } from './chosen.mjs';
-import { problemsIn } from './client-problems.mjs';
+import { isForTheGame, problemsIn } from './client-problems.mjs';
 
 const [out, folders, name = ''] = process.argv.slice(2);
 
@@ -22,8 +22,13 @@ const files = new Map(folders.split(',').flatMap((folder) => {
 	const own = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('Test.as'));
 	return own.map((file) => [file.slice(0, -3).split(path.sep).join('.'), path.join(folder, file)]);
 }));
-const all = [...files.keys()].sort();
-const texts = new Map(all.map((each) => [each, readFileSync(files.get(each), 'utf8')]));
+const texts = new Map([...files].sort().map(([each, file]) => [each, readFileSync(file, 'utf8')]));
+for (const [each, text] of texts) {
+	if (!isForTheGame(text)) continue;
+	console.error(`${files.get(each)}: has no [Test], so it is left out`);
+	texts.delete(each);
+}
+const all = [...texts.keys()];
 const chosen = name === '' ? new Map(all.map((each) => [each, null])) : choose(name, texts, new Map()).tests;
 const classes = all.filter((each) => chosen.has(each));
 if (classes.length === 0) {

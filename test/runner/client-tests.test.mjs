@@ -1,7 +1,7 @@
 /** Tests of what ./antw client-test finds in a client's folders. */
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
@@ -52,6 +52,15 @@ test('a function that FlexUnit would leave out is named', () => {
 	assert.equal(ofClass.status, 0);
 	assert.equal(ofClass.stderr, 'tests/game/world/TurtleTest.as:1: [Ignore] of a class does nothing here: the embedded player does not see the metadata of classes\n');
 	writeFileSync(file, '');
+});
+
+test('a class of the game whose name ends with Test is left out, and named', () => {
+	writeFileSync(path.join(folder, 'src/HitTest.as'), 'package\n{\n    public class HitTest\n    {\n        public function hits():Boolean { return true; }\n    }\n}\n');
+	const { status, stdout, stderr } = run('src,tests');
+	assert.equal(status, 0);
+	assert.equal(stdout, '2 test classes\n');
+	assert.equal(stderr, 'src/HitTest.as: has no [Test], so it is left out\n');
+	rmSync(path.join(folder, 'src/HitTest.as'));
 });
 
 test('a name chooses some of them', () => {

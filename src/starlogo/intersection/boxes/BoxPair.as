@@ -40,7 +40,7 @@ package starlogo.intersection.boxes
         /** The gap across which the boxes still touch: the sum of the margins (see Touching). */
         public var margin:Number = 0;
 
-        /** The vector from a's middle to b's at time 0. */
+        /** The vector from a's middle to b's at time 0. boxBox() shortens it in place of a margin. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;

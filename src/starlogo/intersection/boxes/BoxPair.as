@@ -20,7 +20,8 @@ package starlogo.intersection.boxes
      * </ul>
      *
      * <p>OverlapTraversal projects pairs of nodes on the faces of the first box itself, in its loop, because a call for each pair would take a tenth
-     * more time. It asks BoxSeparation about the other axes. The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all convex shapes.</p>
+     * more time. It asks BoxSeparation about the other axes. The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all
+     * convex shapes.</p>
      *
      * @private
      */

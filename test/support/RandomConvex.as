@@ -80,10 +80,10 @@ package support
             out.margin = shape.margin;
             out.extent = shape.extent;
             out.points = shape.points;
-            out.end = shape.end;
+            out.pointsEnd = shape.pointsEnd;
             out.faces = shape.faces;
             out.edges = shape.edges;
-            out.isBox = shape.isBox;
+            out.core = shape.core;
             return out;
         }
 
@@ -91,7 +91,7 @@ package support
         public static function support(shape:ConvexShape, direction:Vector3D):Number
         {
             var most:Number = -Infinity;
-            for (var i:int = 0; i < shape.end; i += 3)
+            for (var i:int = 0; i < shape.pointsEnd; i += 3)
             {
                 most = Math.max(most, direction.x * (shape.x + shape.points[i]) + direction.y * (shape.y + shape.points[i + 1]) + direction.z * (shape.z + shape.points[i + 2]));
             }
@@ -125,7 +125,7 @@ package support
         {
             // relative to the shape's origin, to be as precise far away
             var most:Number = -Infinity;
-            for (var i:int = 0; i < shape.end; i += 3)
+            for (var i:int = 0; i < shape.pointsEnd; i += 3)
             {
                 most = Math.max(most, direction.x * shape.points[i] + direction.y * shape.points[i + 1] + direction.z * shape.points[i + 2]);
             }

@@ -113,8 +113,8 @@ package starlogo.convex
             b.copyFrom(point);
         }
 
-        /** Transforms the points by a placement. */
-        public function place(placement:Placement):void
+        /** Transforms the points by a placement. The distance stays: it is in the new space already. */
+        public function placePoints(placement:Placement):void
         {
             placement.place(a, a);
             placement.place(b, b);

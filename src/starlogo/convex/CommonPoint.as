@@ -42,10 +42,10 @@ package starlogo.convex
         // Finds both features, that of the core with fewer points first. If it is a corner, it is the common part, and the other feature is left empty.
         private function findFeatures(cores:CorePair, contact:ContactPoint):void
         {
-            var isSecondFirst:Boolean = cores.second.end < cores.first.end;
+            var isSecondSimpler:Boolean = cores.second.pointsEnd < cores.first.pointsEnd;
             _first.clear();
             _second.clear();
-            if (isSecondFirst)
+            if (isSecondSimpler)
             {
                 _second.find(cores.second, 1, contact);
             }
@@ -54,7 +54,7 @@ package starlogo.convex
                 _first.find(cores.first, -1, contact);
                 _first.move(cores.x, cores.y, cores.z);
             }
-            if (!isSecondFirst && _first.end != ContactFeature.CORNER)
+            if (!isSecondSimpler && _first.end != ContactFeature.CORNER)
             {
                 _second.find(cores.second, 1, contact);
             }

@@ -16,8 +16,11 @@ package starlogo.convex
         /** How far the core extends along the direction. Read only. */
         public var farthest:Number = 0;
 
-        // How far off corners may be that count as well: for find() and the outline, or for clip().
+        // The rounding error of the corners that find() has found: how far from the farthest, from a line or from each other they still count.
         private var _slack:Number = 0;
+
+        // How far outside of a side of a face corners may be that clip() keeps.
+        private var _sideSlack:Number = 0;
 
         // The corners before the outline was made of them, or before a cut.
         private var _before:Vector.<Number> = new Vector.<Number>();
@@ -36,7 +39,7 @@ package starlogo.convex
             var y:Number = side * contact.normalY;
             var z:Number = side * contact.normalZ;
             var most:Number = -Infinity;
-            for (var i:int = 0; i < shape.end; i += 3)
+            for (var i:int = 0; i < shape.pointsEnd; i += 3)
             {
                 var along:Number = x * p[i] + y * p[int(i + 1)] + z * p[int(i + 2)];
                 most = along > most ? along : most;
@@ -45,7 +48,7 @@ package starlogo.convex
             _slack = Tolerances.DIRECTION * shape.extent;
             most -= _slack;
             end = 0;
-            for (var k:int = 0; k < shape.end; k += 3)
+            for (var k:int = 0; k < shape.pointsEnd; k += 3)
             {
                 if (x * p[k] + y * p[int(k + 1)] + z * p[int(k + 2)] >= most)
                 {
@@ -105,7 +108,7 @@ package starlogo.convex
         public function clip(face:ContactFeature, contact:ContactPoint):void
         {
             var p:Vector.<Number> = face.points;
-            _slack = Tolerances.ROUNDING * (Math.abs(p[3] - p[0]) + Math.abs(p[4] - p[1]) + Math.abs(p[5] - p[2])
+            _sideSlack = Tolerances.ROUNDING * (Math.abs(p[3] - p[0]) + Math.abs(p[4] - p[1]) + Math.abs(p[5] - p[2])
                     + Math.abs(p[6] - p[3]) + Math.abs(p[7] - p[4]) + Math.abs(p[8] - p[5]));
             var isAllCut:Boolean = true;
             var last:int = face.end - 3;
@@ -230,7 +233,7 @@ package starlogo.convex
                 var along:Number = inX * before[i] + inY * before[int(i + 1)] + inZ * before[int(i + 2)];
                 innermost = along > innermost ? along : innermost;
             }
-            var rounding:Number = _slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
+            var rounding:Number = _sideSlack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var isAllOutside:Boolean = innermost < from - rounding;
             if (isAllOutside)
             {

@@ -13,8 +13,8 @@ package starlogo.convex
      * here for all packages, because the others that fill them may use this one.</p>
      *
      * <p>areTouching and findTime agree about what touches: see Touching. findTime adds the margin of the motion. The distance and the depth leave
-     * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. The same two shapes in the other order
-     * get the same answer, to the last bit. Memory is allocated only for lists that grow with the largest hull so far.</p>
+     * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. CorePair says how far the order of the
+     * two matters. Memory is allocated only for lists that grow with the largest hull so far.</p>
      *
      * @private
      */
@@ -31,8 +31,9 @@ package starlogo.convex
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
         {
             _cores.setShapes(a, b);
+            _cores.limitToTouching();
             _distance.find(_cores, _witness);
-            return _witness.distance <= _cores.maxDistance;
+            return _witness.isWithin(_cores.maxDistance);
         }
 
         /** Finds the distance and the closest points of two shapes. */
@@ -59,6 +60,7 @@ package starlogo.convex
             {
                 return false;
             }
+            // the points of the shapes need the radii too
             var gap:CoreGap = _witness.gap;
             if (!(_witness.distance > 0))
             {
@@ -125,7 +127,6 @@ package starlogo.convex
         {
             _cores.setShapes(a, b);
             _cores.setMotion(motion);
-            _cores.maxDistance = Infinity;
             if (!(motion.time > 0))
             {
                 // a has not come from anywhere

@@ -15,10 +15,12 @@ package starlogo.convex
      */
     public final class ConvexShape
     {
-        /** The count of the numbers of a point, a segment and a triangle: see end. A hull may have as few. */
-        public static const POINT:int = 3;
-        public static const SEGMENT:int = 6;
-        public static const TRIANGLE:int = 9;
+        /** What a core is: see <code>core</code>. A hull may have as few points as the others. */
+        public static const POINT:int = 0;
+        public static const SEGMENT:int = 1;
+        public static const TRIANGLE:int = 2;
+        public static const BOX:int = 3;
+        public static const HULL:int = 4;
 
         // A list for shapes without faces, or without edges.
         private static const NONE:Vector.<int> = new Vector.<int>(0);
@@ -30,6 +32,9 @@ package starlogo.convex
         // A box's points have a bit for each axis, times 3.
         private static const BOX_FACES:Vector.<int> = new <int>[0, 3, 6, 0, 6, 12, 0, 12, 3];
         private static const BOX_EDGES:Vector.<int> = new <int>[0, 3, 0, 0, 0, 6, 0, 0, 0, 12, 0, 0];
+
+        /** What the core is: POINT, SEGMENT, TRIANGLE, BOX or HULL. */
+        public var core:int = POINT;
 
         /** The origin of the points. */
         public var x:Number = 0;
@@ -51,26 +56,30 @@ package starlogo.convex
          */
         public var extent:Number = 0;
 
-        /** The points: x, y, z of each. The list may be longer than <code>end</code>, the count of these numbers. */
+        /** The points: x, y, z of each. The list may be longer than <code>pointsEnd</code>, the count of these numbers. */
         public var points:Vector.<Number>;
-        public var end:int = 0;
+        public var pointsEnd:int = 0;
 
         /** Three points of each of the core's faces, as indices of their first numbers. A box has three faces: one for each axis. */
         public var faces:Vector.<int> = NONE;
 
         /**
-         * The core's edges, as four indices each: both ends, and one more point of each of the two faces beside the edge. The edges of a segment, a
-         * triangle and a box say nothing of faces: they have their start in place of both points. A box has three edges: those at its first point.
+         * The core's edges, as four indices each: both ends, and one more point of each of the two faces beside the edge if
+         * <code>hasFacesAtEdges</code>. If not, the start stands in place of both points. A box has three of its twelve edges, those at its first
+         * point, because the others are parallel to them.
          */
         public var edges:Vector.<int> = NONE;
 
-        /** Whether the core is a box. */
-        public var isBox:Boolean = false;
+        /** Whether the edges say which faces are beside them. Only those of a hull do. */
+        public function get hasFacesAtEdges():Boolean
+        {
+            return core == HULL;
+        }
 
-        /** Whether the core is a box or has two points, the ends of its one edge. Then its edges are perpendicular to each other, from the first point on. */
+        /** Whether the core is a box or a segment. Then its edges are perpendicular to each other, from the first point on. */
         public function get areEdgesPerpendicular():Boolean
         {
-            return isBox || end == SEGMENT;
+            return core == BOX || core == SEGMENT;
         }
 
         // The list of points for all shapes but hulls.
@@ -85,7 +94,7 @@ package starlogo.convex
         public function setPoint(at:Vector3D):void
         {
             setOrigin(at);
-            begin(POINT, NONE, NONE);
+            begin(POINT, 3, NONE, NONE);
             points[0] = points[1] = points[2] = 0;
             extent = 0;
         }
@@ -94,7 +103,7 @@ package starlogo.convex
         public function setSegment(start:Vector3D, to:Vector3D):void
         {
             setOrigin(start);
-            begin(SEGMENT, NONE, SEGMENT_EDGES);
+            begin(SEGMENT, 6, NONE, SEGMENT_EDGES);
             points[0] = points[1] = points[2] = 0;
             points[3] = to.x - x;
             points[4] = to.y - y;
@@ -111,8 +120,7 @@ package starlogo.convex
         public function setBox(center:Vector3D, axisX:Vector3D, axisY:Vector3D, axisZ:Vector3D, halves:Vector3D):void
         {
             setOrigin(center);
-            begin(24, BOX_FACES, BOX_EDGES);
-            isBox = true;
+            begin(BOX, 24, BOX_FACES, BOX_EDGES);
             extent = 2 * (halves.x + halves.y + halves.z);
             // half of each edge first, in the place of the corner at its end
             var p:Vector.<Number> = points;
@@ -137,7 +145,7 @@ package starlogo.convex
             x = corners[at];
             y = corners[int(at + 1)];
             z = corners[int(at + 2)];
-            begin(TRIANGLE, TRIANGLE_FACES, TRIANGLE_EDGES);
+            begin(TRIANGLE, 9, TRIANGLE_FACES, TRIANGLE_EDGES);
             var p:Vector.<Number> = points;
             p[0] = p[1] = p[2] = 0;
             p[3] = corners[int(at + 3)] - x;
@@ -160,7 +168,7 @@ package starlogo.convex
         public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>, extent:Number = -1):void
         {
             setOrigin(center);
-            begin(points.length, faces, edges);
+            begin(HULL, points.length, faces, edges);
             this.points = points;
             if (extent < 0)
             {
@@ -185,7 +193,7 @@ package starlogo.convex
             var alongY:Number = side * along.y;
             var alongZ:Number = side * along.z;
             var best:int = 0;
-            if (isBox)
+            if (core == BOX)
             {
                 // the edges along the three axes decide one by one
                 var firstX:Number = p[0];
@@ -206,7 +214,7 @@ package starlogo.convex
                 return best;
             }
             var most:Number = alongX * p[0] + alongY * p[1] + alongZ * p[2];
-            for (var i:int = 3; i < end; i += 3)
+            for (var i:int = 3; i < pointsEnd; i += 3)
             {
                 var projection:Number = alongX * p[i] + alongY * p[int(i + 1)] + alongZ * p[int(i + 2)];
                 if (projection > most)
@@ -227,7 +235,7 @@ package starlogo.convex
             var alongZ:Number = along.z;
             var low:Number = alongX * p[0] + alongY * p[1] + alongZ * p[2];
             var high:Number = low;
-            if (isBox)
+            if (core == BOX)
             {
                 // its origin is its middle, and each corner is opposite to one of these four
                 var projection:Number = Math.abs(alongX * p[3] + alongY * p[4] + alongZ * p[5]);
@@ -241,7 +249,7 @@ package starlogo.convex
             }
             else
             {
-                for (var i:int = 3; i < end; i += 3)
+                for (var i:int = 3; i < pointsEnd; i += 3)
                 {
                     projection = alongX * p[i] + alongY * p[int(i + 1)] + alongZ * p[int(i + 2)];
                     low = projection < low ? projection : low;
@@ -259,13 +267,13 @@ package starlogo.convex
             z = at.z;
         }
 
-        private function begin(end:int, faces:Vector.<int>, edges:Vector.<int>):void
+        private function begin(core:int, pointsEnd:int, faces:Vector.<int>, edges:Vector.<int>):void
         {
+            this.core = core;
             points = _own;
-            this.end = end;
+            this.pointsEnd = pointsEnd;
             this.faces = faces;
             this.edges = edges;
-            isBox = false;
             radius = margin = 0;
         }
 
@@ -289,7 +297,7 @@ package starlogo.convex
         private function setExtent():void
         {
             var most:Number = 0;
-            for (var i:int = 0; i < end; i++)
+            for (var i:int = 0; i < pointsEnd; i++)
             {
                 var along:Number = points[i] < 0 ? -points[i] : points[i];
                 most = along > most ? along : most;

@@ -41,6 +41,7 @@ package starlogo.convex
             _step.begin();
             motion.time = 0;
             cores.setMotion(motion);
+            cores.limitToTouching();
             cores.maxDistance += motion.margin;
             var balls:CoreGap = _balls;
             // the motion is that of a
@@ -54,14 +55,13 @@ package starlogo.convex
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
         }
 
-        // Returns the step, from the distance at the motion's time. areTouching() stops at the first direction along which the gap is too wide. The
-        // distance may be less than that gap by rounding, so the gap counts here too.
+        // Returns the step, from the distance at the motion's time.
         private function measure(cores:CorePair):AdvancementStep
         {
             var witness:CoreWitness = _witness;
             var step:AdvancementStep = _step;
             var radii:Number = cores.first.radius + cores.second.radius;
-            step.isTouching = witness.distance <= cores.maxDistance && !(witness.separation > cores.maxDistance);
+            step.isTouching = witness.isWithin(cores.maxDistance);
             if (!step.isTouching && !(witness.separation > radii))
             {
                 refine(cores);

@@ -23,8 +23,8 @@ package starlogo.convex
         public function find(cores:CorePair, out:CoreWitness):void
         {
             _simplex.begin(cores);
-            var first:int = cores.first.end;
-            var second:int = cores.second.end;
+            var first:int = cores.first.core;
+            var second:int = cores.second.core;
             if (first == ConvexShape.POINT && second == ConvexShape.TRIANGLE || first == ConvexShape.TRIANGLE && second == ConvexShape.POINT)
             {
                 beginAsTriangle(cores);
@@ -53,9 +53,10 @@ package starlogo.convex
         // Begins with the differences of a point and each corner of a triangle: the whole set is one triangle.
         private function beginAsTriangle(cores:CorePair):void
         {
-            for (var i:int = 0; i < ConvexShape.TRIANGLE; i += 3)
+            var isFirst:Boolean = cores.first.core == ConvexShape.TRIANGLE;
+            for (var i:int = 0; i < 9; i += 3)
             {
-                var ofFirst:int = cores.first.end == ConvexShape.TRIANGLE ? i : 0;
+                var ofFirst:int = isFirst ? i : 0;
                 _simplex.add(cores, ofFirst, i - ofFirst);
             }
             _simplex.reduce(-1, false);

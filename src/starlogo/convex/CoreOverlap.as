@@ -105,7 +105,7 @@ package starlogo.convex
         private function tryEdges(cores:CorePair, out:CoreWitness):void
         {
             var first:ConvexShape = cores.first;
-            var areBare:Boolean = isBare(first.edges) && isBare(cores.second.edges);
+            var areBare:Boolean = !first.hasFacesAtEdges && !cores.second.hasFacesAtEdges;
             var end:int = readEdges(cores.second);
             for (var i:int = 0; i < first.edges.length; i += 4)
             {
@@ -118,12 +118,6 @@ package starlogo.convex
                     }
                 }
             }
-        }
-
-        // Whether edges say nothing of faces: see ConvexShape.edges.
-        private static function isBare(edges:Vector.<int>):Boolean
-        {
-            return edges[2] == edges[0];
         }
 
         // Whether the perpendicular of an edge of the first core and one of the second points out of both cores: all of each core is on one side of
@@ -272,7 +266,7 @@ package starlogo.convex
         {
             var p:Vector.<Number> = shape.points;
             var most:Number = 0;
-            for (var i:int = 0; i < shape.end; i += 3)
+            for (var i:int = 0; i < shape.pointsEnd; i += 3)
             {
                 var x:Number = p[i] - p[0];
                 var y:Number = p[int(i + 1)] - p[1];

@@ -4,7 +4,8 @@ package starlogo.convex
 
     /**
      * The cores of two shapes, where they are, and what a search has to find out about them. First and second are the shapes a and b of a question in
-     * the order of their places. So rounding does not depend on the order of the arguments.
+     * the order of their places. So rounding does not depend on the order of the arguments: in the other order they get the same answer, to the last
+     * bit. There are two exceptions. Of two equal shapes in one place, the first argument moves upwards. The point of a contact on a motion is rounded.
      */
     internal final class CorePair
     {
@@ -25,16 +26,13 @@ package starlogo.convex
         public var motionY:Number = 0;
         public var motionZ:Number = 0;
 
-        /**
-         * How far apart the cores may be: as far as the shapes touch, unless the question is about another distance. A search may end when it knows that
-         * the cores are farther apart.
-         */
-        public var maxDistance:Number = 0;
+        /** How far apart the cores may be. A search may end when it knows that they are farther apart. Infinity if it has to find the distance. */
+        public var maxDistance:Number = Infinity;
 
         /** How much of the motion is left. Cores that come near enough in this time are not too far apart. */
         public var timeLeft:Number = 0;
 
-        /** Sets two shapes, where they are stored and stay. The distance at which they touch includes no margin of a motion. */
+        /** Sets two shapes, where they are stored and stay. The cores may be as far apart as they are. */
         public function setShapes(a:ConvexShape, b:ConvexShape):void
         {
             isSwapped = isAfter(a, b);
@@ -53,7 +51,14 @@ package starlogo.convex
             y = low.y - high.y;
             z = low.z - high.z;
             timeLeft = 0;
-            maxDistance = (low.radius + high.radius) * Tolerances.TOUCHING + (low.margin + high.margin) + Tolerances.CORES * (low.extent + high.extent);
+            maxDistance = Infinity;
+        }
+
+        /** Sets how far apart the cores may be to as far as the shapes touch. The margin of a motion is not included. */
+        public function limitToTouching():void
+        {
+            maxDistance = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin)
+                + Tolerances.CORES * (first.extent + second.extent);
         }
 
         /** Sets the motion of a, and moves the first shape to where it is at the motion's time. */
@@ -97,11 +102,11 @@ package starlogo.convex
             {
                 return shape.radius > other.radius;
             }
-            if (shape.end != other.end)
+            if (shape.pointsEnd != other.pointsEnd)
             {
-                return shape.end > other.end;
+                return shape.pointsEnd > other.pointsEnd;
             }
-            for (var i:int = 0; i < shape.end; i++)
+            for (var i:int = 0; i < shape.pointsEnd; i++)
             {
                 if (shape.points[i] != other.points[i])
                 {

@@ -4,8 +4,8 @@ package starlogo.convex
     internal final class CoreWitness
     {
         /**
-         * The gap, of the first core to the second. The closest point is where the first core is stored, without its motion. If the cores overlap,
-         * the vector means nothing. If the search ended early, nothing of it means anything.
+         * The gap. Its a is the pair's first core, and its b the second one. The closest point is where the first core is stored, without its motion.
+         * If the cores overlap, the vector means nothing. If the search ended early, nothing of it means anything.
          */
         public var gap:CoreGap = new CoreGap();
 
@@ -23,6 +23,15 @@ package starlogo.convex
         public var normalY:Number = 0;
         public var normalZ:Number = 1;
         public var separation:Number = 0;
+
+        /**
+         * Whether the cores are at most this far apart. A search may end at the first separation that is greater. The distance may be less than that
+         * by rounding, so both count.
+         */
+        public function isWithin(distance:Number):Boolean
+        {
+            return this.distance <= distance && !(separation > distance);
+        }
 
         /** Sets the unit vector, and how far the cores are apart along it. */
         public function setAxis(x:Number, y:Number, z:Number, separation:Number):void

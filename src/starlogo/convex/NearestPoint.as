@@ -14,13 +14,13 @@ package starlogo.convex
         /** The direction from the origin to the point, of any length. It may be more precise than the point itself. */
         public var direction:Vector3D = new Vector3D();
 
-        /** For each corner of the simplex, its share of the point. */
-        public var shares:Vector.<Number> = new Vector.<Number>(4, true);
+        /** The barycentric coordinates of the point: a weight for each corner of the simplex. Their sum is 1. */
+        public var weights:Vector.<Number> = new Vector.<Number>(4, true);
 
-        /** Sets all shares to 0. */
-        public function clearShares():void
+        /** Sets all weights to 0. */
+        public function clearWeights():void
         {
-            shares[0] = shares[1] = shares[2] = shares[3] = 0;
+            weights[0] = weights[1] = weights[2] = weights[3] = 0;
         }
     }
 }

@@ -6,9 +6,10 @@ package starlogo.convex
      * The straight motion of one shape past another that stands still, from time 0 to time 1, without rotation or growth, as a record. If both
      * move, it is the first shape's motion minus the second's.
      *
-     * <p>Its <code>time</code> says where on it the shape is. All <code>findTime()</code> of kernels and queries of trees and the ground move the
-     * time to when the two first touch, if that is within the part of the motion that is asked about. All <code>findContact()</code> read the
-     * time.</p>
+     * <p>Its <code>time</code> says where on it the shape is. All <code>findTime()</code> of kernels and queries of trees and the ground read the
+     * vectors and the part of the motion that is asked about. They move the time to when the two first touch, if that is within this part. All
+     * <code>findContact()</code> read the vectors and the time. Quick tests take it for the vector from time 0 to 1, and for the latest time if they
+     * need one, because V8 makes objects of Numbers that are arguments.</p>
      *
      * @private
      */

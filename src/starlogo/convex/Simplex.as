@@ -107,13 +107,13 @@ package starlogo.convex
         public function writePoint(cores:CorePair, out:CoreGap):void
         {
             var p:Vector.<Number> = cores.first.points;
-            var shares:Vector.<Number> = nearest.shares;
+            var weights:Vector.<Number> = nearest.weights;
             var pointX:Number = 0;
             var pointY:Number = 0;
             var pointZ:Number = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var share:Number = shares[i];
+                var share:Number = weights[i];
                 var at:int = _ofFirst[i];
                 pointX += share * p[at];
                 pointY += share * p[int(at + 1)];
@@ -139,15 +139,15 @@ package starlogo.convex
         // Keeps the corners that have a share of the nearest point.
         private function dropCorners():void
         {
-            var shares:Vector.<Number> = nearest.shares;
+            var weights:Vector.<Number> = nearest.weights;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                if (shares[i] > 0)
+                if (weights[i] > 0)
                 {
                     if (kept < i)
                     {
-                        shares[kept] = shares[i];
+                        weights[kept] = weights[i];
                         _ofFirst[kept] = _ofFirst[i];
                         _ofSecond[kept] = _ofSecond[i];
                         for (var c:int = 0; c < 3; c++)

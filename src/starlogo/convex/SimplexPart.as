@@ -26,8 +26,8 @@ package starlogo.convex
             if (squared < out.squaredDistance)
             {
                 out.squaredDistance = squared;
-                out.clearShares();
-                out.shares[i] = 1;
+                out.clearWeights();
+                out.weights[i] = 1;
                 out.x = out.direction.x = toX;
                 out.y = out.direction.y = toY;
                 out.z = out.direction.z = toZ;
@@ -64,9 +64,9 @@ package starlogo.convex
             if (squared < out.squaredDistance)
             {
                 out.squaredDistance = squared;
-                out.clearShares();
-                out.shares[i] = 1 - share;
-                out.shares[j] = share;
+                out.clearWeights();
+                out.weights[i] = 1 - share;
+                out.weights[j] = share;
                 out.x = toX;
                 out.y = toY;
                 out.z = toZ;
@@ -143,10 +143,10 @@ package starlogo.convex
             if (squared < out.squaredDistance)
             {
                 out.squaredDistance = squared;
-                out.clearShares();
-                out.shares[i] = 1 - up - low;
-                out.shares[j] = low;
-                out.shares[k] = up;
+                out.clearWeights();
+                out.weights[i] = 1 - up - low;
+                out.weights[j] = low;
+                out.weights[k] = up;
                 out.x = toX;
                 out.y = toY;
                 out.z = toZ;

@@ -9,20 +9,20 @@ package starlogo.convex
          * @param simplex has four corners; the last one is the newest
          * @param isApart whether it is known that the origin is outside
          * @param out the nearest point of the first three corners, with a squared distance of Infinity. Receives the nearest one of all four corners, or the
-         *     origin with its shares. The squared distance stays Infinity if rounding hides which part is nearest
+         *     origin with its weights. The squared distance stays Infinity if rounding hides which part is nearest
          * @return whether the origin is inside
          */
         public static function find(simplex:Simplex, isApart:Boolean, out:NearestPoint):Boolean
         {
             var w:Vector.<Number> = simplex.corners;
-            var shares:Vector.<Number> = out.shares;
-            shares[3] = 0;
+            var weights:Vector.<Number> = out.weights;
+            weights[3] = 0;
             var isFlat:Boolean = !moveToOrigin(simplex, out);
-            var isBeyond01:Boolean = isFlat || shares[2] < 0;
-            var isBeyond12:Boolean = isFlat || shares[0] < 0;
-            var isBeyond20:Boolean = isFlat || shares[1] < 0;
+            var isBeyond01:Boolean = isFlat || weights[2] < 0;
+            var isBeyond12:Boolean = isFlat || weights[0] < 0;
+            var isBeyond20:Boolean = isFlat || weights[1] < 0;
             var isBeyondNone:Boolean = !isBeyond01 && !isBeyond12 && !isBeyond20;
-            if (isBeyondNone && !isApart && shares[3] >= 0)
+            if (isBeyondNone && !isApart && weights[3] >= 0)
             {
                 out.squaredDistance = out.x = out.y = out.z = 0;
                 return true;
@@ -42,9 +42,9 @@ package starlogo.convex
             return false;
         }
 
-        // Changes the shares of a tetrahedron's corners from those of the point to those of the origin. The vector from the point to the origin is
+        // Changes the weights of a tetrahedron's corners from those of the point to those of the origin. The vector from the point to the origin is
         // taken apart along an edge, then along what another edge from the same corner has across it, then along what the third has across both
-        // (Gram and Schmidt). So the shares make the origin up to rounding, however narrow the tetrahedron is. Returns false if it is flat.
+        // (Gram and Schmidt). So the weights make the origin up to rounding, however narrow the tetrahedron is. Returns false if it is flat.
         private static function moveToOrigin(simplex:Simplex, point:NearestPoint):Boolean
         {
             var w:Vector.<Number> = simplex.corners;
@@ -91,11 +91,11 @@ package starlogo.convex
             var ofT:Number = (toX * tx + toY * ty + toZ * tz) / tt;
             var ofV:Number = alongV - tAlongV * ofT;
             var ofU:Number = alongU - vAlongU * ofV - tAlongU * ofT;
-            var shares:Vector.<Number> = point.shares;
-            shares[0] += ofU;
-            shares[1] += ofV;
-            shares[2] += ofT;
-            shares[3] -= ofU + ofV + ofT;
+            var weights:Vector.<Number> = point.weights;
+            weights[0] += ofU;
+            weights[1] += ofV;
+            weights[2] += ofT;
+            weights[3] -= ofU + ofV + ofT;
             return true;
         }
     }

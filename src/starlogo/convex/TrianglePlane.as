@@ -116,7 +116,7 @@ package starlogo.convex
          */
         public function turnContact(shape:ConvexShape, motion:RelativeMotion, contact:ContactPoint):void
         {
-            if (isMetBy(shape, motion, contact))
+            if (isMetBy(shape, shape.margin, motion, contact))
             {
                 contact.setNormal(normal.x, normal.y, normal.z);
             }
@@ -125,10 +125,11 @@ package starlogo.convex
         /**
          * Whether a shape that touches the triangle comes against the plane, and is no deeper behind it than in their contact.
          *
+         * @param margin how much deeper it may be, because it is rounded
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param contact has the depth
          */
-        public function isMetBy(shape:ConvexShape, motion:RelativeMotion, contact:ContactPoint):Boolean
+        public function isMetBy(shape:ConvexShape, margin:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             if (!(speed < 0))
@@ -138,7 +139,7 @@ package starlogo.convex
             shape.project(normal, _ofShape);
             var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
                 + motion.time * speed + _ofShape.least - shape.radius;
-            return offset - front <= contact.depth + shape.margin;
+            return offset - front <= contact.depth + margin;
         }
 
         /**
@@ -182,7 +183,7 @@ package starlogo.convex
         private function moveToDeepest(shape:ConvexShape, out:ContactPoint):void
         {
             var p:Vector.<Number> = shape.points;
-            var end:int = shape.end;
+            var end:int = shape.pointsEnd;
             shape.project(normal, _ofShape);
             var most:Number = _ofShape.least + SAME_DEPTH * (_ofShape.greatest - _ofShape.least);
             var count:int = 0;

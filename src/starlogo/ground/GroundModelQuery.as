@@ -156,8 +156,6 @@ package starlogo.ground
                     _pairs.leaveOutFarther(out.distance);
                 }
             }
-            // the model's point first
-            out.swap();
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
@@ -165,7 +163,7 @@ package starlogo.ground
                 out.setPoint(isUnder ? out.a : out.b);
             }
             out.correct(areTouching);
-            out.place(origin);
+            out.placePoints(origin);
         }
 
         // Sets an upper bound of the distance. A structure's is its distance from one point of the ground, the nearest one to its middle as seen from above. A

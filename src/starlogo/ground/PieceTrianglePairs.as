@@ -131,7 +131,7 @@ package starlogo.ground
                 return false;
             }
             kernel.shape.margin = pieces.margin + triangle.margin;
-            kernel.useTriangle(triangle.corners, triangle.plane);
+            kernel.setTriangle(triangle.corners, triangle.plane);
             return true;
         }
 

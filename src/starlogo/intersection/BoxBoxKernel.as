@@ -20,21 +20,21 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override protected function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
             _sweep.findTimeOfBoxes(first as Box, second as Box, motion);
         }
 
         /** @inheritDoc */
-        override protected function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            _convex.findOverlap(first, second, motion, out);
+            _convex.findOverlapInOrder(first, second, motion, out);
         }
 
         /** @inheritDoc */
-        override protected function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
+        override internal function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
-            _convex.findClosest(first, second, out);
+            _convex.findClosestInOrder(first, second, out);
         }
     }
 }

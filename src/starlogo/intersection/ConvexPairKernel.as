@@ -37,28 +37,28 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override protected function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
             setShapes(first, second);
             _kernel.findTime(_a, _b, motion);
         }
 
         /** @inheritDoc */
-        override protected function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             setShapes(first, second);
             _kernel.findContact(_a, _b, motion, out);
         }
 
-        /** Finds the contact of two structures whose cores touch or overlap. It is faster than <code>findContact()</code>. */
-        public function findOverlap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        /** Finds the contact of two structures whose cores touch or overlap. It is faster than <code>findContactInOrder()</code>. */
+        internal function findOverlapInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            setShapes(a, b);
+            setShapes(first, second);
             _kernel.findOverlap(_a, _b, motion, out);
         }
 
         /** @inheritDoc */
-        override protected function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
+        override internal function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
             setShapes(first, second);
             _kernel.findClosest(_a, _b, out);

@@ -12,15 +12,15 @@ package starlogo.intersection
      * Decides about two structures of certain kinds. PairTable has a kernel for each pair of kinds: an object of a class that extends this one. This
      * class itself is the kernel of pairs with a structure of the kind OTHER, which have no answers: its methods throw.
      *
-     * <p>The same two structures in the other order get the same answer, to the last bit. For that this class puts them in an order: by their kinds, or
-     * by BoundingStructure.isAfter() if they are of one kind. A subclass answers for the first and the second in that order. There are two exceptions:
-     * of two equal structures in one place the first argument moves upwards, and the point of a contact on a motion is rounded.</p>
+     * <p>The same two structures in the other order get the same answer, to the last bit, with the two exceptions that CorePair names. For that this
+     * class puts them in an order: by their kinds, or by BoundingStructure.isAfter() if they are of one kind. A subclass answers for the first and the
+     * second in that order, and so does a kernel that another one asks.</p>
      *
      * @private
      */
     public class PairKernel
     {
-        // The motion of b while a stands still, for the kernel that takes b first.
+        // The motion of b while a stands still, for the kernel that takes b first. No kernel comes back here before it has answered.
         private static const REVERSED:RelativeMotion = new RelativeMotion();
 
         /**
@@ -102,19 +102,19 @@ package starlogo.intersection
         }
 
         /** Finds the time of impact. @param motion the motion of the first; receives the time */
-        protected function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
             throw missing("time of impact", first, second);
         }
 
         /** Finds the contact. @param motion the motion of the first, which is where it is at the motion's time */
-        protected function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             throw missing("contact", first, second);
         }
 
         /** Finds the distance and the closest points. The first is a, and the second b. */
-        protected function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
+        internal function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
             throw missing("distance", first, second);
         }

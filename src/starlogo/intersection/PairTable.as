@@ -22,6 +22,7 @@ package starlogo.intersection
      */
     public final class PairTable
     {
+        // The numbers of the kinds are in this order: SPHERE, CAPSULE, BOX, HULL, OTHER. Of two kinds, the later one chooses the kernel.
         private static const KINDS:int = BoundingStructure.OTHER + 1;
 
         private static const CONVEX:ConvexPairKernel = new ConvexPairKernel();

@@ -31,7 +31,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override protected function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
             var gap:RoundGap = _gap;
             var step:AdvancementStep = _step;
@@ -47,7 +47,7 @@ package starlogo.intersection
                 step.isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
                 if (!step.isTouching && radii < Tolerances.DIRECTION * gap.extent)
                 {
-                    _convex.findTime(first, second, motion);
+                    _convex.findTimeInOrder(first, second, motion);
                     return;
                 }
                 step.gap = length - radii;
@@ -57,7 +57,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override protected function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             var gap:RoundGap = _gap;
             _finder.find(first, second, motion, gap);
@@ -69,12 +69,12 @@ package starlogo.intersection
             }
             else
             {
-                _convex.findOverlap(first, second, motion, out);
+                _convex.findOverlapInOrder(first, second, motion, out);
             }
         }
 
         /** @inheritDoc */
-        override protected function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
+        override internal function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
             _finder.find(first, second, RelativeMotion.NONE, _gap);
             out.setFromGap(_gap.cores);

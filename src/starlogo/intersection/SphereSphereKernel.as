@@ -19,14 +19,14 @@ package starlogo.intersection
         private var _gap:CoreGap = new CoreGap();
 
         /** @inheritDoc */
-        override protected function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
             setGap(first as Sphere, second as Sphere, motion);
             findTimeOfSpheres(_gap, motion);
         }
 
         /** @inheritDoc */
-        override protected function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             var gap:CoreGap = _gap;
             setGap(first as Sphere, second as Sphere, motion);
@@ -37,7 +37,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override protected function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
+        override internal function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
             setGap(first as Sphere, second as Sphere, RelativeMotion.NONE);
             out.setFromGap(_gap);

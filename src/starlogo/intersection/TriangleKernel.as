@@ -25,11 +25,12 @@ package starlogo.intersection
         /** The shape, in the triangles' space. Only its margin may be changed. */
         public var shape:ConvexShape = new ConvexShape();
 
-        /** The plane of the triangle. Read only. */
-        public var plane:TrianglePlane = new TrianglePlane();
+        /** The plane of the triangle. Read only, because it may be another object's: see setTriangle(). */
+        public var plane:TrianglePlane = null;
 
-        // The triangle: nine numbers.
+        // The triangle: nine numbers. The plane of triangles that are set without one.
         private var _corners:Vector.<Number> = null;
+        private var _ownPlane:TrianglePlane = new TrianglePlane();
 
         private var _kernel:ConvexKernel = new ConvexKernel();
         private var _triangle:ConvexShape = new ConvexShape();
@@ -59,30 +60,41 @@ package starlogo.intersection
             shape.setTriangle(_placed, 0);
         }
 
-        /** Sets the triangle: nine numbers, which are kept. */
-        public function setTriangle(corners:Vector.<Number>):void
+        /**
+         * Sets the triangle.
+         *
+         * @param corners nine numbers; kept
+         * @param plane the triangle's plane, if it is known; kept, and not changed
+         */
+        public function setTriangle(corners:Vector.<Number>, plane:TrianglePlane = null):void
         {
             _corners = corners;
-            plane.setTriangle(corners, 0);
-        }
-
-        /** Sets the triangle and its plane, which are kept. */
-        public function useTriangle(corners:Vector.<Number>, plane:TrianglePlane):void
-        {
-            _corners = corners;
-            this.plane = plane;
+            if (plane == null)
+            {
+                plane = _ownPlane;
+                plane.setTriangle(corners, 0);
+            }
+            // Writing an object to a field costs Adobe's VM more than comparing it first.
+            if (this.plane !== plane)
+            {
+                this.plane = plane;
+            }
         }
 
         /**
          * Whether the plane shows that the shape stays apart from the triangle until the motion's latest time. Ask this first: it is quick.
          *
          * @param motion of the shape; its start must be 0
+         * @param margin how far from the plane the shape's core may be if it touches the triangle, with all that is rounded; -1 to find it
          */
-        public function stayApart(motion:RelativeMotion):Boolean
+        public function stayApart(motion:RelativeMotion, margin:Number = -1):Boolean
         {
-            var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(plane.offset)
-                + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-            var margin:Number = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
+            if (margin < 0)
+            {
+                var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(plane.offset)
+                    + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
+                margin = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
+            }
             return plane.findEntry(shape, margin, motion) > motion.latest;
         }
 
@@ -117,16 +129,17 @@ package starlogo.intersection
         }
 
         /**
-         * Finds the closest points of a triangle and the shape, if they are closer than those of a triangle before. The plane is not needed for this.
+         * Finds the closest points of the shape and a triangle, if they are closer than those of a triangle before. This needs no plane, so it takes the
+         * triangle itself.
          *
          * @param corners nine numbers of the triangle
-         * @param out the distance and the points of the triangle before; overwritten if this one is closer
+         * @param out the distance and the points of the triangle before, the shape's first; overwritten if this one is closer
          * @return whether it is closer
          */
         public function findCloser(corners:Vector.<Number>, out:ClosestPoints):Boolean
         {
             _triangle.setTriangle(corners, 0);
-            return _kernel.findCloser(_triangle, shape, out);
+            return _kernel.findCloser(shape, _triangle, out);
         }
     }
 }

@@ -32,11 +32,12 @@ package starlogo.intersection
             centerA = a.center;
             centerB = b.center;
         }
+        // This shortens the vector between the centres instead of lengthening six half-extents.
         var touchingFactor:Number = Tolerances.TOUCHING;
         var toX:Number = (centerB.x - centerA.x) / touchingFactor;
         var toY:Number = (centerB.y - centerA.y) / touchingFactor;
         var toZ:Number = (centerB.z - centerA.z) / touchingFactor;
-        // the vector between the centres, in a's axes
+        // the shortened vector, in a's axes
         var axis:Vector3D = a.axisX;
         var x:Number = toX * axis.x + toY * axis.y + toZ * axis.z;
         axis = a.axisY;

@@ -52,11 +52,11 @@ package starlogo.solid
             var shape:ConvexShape = _shape;
             var motion:RelativeMotion = _motion;
             var p:Vector.<Number> = shape.points;
-            if (shape.end < ConvexShape.SEGMENT)
+            if (shape.core == ConvexShape.POINT)
             {
                 addAxis(motion.x, motion.y, motion.z);
             }
-            else if (shape.end == ConvexShape.SEGMENT)
+            else if (shape.core == ConvexShape.SEGMENT)
             {
                 var x:Number = p[3] - p[0];
                 var y:Number = p[4] - p[1];
@@ -74,7 +74,7 @@ package starlogo.solid
                     addEdge(p[to] - p[0], p[int(to + 1)] - p[1], p[int(to + 2)] - p[2]);
                 }
             }
-            else if (shape.end > ConvexShape.SEGMENT)
+            else if (shape.core != ConvexShape.POINT)
             {
                 addEdge(1, 0, 0);
                 addEdge(0, 1, 0);
@@ -137,7 +137,7 @@ package starlogo.solid
                     return true;
                 }
             }
-            return _shape.end <= ConvexShape.SEGMENT && passesBeside(corners);
+            return (_shape.core == ConvexShape.POINT || _shape.core == ConvexShape.SEGMENT) && passesBeside(corners);
         }
 
         // Whether an axis across the motion and an edge separates a triangle from a point or a segment. The shape does not move along such an axis.
@@ -146,7 +146,7 @@ package starlogo.solid
             var shape:ConvexShape = _shape;
             var motion:RelativeMotion = _motion;
             var points:Vector.<Number> = shape.points;
-            var second:int = shape.end - 3;
+            var second:int = shape.pointsEnd - 3;
             var from:int = 6;
             var third:int = 3;
             for (var to:int = 0; to < 9; to += 3)

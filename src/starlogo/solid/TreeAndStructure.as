@@ -160,7 +160,7 @@ package starlogo.solid
             if (out != null)
             {
                 out.setPoint(_point);
-                out.place(placementA);
+                out.placePoints(placementA);
             }
             return true;
         }

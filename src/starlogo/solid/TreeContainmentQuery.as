@@ -37,7 +37,7 @@ package starlogo.solid
             if (outer != null && out != null)
             {
                 out.setPoint(_point);
-                out.place(outer);
+                out.placePoints(outer);
             }
             return outer != null;
         }

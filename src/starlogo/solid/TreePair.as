@@ -56,7 +56,7 @@ package starlogo.solid
             if (!isPointNeeded || !findInside(out))
             {
                 out.correct(areTouching);
-                out.place(placementA);
+                out.placePoints(placementA);
             }
         }
 

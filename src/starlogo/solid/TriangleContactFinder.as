@@ -63,16 +63,16 @@ package starlogo.solid
         public function find(pair:TwoTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
             var placement:Placement = pair.pose.placement;
-            var plane:TrianglePlane = _kernel.plane;
             var margin:Number = pair.outerTolerance(motion);
+            var plane:TrianglePlane;
             pair.a.mesh.readTriangle(best.a, _cornersOfFirst);
             pair.b.mesh.readTriangle(best.b, _cornersOfSecond);
             _kernel.setShapeToTriangle(_cornersOfSecond, placement);
             _kernel.setTriangle(_cornersOfFirst);
             _kernel.findContact(motion, out);
-            _kernel.shape.margin = margin;
             Placement.invert(placement, _toSecond.placement);
-            if (plane.isMetBy(_kernel.shape, motion, out) && !hasTriangleBehind(pair.b, _toSecond, pair.tolerance, motion, out))
+            plane = _kernel.plane;
+            if (plane.isMetBy(_kernel.shape, margin, motion, out) && !hasTriangleBehind(pair.b, _toSecond, pair.tolerance, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -80,9 +80,9 @@ package starlogo.solid
             Placement.placePoints(placement, _cornersOfSecond, 0, 9, _cornersOfSecond);
             _kernel.setTriangle(_cornersOfSecond);
             _kernel.shape.setTriangle(_cornersOfFirst, 0);
-            _kernel.shape.margin = margin;
             _reversed.setReversed(motion);
-            if (plane.isMetBy(_kernel.shape, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, pair.tolerance, RelativeMotion.NONE, out))
+            plane = _kernel.plane;
+            if (plane.isMetBy(_kernel.shape, margin, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, pair.tolerance, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }

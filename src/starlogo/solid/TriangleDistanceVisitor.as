@@ -71,6 +71,8 @@ package starlogo.solid
                     _mesh.readTriangle(i, _corners);
                     if (_kernel.findCloser(_corners, _nearest))
                     {
+                        // the model's point first
+                        _nearest.swap();
                         limit = _nearest.distance;
                         _slot = i;
                     }

@@ -233,7 +233,11 @@ package starlogo.solid
             if (!isBeyond(second, points))
             {
                 _counts.triangleTests++;
-                _kernel.findCloser(_cornersOfFirst, points);
+                if (_kernel.findCloser(_cornersOfFirst, points))
+                {
+                    // the first model's point first
+                    points.swap();
+                }
             }
         }
 
@@ -252,7 +256,7 @@ package starlogo.solid
         {
             _firstMesh.readTriangle(slot, _cornersOfFirst);
             _kernel.setTriangle(_cornersOfFirst);
-            return _kernel.plane.findEntry(_kernel.shape, _outerTolerance, _motion) > _motion.latest;
+            return _kernel.stayApart(_motion, _outerTolerance);
         }
 
         // The squared distance of the extents of a triangle of the first model from those of the current triangle. Both are prepared, because each

@@ -85,7 +85,7 @@ package starlogo.intersection
                 {
                     continue;
                 }
-                var normal:Vector3D = closest.b.subtract(closest.a);
+                var normal:Vector3D = closest.a.subtract(closest.b);
                 normal.normalize();
                 var gap:Number = _random.logBetween(1e-7, 1e-3);
                 structure.translate(new Vector3D((gap - closest.distance) * normal.x, (gap - closest.distance) * normal.y, (gap - closest.distance) * normal.z));

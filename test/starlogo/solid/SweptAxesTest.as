@@ -114,7 +114,7 @@ package starlogo.solid
         {
             var drawn:ConvexShape = _shapes.shape(TRIANGLE, family, new Vector3D(_random.between(-1, 1), _random.between(-1, 1), _random.between(-1, 1)));
             _corners.length = 0;
-            for (var i:int = 0; i < drawn.end; i += 3)
+            for (var i:int = 0; i < drawn.pointsEnd; i += 3)
             {
                 _corners.push(drawn.x + drawn.points[i], drawn.y + drawn.points[i + 1], drawn.z + drawn.points[i + 2]);
             }

@@ -20,7 +20,8 @@ package starlogo.intersection.boxes
      * </ul>
      *
      * <p>OverlapTraversal projects pairs of nodes on the faces of the first box itself, in its loop, because a call for each pair would take a tenth
-     * more time. It asks BoxSeparation about the other axes. The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all convex shapes.</p>
+     * more time. It asks BoxSeparation about the other axes. The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all
+     * convex shapes.</p>
      *
      * @private
      */
@@ -40,7 +41,7 @@ package starlogo.intersection.boxes
         /** The gap across which the boxes still touch: the sum of the margins (see Touching). */
         public var margin:Number = 0;
 
-        /** The vector from a's middle to b's at time 0. */
+        /** The vector from a's middle to b's at time 0. boxBox() shortens it in place of a margin. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;

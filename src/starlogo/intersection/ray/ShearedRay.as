@@ -19,10 +19,18 @@ package starlogo.intersection.ray
      */
     public final class ShearedRay
     {
-        // A triangle is seen edge on if its height across the ray is less than six times so many gaps. The place where the ray crosses its plane
-        // is then a rounding error, so the places where the ray passes its edges count. Of two triangles at one place, one that is not seen edge on
-        // counts, because its normal is against the ray.
-        private static const EDGE_ON:Number = 16;
+        // A triangle is seen edge on if twice its area across the ray is at most so many gaps times its width, which is the sum of its corners'
+        // distances from the ray along u and v. The place where the ray crosses its plane is then a rounding error, so the places where the ray passes
+        // its edges count. Of two triangles at one place, one that is not seen edge on counts, because its normal is against the ray.
+        private static const EDGE_ON_GAPS:Number = 16;
+
+        // How many gaps high a triangle may be, over its longest side, if it is seen edge on with the ray inside of it. Its width is at most 2 times that
+        // side, times the root of two because u and v are added. 3 is a little more than that.
+        private static const EDGE_ON_HEIGHT:Number = 3 * EDGE_ON_GAPS;
+
+        // How many gaps the place where a ray meets a triangle may be off. The ray may pass a gap beside the place that is tested. 4 leaves
+        // room for another triangle that touches this one.
+        private static const SLACK_GAPS:Number = 4;
 
         private var _ray:Ray = null;
 
@@ -191,13 +199,13 @@ package starlogo.intersection.ray
             }
             var sum:Number = sideA + sideB + sideC;
             var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
-            var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON * _margin * width;
+            var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON_GAPS * _margin * width;
             var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
             if (isInside && !isEdgeOn)
             {
                 out.distance = _stretch * (sideA * aW + sideB * bW + sideC * cW) / sum;
             }
-            else if (!passEdges(points, a, b, c, isInside ? 3 * EDGE_ON * _margin : _margin, out))
+            else if (!passEdges(points, a, b, c, isInside ? EDGE_ON_HEIGHT * _margin : _margin, out))
             {
                 return false;
             }
@@ -223,14 +231,14 @@ package starlogo.intersection.ray
         private function setAcross(spread:Number, sum:Number, out:TriangleCrossing):void
         {
             out.end = out.distance;
-            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + 4 * _margin * (1 + spread / Math.abs(sum));
+            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_GAPS * _margin * (1 + spread / Math.abs(sum));
             out.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
         }
 
         // Sets the rest of a crossing with a triangle that the ray sees edge on.
         private function setAlong(out:TriangleCrossing):void
         {
-            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + 4 * EDGE_ON * _margin;
+            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_GAPS * EDGE_ON_GAPS * _margin;
             out.end = Math.max(out.end, out.distance) + out.slack;
             out.side = RayCrossings.EDGE_ON;
         }

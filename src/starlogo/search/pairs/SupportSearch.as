@@ -201,7 +201,7 @@ package starlogo.search.pairs
             var y:Number = _shape.y + _shape.radius * direction.y;
             var z:Number = _shape.z + _shape.radius * direction.z;
             beginPart();
-            for (var i:int = 0; i < _shape.end; i += 3)
+            for (var i:int = 0; i < _shape.pointsEnd; i += 3)
             {
                 addIfAsFar(x + p[i], y + p[int(i + 1)], z + p[int(i + 2)], direction, least);
             }

@@ -107,18 +107,18 @@ package starlogo.models.collada
             var matrices:ColladaList = ColladaList.of(joints, "INV_BIND_MATRIX", ["float_array"], _skin);
             joints.refuseIf(names.words.length == 0 || matrices.count != names.words.length || matrices.width != MATRIX,
                     "expected at least one joint, and a matrix for each, but found " + names.words.length + " and " + matrices.count);
-            var isBySid:Boolean = names.array.name == "Name_array";
-            var nodes:Object = isBySid ? nodesBySid(instance) : _skin.elementsById;
+            // names are sids in the skeletons; other references are ids
+            var nodes:Object = names.array.name == "Name_array" ? nodesBySid(instance) : null;
             for (var i:int = 0; i < names.words.length; i++)
             {
-                var node:ColladaElement = nodes["node#" + names.words[i]];
+                var node:ColladaElement = nodes == null ? _skin.elementWith("node", names.words[i]) : nodes["#" + names.words[i]];
                 names.array.refuseIf(node == null, "there is no joint \"" + shortened(names.words[i]) + "\" in the skeleton");
                 _nodes.push(node);
                 _inverses.push(ColladaTransform.matrix(matrices.array, matrices.numbers.slice(MATRIX * i, MATRIX * i + MATRIX), TOLERANCE));
             }
         }
 
-        // The nodes of the skeletons, by "node#" and sid. The first node with a sid counts.
+        // The nodes of the skeletons, by "#" and sid. The first node with a sid counts.
         private static function nodesBySid(instance:ColladaElement):Object
         {
             var nodes:Object = {};
@@ -127,7 +127,7 @@ package starlogo.models.collada
             {
                 var node:ColladaElement = pending.pop();
                 instance.limits.countElements(1 + node.children.length, instance);
-                nodes["node#" + node.attribute("sid")] ||= node;
+                nodes["#" + node.attribute("sid")] ||= node;
                 for each (var child:ColladaElement in node.childrenNamed("node").reverse())
                 {
                     pending.push(child);
@@ -143,7 +143,7 @@ package starlogo.models.collada
             for each (var skeleton:ColladaElement in instance.childrenNamed("skeleton"))
             {
                 var url:String = TextWords.of(skeleton.text).join(" ");
-                var root:ColladaElement = skeleton.elementsById["node" + url] || skeleton.elementsById["visual_scene" + url];
+                var root:ColladaElement = skeleton.elementAtUrl("node", url) || skeleton.elementAtUrl("visual_scene", url);
                 skeleton.refuseIf(root == null, "there is no <node> with the id \"" + shortened(url.substr(1)) + "\"");
                 roots.push(root);
             }

@@ -222,6 +222,22 @@ package starlogo.models.collada
         }
 
         /**
+         * The whole number that a word of the element's text stands for. @throws ModelError if it is none, or not in the range
+         *
+         * @param what what it must be, for the error
+         */
+        public function toWholeNumber(word:String, least:int, most:int, what:String):int
+        {
+            var value:Number = Decimal.ofIndex(word);
+            var whole:int = int(value);
+            if (whole != value || whole < least || whole > most)
+            {
+                throw error("expected " + what + ", " + least + " to " + most + ", but found \"" + shortened(word) + "\"");
+            }
+            return whole;
+        }
+
+        /**
          * The value of an attribute that must be a whole number, 0 or more.
          *
          * @param missing the result if there is no such attribute

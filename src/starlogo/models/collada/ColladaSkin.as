@@ -2,7 +2,6 @@ package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
     import starlogo.models.shortened;
-    import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -175,8 +174,9 @@ package starlogo.models.collada
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        _joints.push(indexOf(element, indices[i * stride + joint], -1, _nodes.length - 1));
-                        _weights.push(weights.array.toNumber(weights.words[indexOf(element, indices[i * stride + weight], 0, weights.words.length - 1)]));
+                        _joints.push(element.toWholeNumber(indices[i * stride + joint], -1, _nodes.length - 1, "a joint's index"));
+                        var index:int = element.toWholeNumber(indices[i * stride + weight], 0, weights.words.length - 1, "a weight's index");
+                        _weights.push(weights.array.toNumber(weights.words[index]));
                     }
                 });
         }
@@ -191,23 +191,13 @@ package starlogo.models.collada
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        sum += indexOf(element, counts[i], 0, influences);
+                        sum += element.toWholeNumber(counts[i], 0, influences, "the number of a point's joints");
                         _starts.push(sum);
                     }
                 }).call(function():void
                 {
                     element.refuseIf(sum != influences, "its <vcount> adds up to " + sum + " joints, but <v> has " + influences);
                 });
-        }
-
-        private static function indexOf(element:ColladaElement, word:String, least:Number, most:Number):int
-        {
-            var value:Number = Decimal.ofIndex(word);
-            if (!(value >= least && value <= most && value == Math.floor(value)))
-            {
-                throw element.error("expected a whole number, " + least + " to " + most + ", but found \"" + shortened(word) + "\"");
-            }
-            return value;
         }
     }
 }

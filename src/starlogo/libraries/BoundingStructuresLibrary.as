@@ -215,7 +215,7 @@ package starlogo.libraries
          * @throws ArgumentError if the library has nothing of this name, or no fitter found this kind when the model was added
          * @private
          */
-        engine function ofKind(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
+        engine function findOrFit(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
         {
             var shape:ModelStructures = find(name);
             if (kind == BoundingStructure.HULL)

@@ -31,7 +31,7 @@ package starlogo.libraries
 
         // The list of entries is a text. It has a line for each entry, the least recently used one first: the name, and the length in bytes.
         private static const LIST:String = "index";
-        private static const ENTRIES:RegExp = /[0-9a-f]{32} \d{1,9}\n/g;
+        private static const LINES:RegExp = /[0-9a-f]{32} \d{1,9}\n/g;
         private static const NAME_LENGTH:int = 32;
 
         private var _storage:FitStorage;
@@ -66,7 +66,7 @@ package starlogo.libraries
         /** The number of bytes that it has now. */
         public function get length():Number
         {
-            return lengthOf(entriesBut(null));
+            return lengthOf(linesBut(null));
         }
 
         /**
@@ -106,9 +106,9 @@ package starlogo.libraries
         /** Removes all entries. */
         public function clear():void
         {
-            for each (var entry:String in entriesBut(null))
+            for each (var line:String in linesBut(null))
             {
-                _storage.remove(nameIn(entry));
+                _storage.remove(nameIn(line));
             }
             _storage.remove(LIST);
         }
@@ -148,20 +148,20 @@ package starlogo.libraries
         engine function keep(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
             var name:String = nameOf(geometry, settings);
-            var entries:Array = entriesBut(name);
+            var lines:Array = linesBut(name);
             var isStored:Boolean = false;
             while (!isStored && bytes.length <= _room)
             {
-                while (lengthOf(entries) + bytes.length > _room)
+                while (lengthOf(lines) + bytes.length > _room)
                 {
-                    _storage.remove(nameIn(entries.shift()));
+                    _storage.remove(nameIn(lines.shift()));
                 }
                 isStored = _storage.write(name, bytes);
-                var isListed:Boolean = writeList(isStored ? entries.concat(entryOf(name, bytes)) : entries);
+                var isListed:Boolean = writeList(isStored ? lines.concat(lineOf(name, bytes)) : lines);
                 if (!isStored)
                 {
                     // a storage that refuses even the list is switched off
-                    _room = isListed ? Math.max(lengthOf(entries), bytes.length - 1) : 0;
+                    _room = isListed ? Math.max(lengthOf(lines), bytes.length - 1) : 0;
                 }
             }
             return isStored;
@@ -174,7 +174,7 @@ package starlogo.libraries
             var bytes:ByteArray = bytesOf(name);
             if (bytes != null)
             {
-                writeList(entriesBut(name).concat(entryOf(name, bytes)));
+                writeList(linesBut(name).concat(lineOf(name, bytes)));
             }
             return bytes;
         }
@@ -211,29 +211,29 @@ package starlogo.libraries
         }
 
         // The list without one name. Damaged lines are left out.
-        private function entriesBut(name:String):Array
+        private function linesBut(name:String):Array
         {
             var bytes:ByteArray = bytesOf(LIST);
-            var entries:Array = [];
-            for each (var entry:String in bytes == null ? null : bytes.readUTFBytes(bytes.length).match(ENTRIES))
+            var lines:Array = [];
+            for each (var line:String in bytes == null ? null : bytes.readUTFBytes(bytes.length).match(LINES))
             {
-                if (nameIn(entry) != name)
+                if (nameIn(line) != name)
                 {
-                    entries.push(entry);
+                    lines.push(line);
                 }
             }
-            return entries;
+            return lines;
         }
 
         // Returns whether it is stored.
-        private function writeList(entries:Array):Boolean
+        private function writeList(lines:Array):Boolean
         {
             var text:ByteArray = new ByteArray();
-            text.writeUTFBytes(entries.join(""));
+            text.writeUTFBytes(lines.join(""));
             return _storage.write(LIST, text);
         }
 
-        private static function entryOf(name:String, bytes:ByteArray):String
+        private static function lineOf(name:String, bytes:ByteArray):String
         {
             return name + " " + bytes.length + "\n";
         }
@@ -243,17 +243,17 @@ package starlogo.libraries
             return geometry.toString() + settings;
         }
 
-        private static function nameIn(entry:String):String
+        private static function nameIn(line:String):String
         {
-            return entry.substr(0, NAME_LENGTH);
+            return line.substr(0, NAME_LENGTH);
         }
 
-        private static function lengthOf(entries:Array):Number
+        private static function lengthOf(lines:Array):Number
         {
             var sum:Number = 0;
-            for each (var entry:String in entries)
+            for each (var line:String in lines)
             {
-                sum += Number(entry.substr(NAME_LENGTH + 1));
+                sum += Number(line.substr(NAME_LENGTH + 1));
             }
             return sum;
         }

@@ -52,7 +52,7 @@ package starlogo.libraries
         /** Sets the structures; null for none. */
         public function setStructures(structures:ModelStructures):void
         {
-            countChange(_structures);
+            countIfReplaced(_structures);
             _structures = structures;
         }
 
@@ -84,7 +84,7 @@ package starlogo.libraries
             _loadProblem = null;
             setStructures(structures);
             setTree(tree);
-            countChange(_model);
+            countIfReplaced(_model);
             if (_model != null)
             {
                 _model.removeListener(followPose);
@@ -99,7 +99,7 @@ package starlogo.libraries
         /** Sets the tree, which may not be built yet; null for none. */
         public function setTree(tree:ModelTree):void
         {
-            countChange(_tree);
+            countIfReplaced(_tree);
             _tree = tree;
         }
 
@@ -135,16 +135,21 @@ package starlogo.libraries
             {
                 _tree.refit();
             }
-            countChange(_model);
+            countChange();
         }
 
-        private function countChange(before:Object):void
+        private function countIfReplaced(before:Object):void
         {
             if (before != null)
             {
-                _revision++;
-                _table.countChange();
+                countChange();
             }
+        }
+
+        private function countChange():void
+        {
+            _revision++;
+            _table.countChange();
         }
     }
 }

@@ -98,15 +98,15 @@ package starlogo.libraries
         private function readingAndStoring(store:FitStore):Steps
         {
             var geometry:Fingerprint = new Fingerprint();
-            var entry:CookedFile;
+            var stored:CookedFile;
             return new StepSequence().add(geometry.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
                 {
-                    return entry = store.fileOf(geometry, _settings);
+                    return stored = store.fileOf(geometry, _settings);
                 }).begin(function():Steps
                 {
-                    if (entry.isOf(geometry))
+                    if (stored.isOf(geometry))
                     {
-                        takeFrom(entry);
+                        takeFrom(stored);
                     }
                     return isComplete || !store.hasRoomFor(_model, modelTree != null) ? computing(false) : computing(true).call(function():void
                         {

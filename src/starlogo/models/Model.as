@@ -79,7 +79,7 @@ package starlogo.models
             {
                 throw new ArgumentError("a model of data has no other arguments: the data have the name \"" + data.name + "\"");
             }
-            _data = data || ModelData.of(name, vertices, triangles, scaling);
+            _data = data || ModelBuilder.dataOf(name, vertices, triangles, scaling);
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */

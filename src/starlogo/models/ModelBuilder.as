@@ -48,6 +48,26 @@ package starlogo.models
             call(checkData).call(addParts);
         }
 
+        /**
+         * Builds the data of a model that is not read from a file.
+         *
+         * @param name the model's name
+         * @param vertices x, y, z of each; copied
+         * @param triangles three vertex indices each; copied; null for none
+         * @param scaling as for Model's constructor
+         * @param transform null for none
+         * @throws ModelError as Model's constructor
+         */
+        public static function dataOf(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>, scaling:String, transform:ModelTransform = null):ModelData
+        {
+            var data:ModelData = new ModelData(name);
+            data.vertices = vertices == null ? data.vertices : vertices.slice();
+            data.triangles = triangles == null ? data.triangles : triangles.slice();
+            data.scaling = scaling;
+            data.transform = transform;
+            return new ModelBuilder(data).build();
+        }
+
         /** Does all steps that are left. Returns the data, which are complete then. */
         public function build():ModelData
         {
@@ -85,14 +105,12 @@ package starlogo.models
         private function addParts():void
         {
             begin(turningToZUp).begin(measuring);
-            // data that have a frame are normalised already
-            if (_data.frame != null)
+            if (_data.isNormalised)
             {
                 call(checkExtent);
             }
             else
             {
-                _data.frame = new SourceFrame();
                 addPlacing();
             }
             slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners);

@@ -39,11 +39,11 @@ package starlogo.models
         /** The mesh of each triangle. */
         public var meshes:TriangleLabels = new TriangleLabels(new Vector.<String>());
 
-        /**
-         * The model's place and scale in its source. The ModelBuilder sets it. If a cooked file has set it before, the vertices are in
-         * their places already.
-         */
-        public var frame:SourceFrame = null;
+        /** The model's place and scale in its source. A ModelBuilder adds what it does to the vertices. */
+        public var frame:SourceFrame = new SourceFrame();
+
+        /** Whether the vertices and the frame are the model's own, as in some cooked files. Otherwise a ModelBuilder brings them to their places. */
+        public var isNormalised:Boolean = false;
 
         /** The cooked file with the results for the model; null for none. */
         public var cooked:CookedFile = null;
@@ -52,26 +52,6 @@ package starlogo.models
         public function ModelData(name:String)
         {
             this.name = name || "";
-        }
-
-        /**
-         * The data of a model that is not read from a file.
-         *
-         * @param name the model's name
-         * @param vertices x, y, z of each; copied
-         * @param triangles three vertex indices each; copied; null for none
-         * @param scaling as for Model's constructor
-         * @param transform null for none
-         * @throws ModelError as Model's constructor
-         */
-        public static function of(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>, scaling:String, transform:ModelTransform = null):ModelData
-        {
-            var data:ModelData = new ModelData(name);
-            data.vertices = vertices == null ? data.vertices : vertices.slice();
-            data.triangles = triangles == null ? data.triangles : triangles.slice();
-            data.scaling = scaling;
-            data.transform = transform;
-            return new ModelBuilder(data).build();
         }
 
         /**

@@ -101,9 +101,9 @@ package starlogo.libraries
         public function aHullThatWasNotKeptIsFoundWhenItIsNeeded():void
         {
             _library.add("stick", _stick);
-            var found:BoundingStructure = _library.ofKind("stick", BoundingStructure.HULL, _stick);
+            var found:BoundingStructure = _library.findOrFit("stick", BoundingStructure.HULL, _stick);
             assertTrue(found is Hull);
-            assertEquals(found, _library.ofKind("stick", BoundingStructure.HULL, _stick));
+            assertEquals(found, _library.findOrFit("stick", BoundingStructure.HULL, _stick));
             _library.keepHulls = true;
             _library.add("stick", _stick);
             assertEquals(Hull(found).numbers().join(), Hull(_library.hull("stick")).numbers().join());

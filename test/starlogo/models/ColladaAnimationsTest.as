@@ -294,8 +294,8 @@ package starlogo.models
             fails(/float_array#INV_BIND_MATRIXf: expected a last row of 0 0 0 1/, text.replace("0 0 1 0 0 0 0 1 1 0", "0 0 1 0 0 0 0 2 1 0"));
             // a rounded last row counts as 0 0 0 1
             new ColladaAnimations("a", text.replace("0 0 1 0 0 0 0 1 1 0", "0 0 1 0 0 0 0 0.9999999 1 0"));
-            fails(/vertex_weights: expected a whole number, -1 to 1, but found "2"/, text.replace("<v>1 1", "<v>2 1"));
-            fails(/vertex_weights: expected a whole number, 0 to 1, but found "2"/, text.replace("<v>1 1", "<v>1 2"));
+            fails(/vertex_weights: expected a joint's index, -1 to 1, but found "2"/, text.replace("<v>1 1", "<v>2 1"));
+            fails(/vertex_weights: expected a weight's index, 0 to 1, but found "2"/, text.replace("<v>1 1", "<v>1 2"));
             fails(/vertex_weights: its <vcount> adds up to 3 joints, but <v> has 4/, text.replace("1 2 1 0<", "1 1 1 0<"));
             fails(/vertex_weights: its count is 4, but it has 3 numbers in <vcount>/, text.replace("1 2 1 0<", "1 2 1<"));
             fails(/skin: it has weights for 3 points, but its geometry has 4/, text.replace("1 2 1 0<", "1 2 1<").replace('vertex_weights count="4"', 'vertex_weights count="3"'));

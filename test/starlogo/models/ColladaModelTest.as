@@ -90,6 +90,14 @@ package starlogo.models
         }
 
         [Test]
+        public function movesPointsByEachSkinOfAChain():void
+        {
+            var skins:String = "<library_controllers>" + Collada.skin("outer", "inner", 8, "3 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1") +
+                Collada.skin("inner", "a", 8, "1 0 0 0 0 5 0 0 0 0 1 0 0 0 0 1") + "</library_controllers>";
+            assertSize("3,10,4", read(Collada.scene(box() + skins, '<node id="joint"/><node><instance_controller url="#outer"/></node>')));
+        }
+
+        [Test]
         public function readsTheLibraryWhereThereIsNoScene():void
         {
             var model:Model = read(Collada.document(box() + Collada.geometry("b", "0 0 0 0 0 8 0 8 0",

@@ -37,7 +37,7 @@ package starlogo.models
         [Test]
         public function isMadeOfDataOrOfArguments():void
         {
-            var data:ModelData = ModelData.of("bar", new <Number>[10, 20, 30, 14, 22, 38], null, Model.FOOTPRINT);
+            var data:ModelData = ModelBuilder.dataOf("bar", new <Number>[10, 20, 30, 14, 22, 38], null, Model.FOOTPRINT);
             assertEquals("bar", new Model(null, null, null, null, data).name);
             assertThrows(ArgumentError, /no other arguments.*"bar"/, create, Model, "a", null, null, null, data);
             assertThrows(ArgumentError, /no other arguments/, create, Model, null, data.vertices, null, null, data);

@@ -171,7 +171,7 @@ package starlogo.models
             var random:SeededRandom = new SeededRandom(13);
             for (var i:int = 0; i < 20; i++)
             {
-                var data:ModelData = ModelData.of("a", box.vertices, box.triangles, random.pick(SCALINGS), randomTransform(random, i));
+                var data:ModelData = ModelBuilder.dataOf("a", box.vertices, box.triangles, random.pick(SCALINGS), randomTransform(random, i));
                 assertTrue(Surfaces.volume(new Model("a", data.vertices, data.triangles, Model.AS_GIVEN)) > 0);
             }
             assertTrue("some are mirrored: " + _mirrored, _mirrored > 3 && _mirrored < 17);

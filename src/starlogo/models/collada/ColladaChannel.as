@@ -60,9 +60,9 @@ package starlogo.models.collada
         // if there is no element with a sid.
         private static function elementAt(channel:ColladaElement, id:String, sids:Array):ColladaElement
         {
-            var source:ColladaElement = channel.elementsById["source#" + id];
-            var found:ColladaElement = channel.elementsById["node#" + id] || channel.elementsById["visual_scene#" + id]
-                || channel.elementsById["float_array#" + id] || (source == null ? null : source.child("float_array"));
+            var source:ColladaElement = channel.elementWith("source", id);
+            var found:ColladaElement = channel.elementWith("node", id) || channel.elementWith("visual_scene", id)
+                || channel.elementWith("float_array", id) || (source == null ? null : source.child("float_array"));
             for (var i:int = 0; i < sids.length && found != null; i++)
             {
                 found = inside(channel, found, sids[i]);

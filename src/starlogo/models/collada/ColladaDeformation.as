@@ -89,7 +89,7 @@ package starlogo.models.collada
 
         private function targetOf(morph:ColladaElement, id:String):ColladaMesh
         {
-            var geometry:ColladaElement = morph.elementsById["geometry#" + id];
+            var geometry:ColladaElement = morph.elementWith("geometry", id);
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
             return _scene.document.meshOf(geometry);
         }

@@ -14,7 +14,7 @@ package starlogo.models.collada
         internal var xml:XmlReader;
 
         private var _meshes:Object = {}; // by the index of the geometry's element
-        private var _skins:Object = {}; // by the index of the element that places them
+        private var _skins:Object = {}; // by the indices of the skin's element and of the element that places it
 
         /**
          * @param name the model's name
@@ -46,10 +46,10 @@ package starlogo.models.collada
             return _meshes[geometry.index] ||= new ColladaMesh(geometry);
         }
 
-        /** The skin of an element that places it. */
+        /** A skin at an element that places it. An element may place several skins, one after the other. */
         internal function skinOf(skin:ColladaElement, instance:ColladaElement):ColladaSkin
         {
-            return _skins[instance.index] ||= new ColladaSkin(skin, instance);
+            return _skins[skin.index + " " + instance.index] ||= new ColladaSkin(skin, instance);
         }
     }
 }

@@ -22,12 +22,6 @@ package starlogo.models.collada
         /** What the document may have and cost. */
         public var limits:FileLimits;
 
-        /**
-         * The first element of each name and id in the document, by name, "#" and id. All elements share it. The "#" keeps a key different
-         * from every property of an Object.
-         */
-        public var elementsById:Object;
-
         /** The element around this one; null for the root. */
         public var parent:ColladaElement;
 
@@ -39,6 +33,10 @@ package starlogo.models.collada
 
         // the key is "@" and the name, which differs from every property that each Object has
         private var _attributes:Object = {};
+
+        // The first element of each name and id in the document, by name, "#" and id. All elements share it. The "#" keeps a key different from
+        // every property of an Object.
+        private var _elements:Object;
 
         // The first child of each name, and of each name and label. It is made when it is first needed. The "<" keeps a key different from every
         // property of an Object.
@@ -59,7 +57,7 @@ package starlogo.models.collada
             this.index = index;
             this.name = name;
             this.parent = parent;
-            elementsById = parent == null ? {} : parent.elementsById;
+            _elements = parent == null ? {} : parent._elements;
             if (parent != null)
             {
                 parent.children.push(this);
@@ -70,6 +68,27 @@ package starlogo.models.collada
         public function get id():String
         {
             return attribute("id");
+        }
+
+        /** Lets elementWith() find this element, when it has its attributes. Of several with the same name and id, the first one counts. */
+        public function register():void
+        {
+            if (id != "")
+            {
+                _elements[name + "#" + id] ||= this;
+            }
+        }
+
+        /** The element of the document with a name and an id; null if there is none. */
+        public function elementWith(name:String, id:String):ColladaElement
+        {
+            return elementAtUrl(name, "#" + id);
+        }
+
+        /** The element of the document with a name, at a URL like "#id"; null if there is none. */
+        public function elementAtUrl(name:String, url:String):ColladaElement
+        {
+            return _elements[name + url];
         }
 
         /** The transform that this element is; null if it is none. Scenes may need it often, so it is computed once. */
@@ -151,7 +170,7 @@ package starlogo.models.collada
                     shortened(url) + "\"");
             for each (var targetName:String in names)
             {
-                var found:ColladaElement = (scope == null ? null : scope.child(targetName, url.substr(1))) || elementsById[targetName + url];
+                var found:ColladaElement = (scope == null ? null : scope.child(targetName, url.substr(1))) || elementAtUrl(targetName, url);
                 if (found != null)
                 {
                     return found;
@@ -200,6 +219,22 @@ package starlogo.models.collada
                 throw error("expected finite numbers, but found \"" + shortened(word) + "\"");
             }
             return number;
+        }
+
+        /**
+         * The whole number that a word of the element's text stands for. @throws ModelError if it is none, or not in the range
+         *
+         * @param what what it must be, for the error
+         */
+        public function toWholeNumber(word:String, least:int, most:int, what:String):int
+        {
+            var value:Number = Decimal.ofIndex(word);
+            var whole:int = int(value);
+            if (whole != value || whole < least || whole > most)
+            {
+                throw error("expected " + what + ", " + least + " to " + most + ", but found \"" + shortened(word) + "\"");
+            }
+            return whole;
         }
 
         /**

@@ -100,7 +100,7 @@ package starlogo.models.collada
             var binding:ColladaElement = _element.child("bind_material");
             var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
             var bound:ColladaElement = technique == null ? null : technique.child("instance_material", symbol);
-            return bound == null ? null : _element.elementsById["material" + bound.attribute("target")];
+            return bound == null ? null : _element.elementAtUrl("material", bound.attribute("target"));
         }
 
         private static function nameOf(element:ColladaElement):String

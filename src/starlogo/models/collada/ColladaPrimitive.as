@@ -1,8 +1,6 @@
 package starlogo.models.collada
 {
     import starlogo.models.polygons.Triangulator;
-    import starlogo.models.shortened;
-    import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -146,15 +144,11 @@ package starlogo.models.collada
         // Adds up the numbers of corners of some polygons. Each must be a whole number, at most the given one.
         private function sumOfSizes(sizes:Array, first:int, end:int, most:int):Number
         {
+            var element:ColladaElement = _element.child("vcount");
             var sum:Number = 0;
             for (var i:int = first; i < end; i++)
             {
-                var size:Number = Decimal.ofIndex(sizes[i]);
-                if (!(size >= 0 && size <= most && size == int(size)))
-                {
-                    throw _element.child("vcount").error("expected the number of a polygon's corners, but found \"" + shortened(sizes[i]) + "\"");
-                }
-                sum += size;
+                sum += element.toWholeNumber(sizes[i], 0, most, "the number of a polygon's corners");
             }
             return sum;
         }
@@ -226,14 +220,7 @@ package starlogo.models.collada
         // Reads a corner, whose indices begin at the given one. Returns its point.
         private function readCorner(indices:Array, at:int):uint
         {
-            var word:String = indices[int(at + _offset)];
-            var value:Number = Decimal.ofIndex(word);
-            var index:int = int(value);
-            if (index != value || index < 0 || index >= _positions.count)
-            {
-                throw _element.error("expected a position's index, 0 to " + (_positions.count - 1) + ", but found \"" + shortened(word) + "\"");
-            }
-            return _positions.first + index;
+            return _positions.first + _element.toWholeNumber(indices[int(at + _offset)], 0, _positions.count - 1, "a position's index");
         }
     }
 }

@@ -2,7 +2,6 @@ package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
     import starlogo.models.shortened;
-    import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -107,18 +106,18 @@ package starlogo.models.collada
             var matrices:ColladaList = ColladaList.of(joints, "INV_BIND_MATRIX", ["float_array"], _skin);
             joints.refuseIf(names.words.length == 0 || matrices.count != names.words.length || matrices.width != MATRIX,
                     "expected at least one joint, and a matrix for each, but found " + names.words.length + " and " + matrices.count);
-            var isBySid:Boolean = names.array.name == "Name_array";
-            var nodes:Object = isBySid ? nodesBySid(instance) : _skin.elementsById;
+            // names are sids in the skeletons; other references are ids
+            var nodes:Object = names.array.name == "Name_array" ? nodesBySid(instance) : null;
             for (var i:int = 0; i < names.words.length; i++)
             {
-                var node:ColladaElement = nodes["node#" + names.words[i]];
+                var node:ColladaElement = nodes == null ? _skin.elementWith("node", names.words[i]) : nodes["#" + names.words[i]];
                 names.array.refuseIf(node == null, "there is no joint \"" + shortened(names.words[i]) + "\" in the skeleton");
                 _nodes.push(node);
                 _inverses.push(ColladaTransform.matrix(matrices.array, matrices.numbers.slice(MATRIX * i, MATRIX * i + MATRIX), TOLERANCE));
             }
         }
 
-        // The nodes of the skeletons, by "node#" and sid. The first node with a sid counts.
+        // The nodes of the skeletons, by "#" and sid. The first node with a sid counts.
         private static function nodesBySid(instance:ColladaElement):Object
         {
             var nodes:Object = {};
@@ -127,7 +126,7 @@ package starlogo.models.collada
             {
                 var node:ColladaElement = pending.pop();
                 instance.limits.countElements(1 + node.children.length, instance);
-                nodes["node#" + node.attribute("sid")] ||= node;
+                nodes["#" + node.attribute("sid")] ||= node;
                 for each (var child:ColladaElement in node.childrenNamed("node").reverse())
                 {
                     pending.push(child);
@@ -143,7 +142,7 @@ package starlogo.models.collada
             for each (var skeleton:ColladaElement in instance.childrenNamed("skeleton"))
             {
                 var url:String = TextWords.of(skeleton.text).join(" ");
-                var root:ColladaElement = skeleton.elementsById["node" + url] || skeleton.elementsById["visual_scene" + url];
+                var root:ColladaElement = skeleton.elementAtUrl("node", url) || skeleton.elementAtUrl("visual_scene", url);
                 skeleton.refuseIf(root == null, "there is no <node> with the id \"" + shortened(url.substr(1)) + "\"");
                 roots.push(root);
             }
@@ -175,8 +174,9 @@ package starlogo.models.collada
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        _joints.push(indexOf(element, indices[i * stride + joint], -1, _nodes.length - 1));
-                        _weights.push(weights.array.toNumber(weights.words[indexOf(element, indices[i * stride + weight], 0, weights.words.length - 1)]));
+                        _joints.push(element.toWholeNumber(indices[i * stride + joint], -1, _nodes.length - 1, "a joint's index"));
+                        var index:int = element.toWholeNumber(indices[i * stride + weight], 0, weights.words.length - 1, "a weight's index");
+                        _weights.push(weights.array.toNumber(weights.words[index]));
                     }
                 });
         }
@@ -191,23 +191,13 @@ package starlogo.models.collada
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        sum += indexOf(element, counts[i], 0, influences);
+                        sum += element.toWholeNumber(counts[i], 0, influences, "the number of a point's joints");
                         _starts.push(sum);
                     }
                 }).call(function():void
                 {
                     element.refuseIf(sum != influences, "its <vcount> adds up to " + sum + " joints, but <v> has " + influences);
                 });
-        }
-
-        private static function indexOf(element:ColladaElement, word:String, least:Number, most:Number):int
-        {
-            var value:Number = Decimal.ofIndex(word);
-            if (!(value >= least && value <= most && value == Math.floor(value)))
-            {
-                throw element.error("expected a whole number, " + least + " to " + most + ", but found \"" + shortened(word) + "\"");
-            }
-            return value;
         }
     }
 }

@@ -142,10 +142,7 @@ package starlogo.models.collada
             }
             refuseIf(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
             refuseIf(!TAG_END.test(_text.substring(_at, end)));
-            if (element.id != "")
-            {
-                element.elementsById[element.name + "#" + element.id] ||= element;
-            }
+            element.register();
             if (_text.charAt(end - 1) != "/")
             {
                 _names.push(name);

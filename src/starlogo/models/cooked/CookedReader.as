@@ -108,6 +108,7 @@ package starlogo.models.cooked
             if (form == DOUBLE)
             {
                 _data.frame = readFrame();
+                _data.isNormalised = true;
                 refuseIf(_data.frame == null, _data.name, "the cooked file does not have the model's place in its source");
             }
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.

@@ -5,6 +5,7 @@ package starlogo.models.cooked
     import starlogo.data.areSameNumbers;
     import starlogo.engine;
     import starlogo.models.Model;
+    import starlogo.models.ModelBuilder;
     import starlogo.models.ModelData;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
@@ -45,7 +46,7 @@ package starlogo.models.cooked
         // Whether a model of these points and the model's triangles is the model: the vertices and the place in the source are equal to the last bit.
         private static function areSourceOf(points:Vector.<Number>, model:Model, transform:ModelTransform):Boolean
         {
-            var made:ModelData = ModelData.of(model.name, points, model.triangles, model.data.scaling, transform);
+            var made:ModelData = ModelBuilder.dataOf(model.name, points, model.triangles, model.data.scaling, transform);
             return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.frame.numbers, model.source.numbers);
         }
 

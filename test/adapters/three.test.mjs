@@ -638,6 +638,25 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		assert.ok(count > 5000, `${count} triangles`);
 	});
 
+	test(`three ${version}: only whole triangles count, and an index may have a plain array`, () => {
+		for (const count of [4, 5, 7]) {
+			const geometry = new THREE.ConeGeometry(0.5, 1, 5).toNonIndexed();
+			const cut = new THREE.BufferGeometry().setAttribute("position", new THREE.BufferAttribute(geometry.attributes.position.array.slice(0, 3 * count), 3));
+			const batch = new THREE.BatchedMesh(1, 10, 0, new THREE.MeshBasicMaterial());
+			batch.addInstance(batch.addGeometry(cut));
+			const [found, expected] = [batch, new THREE.Mesh(cut)].map((object) => modelFromObject("cut", object));
+			assert.equal(found.triangles.length, count - (count % 3));
+			assert.deepEqual([...found.triangles], [...expected.triangles]);
+			assert.deepEqual([...found.vertices], [...expected.vertices]);
+		}
+		const plain = new THREE.BoxGeometry();
+		const expected = modelFromObject("box", plain.clone());
+		plain.index.array = [...plain.index.array];
+		assert.deepEqual([...modelFromObject("box", plain).triangles], [...expected.triangles]);
+		plain.setDrawRange(3, 6);
+		assert.equal(modelFromObject("box", plain).triangles.length, 6);
+	});
+
 	test(`three ${version}: a wireframe is where the structures are, in one object`, () => {
 		for (const up of ["y", "z"]) {
 			const greatLand = new engine.GreatLand();

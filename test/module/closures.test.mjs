@@ -20,6 +20,7 @@ test("a method is the same function each time, of a frozen object too", () => {
 	const [work, other] = [new Work(), Object.freeze(new Work())];
 	assert.equal($bound(work, "step"), $bound(work, "step"));
 	assert.equal($bound(other, "step")(), other);
+	assert.equal($bound(other, "step"), $bound(other, "step"));
 	assert.notEqual($bound(work, "step"), $bound(other, "step"));
 	assert.deepEqual(Reflect.ownKeys(work), ["numbers"]);
 });

@@ -192,8 +192,9 @@ class Surface {
 		const shapeOf = (id) => {
 			const { start, count, vertexStart, vertexCount } = mesh.getGeometryRangeAt(id);
 			const points = pointsOf(mesh, attributes.position, vertexStart, vertexCount);
-			const corners = Array.from({ length: count }, (_, i) => (index ? index.getX(start + i) : start + i) - vertexStart);
-			return { points, corners, runs: [{ material: mesh.material, count: Math.ceil(corners.length / 3) }] };
+			// a triangle that is cut off is not drawn
+			const corners = Array.from({ length: count - (count % 3) }, (_, i) => (index ? index.getX(start + i) : start + i) - vertexStart);
+			return { points, corners, runs: [{ material: mesh.material, count: corners.length / 3 }] };
 		};
 		let left = mesh.instanceCount;
 		for (let i = 0; left > 0 && i < mesh.maxInstanceCount; i++) {
@@ -306,7 +307,7 @@ function drawnTriangles({ index, attributes, drawRange, groups }, material) {
 	const materials = drawn.map(({ materialIndex }) => (hasGroups ? material[materialIndex] : material));
 	// one range needs no copy
 	if (ranges.length === 1) {
-		const corners = all.subarray(ranges[0].first, ranges[0].end);
+		const corners = rangeOf(all, ranges[0].first, ranges[0].end);
 		return { corners, runs: [{ material: materials[0], count: corners.length / 3 }] };
 	}
 	const corners = [];
@@ -318,6 +319,9 @@ function drawnTriangles({ index, attributes, drawRange, groups }, material) {
 	});
 	return { corners, runs };
 }
+
+/** The corners from one index to another. A typed array's share its memory; an index may have a plain array. */
+const rangeOf = (corners, first, end) => (corners.subarray ? corners.subarray(first, end) : corners.slice(first, end));
 
 /** Takes the corners of the triangles of a range that are not taken yet. */
 function takeCorners(all, first, end, taken, corners) {

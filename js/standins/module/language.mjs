@@ -345,9 +345,15 @@ class Closures extends Given {
 	#own = new Map();
 
 	static of(object) {
-		return #own in object ? object.#own : new Closures(object).#own;
+		if (#own in object) return object.#own;
+		if (Object.isExtensible(object)) return new Closures(object).#own;
+		if (!closuresOfFixed.has(object)) closuresOfFixed.set(object, new Map());
+		return closuresOfFixed.get(object);
 	}
 }
+
+/** The closures of objects that are not extensible: newer engines add no private fields to these. */
+const closuresOfFixed = new WeakMap();
 
 /** A method of an object as a function. It is the same function each time, as in ActionScript. */
 export function $bound(object, name) {

@@ -8,8 +8,9 @@ package starlogo.models
      * A model from a COLLADA document, version 1.4 or 1.5.
      *
      * <p>The model is the scene that the document shows. All transformations of the nodes are applied. A node may place a geometry directly,
-     * through a node of a library, or through a controller. A skin is where its joints put it while nothing moves. A morph is
-     * its base shape. Every primitive with a surface is read: triangles, polylist, polygons with holes, tristrips and trifans. If a
+     * through a node of a library, or through a controller. A skin is where its joints put it while nothing moves. If the
+     * skin is wrong, or too much for the limits, it is where its bind shape matrix puts it, in its node: what does not move needs no joints.
+     * <code>ColladaAnimations</code> refuses it. A morph is its base shape. Every primitive with a surface is read: triangles, polylist, polygons with holes, tristrips and trifans. If a
      * document has no scene, all geometries of its library are read.</p>
      *
      * <p>The document's up axis is turned to z. The reader recognises elements by their names, in any namespace or none. Numbers may have a
@@ -37,7 +38,7 @@ package starlogo.models
          * @param upAxis null for the axis that the document names; "x", "y", "z" or a ModelTransform to use that instead
          * @param scaling as for <code>Model</code>
          * @throws ModelError if the text is no COLLADA document, if its scene has no geometry, if a number, count, index or reference is
-         * wrong, if a skin has no joints or they are not in the scene, if nodes place each other in a circle, or as for <code>Model</code>. The message names the element
+         * wrong, if nodes place each other in a circle, or as for <code>Model</code>. The message names the element
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {

@@ -122,6 +122,51 @@ package starlogo.models
             assertEquals("0,2,1,0,3,1", new ColladaModel("a", mirrored, null, Model.AS_GIVEN).triangles.join());
         }
 
+        /** What does not move needs no joints, so a model shows a skin that is wrong where it was bound. */
+        [Test]
+        public function modelsShowWrongSkinsWhereTheyWereBound():void
+        {
+            var text:String = skinned("joint/turn.ANGLE", "90 90 90 90", false).replace("<node><instance_controller", "<node><scale>1 1 -1</scale><instance_controller");
+            for each (var wrong:String in [text.replace("still bone", "still other bone"), text.replace("still bone", "still other"),
+                        text.replace("#root<", "#gone<"), text.replace("0 0 1 0 0 0 0 1 1 0", "0 0 1 0 0 0 0 2 1 0"), text.replace("<v>1 1", "<v>2 1"),
+                        text.replace("1 2 1 0<", "1 1 1 0<"), text.replace(">1 .5<", ">1e308 1e308<"), text.replace(/joints>/g, "jointsx>")])
+            {
+                var model:ColladaModel = new ColladaModel("a", wrong, null, Model.AS_GIVEN);
+                assertPoints("1 0 0 3 0 0 0 4 0 0 0 -5", model.vertices);
+                assertEquals("0,2,1,0,3,1", model.triangles.join());
+            }
+            assertThrows(ModelError, /bind_shape_matrix: expected 16 numbers/, function():void
+                {
+                    new ColladaModel("a", text.replace("<bind_shape_matrix>1", "<bind_shape_matrix>"));
+                });
+        }
+
+        /** All that place a skin share it. What is too much for the limits is where it was bound. */
+        [Test]
+        public function skinsMayBePlacedOften():void
+        {
+            var text:String = skinned("joint/turn.ANGLE", "90 90 90 90", false).replace(">0 0 1 0</rotate>", ">0 0 1 90</rotate>");
+            for each (var influences:int in [200, 2000])
+            {
+                var much:String = text.replace("1 2 1 0<", "1 2 " + influences + " 0<").replace("<v>1 1 1 1 0 1 0 0", "<v>1 1 1 1 0 1" + repeated(" 0 0", influences));
+                much = much.replace(/<node><instance_controller.*?<\/node>/, repeated("$&", 300));
+                var vertices:Vector.<Number> = new ColladaModel("a", much, null, Model.AS_GIVEN).vertices;
+                assertEquals(300 * 12, vertices.length);
+                assertPoints("1 0 0 2 1 0 0 4 0 0 0 5", vertices.slice(0, 12));
+                assertPoints(influences == 200 ? "1 0 0 2 1 0 0 4 0 0 0 5" : "1 0 0 3 0 0 0 4 0 0 0 5", vertices.slice(299 * 12));
+            }
+        }
+
+        private static function repeated(text:String, count:int):String
+        {
+            var all:String = "";
+            for (var i:int = 0; i < count; i++)
+            {
+                all += text;
+            }
+            return all;
+        }
+
         /** Each follows the joints that are placed with it, even if all are one node of the document. */
         [Test]
         public function figuresThatAreOneNodeHaveTheirOwnJoints():void
@@ -293,7 +338,7 @@ package starlogo.models
             fails(/joints: expected at least one joint, and a matrix for each, but found 2 and 1/, text.replace('count="2" stride="16"', 'count="1" stride="16"'));
             fails(/float_array#INV_BIND_MATRIXf: expected a last row of 0 0 0 1/, text.replace("0 0 1 0 0 0 0 1 1 0", "0 0 1 0 0 0 0 2 1 0"));
             // a rounded last row counts as 0 0 0 1
-            new ColladaAnimations("a", text.replace("0 0 1 0 0 0 0 1 1 0", "0 0 1 0 0 0 0 0.9999999 1 0"));
+            new ColladaAnimations("a", text.replace("0 0 1 0 0 0 0 1 1 0", "0 0 1 0 0 0 0 0.99999 1 0"));
             fails(/vertex_weights: expected a joint's index, -1 to 1, but found "2"/, text.replace("<v>1 1", "<v>2 1"));
             fails(/vertex_weights: expected a weight's index, 0 to 1, but found "2"/, text.replace("<v>1 1", "<v>1 2"));
             fails(/vertex_weights: its <vcount> adds up to 3 joints, but <v> has 4/, text.replace("1 2 1 0<", "1 1 1 0<"));

@@ -1,23 +1,29 @@
 package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
+    import starlogo.models.ModelError;
     import starlogo.models.shortened;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** Moves the points of a COLLADA geometry by the morphs and skins of its controllers, in steps. At rest a morph is its base shape. */
+    /**
+     * Moves the points of a COLLADA geometry by the morphs and skins of its controllers, in steps. At rest a morph is its base shape, and if a
+     * skin is wrong, or too much for the limits, the points are where it was bound: what does not move needs no joints.
+     */
     internal final class ColladaDeformation extends StepSequence
     {
-        /** The points that are vertices, when no step is left: in the scene if there is a skin, otherwise in the node that places them. */
+        /** The points that are vertices, when no step is left. */
         public var points:Vector.<Number> = null;
 
-        /** Whether there is a skin, which puts the points into the scene. */
-        public var isSkinned:Boolean = false;
+        /** What takes these points to the scene, when no step is left. */
+        public var transform:AffineTransform;
 
         /** Whether the first joint of the last skin mirrors, when no step is left. */
         public var isMirror:Boolean = false;
 
         private var _scene:ColladaScene;
+        private var _mesh:ColladaMesh;
+        private var _bound:AffineTransform; // takes the points of the geometry to where its skins were bound
 
         /**
          * @param scene knows where joints are, and what moves
@@ -29,6 +35,8 @@ package starlogo.models.collada
         public function ColladaDeformation(scene:ColladaScene, instance:ColladaElement, place:ColladaPlace, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
         {
             _scene = scene;
+            _mesh = mesh;
+            _bound = transform = place.transform;
             add(mesh).call(function():void
                 {
                     points = mesh.points.slice();
@@ -37,21 +45,46 @@ package starlogo.models.collada
             {
                 addDeformer(deformers[i], instance, place);
             }
+            for each (var deformer:ColladaElement in deformers)
+            {
+                _bound = deformer.name == "skin" ? _bound.after(scene.document.skinOf(deformer).shape) : _bound;
+            }
             call(function():void
                 {
                     points = mesh.ofVertices(points);
                 });
         }
 
+        /** @inheritDoc */
+        override public function step():Boolean
+        {
+            try
+            {
+                return super.step();
+            }
+            catch (error:ModelError)
+            {
+                if (!_scene.isAtRest)
+                {
+                    throw error;
+                }
+            }
+            points = _mesh.vertices;
+            transform = _bound;
+            isMirror = false;
+            return false;
+        }
+
         private function addDeformer(deformer:ColladaElement, instance:ColladaElement, place:ColladaPlace):void
         {
             if (deformer.name == "skin")
             {
-                var skin:ColladaSkin = _scene.document.skinOf(deformer, instance);
-                isSkinned = true;
+                var skin:ColladaSkin = _scene.document.skinOf(deformer);
+                // the joints put the points into the scene
+                transform = new AffineTransform();
                 add(skin).begin(function():Steps
                     {
-                        var palette:Vector.<AffineTransform> = skin.paletteOf(_scene, place);
+                        var palette:Vector.<AffineTransform> = _scene.document.skeletonOf(skin, instance).paletteOf(_scene, place);
                         isMirror = palette[1].isMirror;
                         return skin.moving(points, palette);
                     });

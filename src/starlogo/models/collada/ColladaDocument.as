@@ -14,7 +14,8 @@ package starlogo.models.collada
         internal var xml:XmlReader;
 
         private var _meshes:Object = {}; // by the index of the geometry's element
-        private var _skins:Object = {}; // by the indices of the skin's element and of the element that places it
+        private var _skins:Object = {}; // by the index of the skin's element
+        private var _skeletons:Object = {}; // by the indices of the skin's element and of the element that places it
 
         /**
          * @param name the model's name
@@ -46,10 +47,16 @@ package starlogo.models.collada
             return _meshes[geometry.index] ||= new ColladaMesh(geometry);
         }
 
-        /** A skin at an element that places it. An element may place several skins, one after the other. */
-        internal function skinOf(skin:ColladaElement, instance:ColladaElement):ColladaSkin
+        /** The skin of an element, which may be in the scene many times. */
+        internal function skinOf(element:ColladaElement):ColladaSkin
         {
-            return _skins[skin.index + " " + instance.index] ||= new ColladaSkin(skin, instance);
+            return _skins[element.index] ||= new ColladaSkin(element);
+        }
+
+        /** The joints of a skin at an element that places it. An element may place several skins, one after the other. */
+        internal function skeletonOf(skin:ColladaSkin, instance:ColladaElement):ColladaSkeleton
+        {
+            return _skeletons[skin.element.index + " " + instance.index] ||= new ColladaSkeleton(skin, instance);
         }
     }
 }

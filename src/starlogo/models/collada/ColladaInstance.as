@@ -22,15 +22,21 @@ package starlogo.models.collada
         /**
          * @param element the element that places the geometry; the geometry's own element if there is no scene
          * @param mesh the geometry's vertices and triangles. All instances of a geometry share them
-         * @param transform takes its points to the scene, unless a skin does
+         * @param transform takes its points to the scene, unless there is a deformation
          * @param deformation moves its points first; null for none
          */
         public function ColladaInstance(element:ColladaElement, mesh:ColladaMesh, transform:AffineTransform, deformation:ColladaDeformation = null)
         {
             _element = element;
             _mesh = mesh;
-            _transform = deformation != null && deformation.isSkinned ? new AffineTransform() : transform;
+            _transform = transform;
             _deformation = deformation;
+        }
+
+        /** The geometry. Its steps read it. */
+        public function get mesh():ColladaMesh
+        {
+            return _mesh;
         }
 
         /**
@@ -53,6 +59,7 @@ package starlogo.models.collada
             var firstVertex:int = out.length / 3;
             var firstCorner:int = data.triangles.length;
             var points:Vector.<Number> = _deformation == null ? _mesh.vertices : _deformation.points;
+            _transform = _deformation == null ? _transform : _deformation.transform;
             var vertexCount:int = points.length / 3;
             var triangleCount:int = _mesh.triangles.length / 3;
             _element.limits.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, _element);

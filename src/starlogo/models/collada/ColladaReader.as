@@ -17,7 +17,8 @@ package starlogo.models.collada
      *
      * <p>An XmlReader makes ColladaElements of the text. A ColladaScene finds the geometries and where nodes place them. Each geometry is
      * a ColladaMesh, whose points come from a ColladaSource and whose triangles from ColladaPrimitives. Each place of a geometry is a
-     * ColladaInstance, which adds the mesh to the model. A ColladaDeformation moves points by morphs and by ColladaSkins, before.</p>
+     * ColladaInstance, which adds the mesh to the model. A ColladaDeformation moves points by morphs and by ColladaSkins with
+     * ColladaSkeletons, before.</p>
      *
      * <p>A ColladaAnimation moves the scene by ColladaChannels, which have the numbers of ColladaSamplers.</p>
      *
@@ -86,9 +87,14 @@ package starlogo.models.collada
         {
             var instances:Vector.<ColladaInstance> = _scene.instances;
             var loosePoints:Vector.<Number> = new Vector.<Number>();
+            // all geometries come first, so skins only have what these leave of the limits
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
-                    _data.readShare = index / instances.length;
+                    _data.readShare = index / instances.length / 2;
+                    return instances[index].mesh;
+                }).beginEach(instances.length, function(index:int):Steps
+                {
+                    _data.readShare = (1 + index / instances.length) / 2;
                     return instances[index].adding(_data, loosePoints);
                 }).call(function():void
                 {

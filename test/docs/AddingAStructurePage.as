@@ -13,6 +13,7 @@ package docs
     import starlogo.collision.TightestFitCollider;
     import starlogo.intersection.intersects;
     import starlogo.queries.AgentQueries;
+    import support.assertThrows;
 
     /** For docs/adding-a-structure.md: the tetrahedron is as the hull of its points. */
     public class AddingAStructurePage extends Page
@@ -44,6 +45,8 @@ package docs
                 inside += hull.contains(point) ? 1 : 0;
             }
             assertTrue(inside + "", inside > 20 && inside < 200);
+            tent.points[4] = NaN;
+            assertThrows(RangeError, "the extent of a tetrahedron", tent.clone);
         }
 
         private function checkAgents(camp:Agent):void

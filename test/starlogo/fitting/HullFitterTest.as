@@ -1,11 +1,14 @@
 package starlogo.fitting
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.Box;
     import starlogo.bounding.Hull;
+    import starlogo.bounding.Sphere;
     import starlogo.engine;
+    import starlogo.intersection.intersects;
     import starlogo.models.Model;
     import support.PointSets;
     import support.SteppedModels;
@@ -82,6 +85,30 @@ package starlogo.fitting
                     {
                         assertEquals(name + ", vertex " + k / 3 + " of " + hull, 0, beyond);
                     }
+                }
+            }
+        }
+
+        // A point that is hardly above two faces is far from their common edge if that is sharp.
+        [Test]
+        public function touchesEveryVertexOfThinFrusta():void
+        {
+            var random:SeededRandom = new SeededRandom(7117);
+            for (var i:int = 0; i < 150; i++)
+            {
+                var thickness:Number = Math.pow(10, random.between(-7, -3));
+                var points:Vector.<Number> = new Vector.<Number>();
+                for (var count:int = random.integer(12, 120); count > 0; count--)
+                {
+                    var angle:Number = random.between(0, 2 * Math.PI);
+                    points.push(Math.cos(angle), Math.sin(angle), count % 3 == 0 ? thickness : 0);
+                }
+                points = PointSets.turned(points, random);
+                var hull:Hull = Hull(new FitSession(points).structureOf(new HullFitter()));
+                for (var k:int = 0; k < points.length; k += 3)
+                {
+                    var vertex:Sphere = new Sphere(new Vector3D(points[k], points[k + 1], points[k + 2]), 0);
+                    assertTrue("set " + i + " of thickness " + thickness + ", vertex " + k / 3, intersects(hull, vertex));
                 }
             }
         }

@@ -54,7 +54,7 @@ package starlogo.libraries
         private static const FINGERPRINT:String = "3f5ad76864e47941";
 
         // The same of their hulls.
-        private static const HULLS:String = "8dfbfa59687c7ccb";
+        private static const HULLS:String = "0efeb66201e6dfdf";
 
         private var _greatLand:GreatLand = new GreatLand();
 

@@ -3,22 +3,26 @@ package starlogo.fitting.hull
     import starlogo.bounding.Hull;
     import starlogo.engine;
     import starlogo.fitting.FitSession;
-    import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
 
     /**
-     * The steps that make a hull of few corners, and enlarge it until it encloses every vertex of a session in double precision.
+     * The steps that make a hull of few corners, and scale it until it encloses every vertex of a session in double precision.
      *
-     * <p>A vertex may be outside of the corners' hull by 2e-7 of its size. Then the hull is scaled about its centre. What is left is rounding, which
-     * the hull's margin covers. The margin also covers vertices beside the plane of a flat hull.</p>
+     * <p>A vertex may be outside of the corners' hull by 2e-7 of its size. The hull is scaled about its centre until all half-spaces hold all
+     * vertices. Rounding errors count, because a vertex that is hardly above two faces is far from their edge if that is sharp. Scaling does not help
+     * a flat hull against vertices beside its plane. So its margin covers these. It also covers vertices that are still outside after many
+     * scalings.</p>
      *
      * @private
      */
     public final class HullEnclosure extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 1000;
+
+        // The hull is scaled by this fraction more than it needs. Rounding may leave a vertex outside, so the fraction is doubled each time.
+        private static const LEAST_EXCESS:Number = 1e-15;
         private static const MOST_SCALINGS:int = 20;
 
         /** The hull, when no step is left. */
@@ -37,26 +41,26 @@ package starlogo.fitting.hull
             add(simplification).call(function():void
                 {
                     hull = new Hull(simplification.listCorners());
-                    addRound(0);
+                    // Most hulls need to be scaled. So the first rounds measure the few vertices of the convex hull, and only the last ones measure all.
+                    addRound(_session.hull.points, 0);
                 });
         }
 
-        private function addRound(scalings:int):void
+        private function addRound(vertices:Vector.<Number>, scalings:int):void
         {
             var heights:Vector.<Number> = new Vector.<Number>(hull.halfSpaces.length / 4);
-            slices(_session.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+            slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    measure(first, end, heights);
+                    measure(vertices, first, end, heights);
                 }).call(function():void
                 {
-                    endRound(heights, scalings);
+                    endRound(vertices, heights, scalings);
                 });
         }
 
         // Raises the height of each half-space of the hull, along its normal, until the half-space contains the vertices from first to end.
-        private function measure(first:int, end:int, heights:Vector.<Number>):void
+        private function measure(vertices:Vector.<Number>, first:int, end:int, heights:Vector.<Number>):void
         {
-            var vertices:Vector.<Number> = _session.vertices;
             var halfSpaces:Vector.<Number> = hull.halfSpaces;
             var centerX:Number = hull.center.x;
             var centerY:Number = hull.center.y;
@@ -77,29 +81,30 @@ package starlogo.fitting.hull
             }
         }
 
-        private function endRound(heights:Vector.<Number>, scalings:int):void
+        private function endRound(vertices:Vector.<Number>, heights:Vector.<Number>, scalings:int):void
         {
             var halfSpaces:Vector.<Number> = hull.halfSpaces;
-            var rounding:Number = Tolerances.UNIT_ROUNDING * _session.hull.extent;
             var factor:Number = 1;
-            var margin:Number = 0;
             for (var i:int = 0; i < heights.length; i++)
             {
                 var offset:Number = halfSpaces[4 * i + 3];
-                margin = Math.max(margin, heights[i] - offset);
-                if (offset > 0 && heights[i] - offset > rounding)
+                if (offset > 0 && scalings < MOST_SCALINGS)
                 {
                     factor = Math.max(factor, heights[i] / offset);
                 }
+                else
+                {
+                    hull.widen(Math.max(0, heights[i] - offset - hull.radius));
+                }
             }
-            if (factor > 1 && scalings < MOST_SCALINGS)
+            if (factor > 1)
             {
-                hull.scaleCorners(factor);
-                addRound(scalings + 1);
+                hull.scaleCorners(factor * (1 + LEAST_EXCESS * (1 << scalings)));
+                addRound(vertices, scalings + 1);
             }
-            else
+            else if (vertices != _session.vertices)
             {
-                hull.widen(margin);
+                addRound(_session.vertices, scalings);
             }
         }
     }

@@ -60,16 +60,16 @@ package starlogo.solid
          * @private Begins the work that makes the nodes. <code>finishBuilding()</code> does what is left of it. Its steps throw an
          *     ArgumentError if a coordinate is larger than 1e60.
          *
-         * @param minVerticesToSplit a node with at most this many vertices is a leaf
+         * @param mostVerticesOfLeaf a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean, down to the leaves
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          */
-        engine function beginBuilding(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean):void
+        engine function beginBuilding(mostVerticesOfLeaf:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean):void
         {
             var work:StepSequence = new StepSequence().begin(function():Steps
                 {
-                    return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, minVerticesToSplit, maxDepth, splitByMean);
+                    return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, mostVerticesOfLeaf, maxDepth, splitByMean);
                 });
             building = preparesExact && hasTriangles ? work.begin(newInteriorWork) : work;
         }

@@ -65,7 +65,7 @@ package benchmark
             {
                 var a:Placement = place(spread);
                 var b:Placement = place(spread);
-                if (!_trees.setTo(tree, a, DEPTH, tree, b, DEPTH, false).areOverlapping())
+                if (!_trees.setTo(tree, a, DEPTH, tree, b, DEPTH, false).areTouching())
                 {
                     firsts.push(a);
                     seconds.push(b);
@@ -85,7 +85,7 @@ package benchmark
                 });
             add("  whether they touch, by triangles", function(i:int):void
                 {
-                    _trees.setTo(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true).areOverlapping();
+                    _trees.setTo(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true).areTouching();
                 });
         }
 

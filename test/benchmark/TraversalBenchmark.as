@@ -87,7 +87,7 @@ package benchmark
             var second:Vector.<Placement> = places(spread, size, isUpright);
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _twoTrees.setTo(a, first[i], DEPTH, b, second[i], DEPTH, exact).areOverlapping();
+                    var answer:Boolean = _twoTrees.setTo(a, first[i], DEPTH, b, second[i], DEPTH, exact).areTouching();
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -121,7 +121,7 @@ package benchmark
             var structures:Vector.<BoundingStructure> = randomStructures();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _treeAndStructure.setTo(a, first[i], DEPTH, structures[i], second[i], exact).areOverlapping();
+                    var answer:Boolean = _treeAndStructure.setTo(a, first[i], DEPTH, structures[i], second[i], exact).areTouching();
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);

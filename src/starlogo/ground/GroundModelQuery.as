@@ -53,14 +53,14 @@ package starlogo.ground
         }
 
         /** @inheritDoc */
-        override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
+        override public function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
             _pairs.pieces.moveTo(motion, time);
-            return overlaps();
+            return areTouching();
         }
 
-        // Whether the two overlap where the model is. overlapsAt() is short so that V8 inlines it and allocates no object for the time.
-        private function overlaps():Boolean
+        // Whether the two touch where the model is. areTouchingAt() is short so that V8 inlines it and allocates no object for the time.
+        private function areTouching():Boolean
         {
             var kernel:TriangleKernel = _pairs.kernel;
             _pairs.begin(RelativeMotion.NONE, 0);

@@ -4,8 +4,7 @@ package starlogo.hierarchy
 
     /**
      * Gives all nodes of a tree boxes around the places where the vertices are now, in steps. The division of the items stays. The boxes are those
-     * that a BoxTreeBuilder gives to this division, to the last bit. Until the last step, there are extents in their place. Cost: linear in the
-     * number of items.
+     * that a BoxTreeBuilder gives to this division, to the last bit. Cost: linear in the number of items.
      *
      * @private
      */
@@ -15,20 +14,23 @@ package starlogo.hierarchy
 
         private var _tree:BoxTree;
 
+        // The extents of the parts of all nodes: minX, maxX, minY, maxY, minZ, maxZ of each.
+        private var _extents:Vector.<Number>;
+
         /** @param tree its nodes are made. The steps throw an ArgumentError if a coordinate is larger than 1e60 */
         public function BoxRefit(tree:BoxTree)
         {
             _tree = tree;
             var count:int = tree.left.length;
+            _extents = new Vector.<Number>(6 * count, true);
             slices(count, NODES_PER_STEP, measure).call(measureRadius).slices(count, NODES_PER_STEP, enclose);
         }
 
-        // Writes the extents of the parts of some nodes in place of their boxes: minX, maxX, minY, maxY, minZ, maxZ of each. The nodes are counted from
-        // the last one, because children come after their parents.
+        // Measures the parts of some nodes. The nodes are counted from the last one, because children come after their parents.
         private function measure(from:int, to:int):void
         {
             var tree:BoxTree = _tree;
-            var extents:Vector.<Number> = tree.boxes;
+            var extents:Vector.<Number> = _extents;
             var count:int = tree.left.length;
             for (var node:int = count - 1 - from; node >= count - to; node--)
             {
@@ -53,14 +55,14 @@ package starlogo.hierarchy
 
         private function measureRadius():void
         {
-            _tree.measureRadiusAboutOrigin(_tree.boxes);
+            _tree.measureRadiusAboutOrigin(_extents);
         }
 
         private function enclose(from:int, to:int):void
         {
             for (var node:int = from; node < to; node++)
             {
-                _tree.enclose(node, _tree.boxes, 6 * node);
+                _tree.enclose(node, _extents, 6 * node);
             }
         }
     }

@@ -106,12 +106,11 @@ package starlogo.hierarchy
             return SLOWEST;
         }
 
-        /** Visits the nodes that a ray may meet. The visitor's limit begins with the ray's end. */
+        /** Visits the nodes that a ray may meet. The visitor's limit must be set: the ray's end. */
         public function findAlong(ray:Ray, tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
             setPlace(ray.x, ray.y, ray.z, 0);
             setVector(ray.directionX, ray.directionY, ray.directionZ, ray.from);
-            visitor.limit = ray.to;
             find(tree, depth, visitor);
         }
 

@@ -108,6 +108,12 @@ package starlogo.hierarchy
             return hasTriangles ? triangles.length / 3 : vertices.length / 3;
         }
 
+        /** Whether a node is a leaf, or below one. */
+        public function isLeafOrBelow(node:int):Boolean
+        {
+            return endsUpToDepth[node] >= LARGEST_DEPTH;
+        }
+
         /** The axis along which a node is split: 0, 1 or 2. */
         public function axisOf(node:int):int
         {
@@ -233,7 +239,7 @@ package starlogo.hierarchy
          * Sets a node's box, and the radius with that of the root. The box is larger than the node's part by a margin. So everything that touches the
          * surface touches the boxes, and boxes are inside of their parents' boxes in spite of rounding.
          *
-         * @param extents contains the extents of the part: minX, maxX, minY, maxY, minZ, maxZ. It may be the list of boxes
+         * @param extents contains the extents of the part: minX, maxX, minY, maxY, minZ, maxZ
          * @param at index at which they begin
          */
         internal function enclose(node:int, extents:Vector.<Number>, at:int = 0):void
@@ -280,15 +286,15 @@ package starlogo.hierarchy
          *
          * @param axis the axis along which it is split
          * @param middle the slot of the right child's first item
-         * @param isBelow whether the node is a leaf, or below one
+         * @param isLeafOrBelow whether the node is a leaf, or below one
          * @return the left child
          */
-        public function divide(node:int, axis:int, middle:int, isBelow:Boolean):int
+        public function divide(node:int, axis:int, middle:int, isLeafOrBelow:Boolean):int
         {
             var level:int = levelOf(node);
             var child:int = _count;
             left[node] = child;
-            endsUpToDepth[node] = isBelow ? LARGEST_DEPTH : level;
+            endsUpToDepth[node] = isLeafOrBelow ? LARGEST_DEPTH : level;
             splits[node] = level << 2 | axis;
             addNode(first[node], middle, level + 1);
             addNode(middle, end[node], level + 1);

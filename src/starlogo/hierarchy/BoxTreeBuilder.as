@@ -25,10 +25,10 @@ package starlogo.hierarchy
      */
     public final class BoxTreeBuilder extends StepSequence
     {
-        /** The vertices of a leaf, and the levels of a tree, if a game does not say (thesis §4.4). */
-        public static const MIN_VERTICES_TO_SPLIT:int = 5;
+        /** The most vertices of a leaf, and the levels of a tree, if a game does not say (thesis §4.4). */
+        public static const MOST_VERTICES_OF_LEAF:int = 5;
 
-        /** @copy #MIN_VERTICES_TO_SPLIT */
+        /** @copy #MOST_VERTICES_OF_LEAF */
         public static const MAX_DEPTH:int = 10;
 
         // The most triangles of a node without children.
@@ -39,28 +39,28 @@ package starlogo.hierarchy
         private static const ITEMS_PER_NODE:int = 10;
 
         private var _tree:BoxTree;
-        private var _minVerticesToSplit:int;
+        private var _mostVerticesOfLeaf:int;
         private var _maxDepth:int;
         private var _splitByMean:Boolean;
         private var _items:TreeItems;
 
         // The nodes still to visit, the next one last, and for each, whether it is a leaf or below one.
         private var _waiting:Vector.<int> = new Vector.<int>();
-        private var _areBelow:Vector.<Boolean> = new Vector.<Boolean>();
+        private var _areLeavesOrBelow:Vector.<Boolean> = new Vector.<Boolean>();
 
         // Whether the next node is being divided.
         private var _isDividing:Boolean = false;
 
         /**
          * @param tree without nodes; receives them, and the order of its items
-         * @param minVerticesToSplit a node with at most this many vertices is a leaf
+         * @param mostVerticesOfLeaf a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean, down to the leaves
          */
-        public function BoxTreeBuilder(tree:BoxTree, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean)
+        public function BoxTreeBuilder(tree:BoxTree, mostVerticesOfLeaf:int, maxDepth:int, splitByMean:Boolean)
         {
             _tree = tree;
-            _minVerticesToSplit = minVerticesToSplit;
+            _mostVerticesOfLeaf = mostVerticesOfLeaf;
             _maxDepth = maxDepth;
             _splitByMean = splitByMean;
             call(takeItems);
@@ -73,12 +73,12 @@ package starlogo.hierarchy
         }
 
         /**
-         * Whether a node below the leaves is divided in the middle of its items, wherever they are. So these levels are few, even if a
+         * Whether a node on a level below the leaves is divided in the middle of its items, wherever they are. So these levels are few, even if a
          * division by place takes one item at a time.
          */
-        public static function isHalved(tree:BoxTree, node:int):Boolean
+        public static function isHalvedOnLevel(level:int):Boolean
         {
-            return tree.levelOf(node) >= Tolerances.NESTED_LEVELS;
+            return level >= Tolerances.NESTED_LEVELS;
         }
 
         private function takeItems():void
@@ -93,7 +93,7 @@ package starlogo.hierarchy
             _tree.beginNodes();
             _tree.enclose(0, _items.bounds);
             _waiting.push(0);
-            _areBelow.push(false);
+            _areLeavesOrBelow.push(false);
         }
 
         private function divide():Boolean
@@ -116,12 +116,12 @@ package starlogo.hierarchy
         private function goOn(node:int):void
         {
             var child:int = _tree.left[node];
-            var isBelow:Boolean = _areBelow.pop();
+            var isLeafOrBelow:Boolean = _areLeavesOrBelow.pop();
             _waiting.pop();
             if (child > 0)
             {
                 _waiting.push(child + 1, child);
-                _areBelow.push(isBelow, isBelow);
+                _areLeavesOrBelow.push(isLeafOrBelow, isLeafOrBelow);
             }
         }
 
@@ -129,14 +129,14 @@ package starlogo.hierarchy
         private function beginNode(node:int):Boolean
         {
             var top:int = _waiting.length - 1;
-            _areBelow[top] ||= !isSplit(node);
-            if (_areBelow[top] && !isLarge(_tree, node))
+            _areLeavesOrBelow[top] ||= !isSplit(node);
+            if (_areLeavesOrBelow[top] && !isLarge(_tree, node))
             {
                 return false;
             }
             var axis:int = longestAxisOf(node);
             var split:Number = 2 * _tree.boxes[6 * node + axis];
-            if (_splitByMean && !_areBelow[top])
+            if (_splitByMean && !_areLeavesOrBelow[top])
             {
                 split = _items.meanOf(_tree.first[node], _tree.end[node], axis);
             }
@@ -148,7 +148,7 @@ package starlogo.hierarchy
         private function isSplit(node:int):Boolean
         {
             return _tree.levelOf(node) < _maxDepth && _tree.end[node] - _tree.first[node] > 1
-                && _tree.countVertices(node, _minVerticesToSplit) > _minVerticesToSplit;
+                && _tree.countVertices(node, _mostVerticesOfLeaf) > _mostVerticesOfLeaf;
         }
 
         // The axis along which the box of a node is longest: 0, 1 or 2.
@@ -168,7 +168,7 @@ package starlogo.hierarchy
         private function advance(node:int):Boolean
         {
             var top:int = _waiting.length - 1;
-            if (_areBelow[top] && isHalved(_tree, node))
+            if (_areLeavesOrBelow[top] && isHalvedOnLevel(_tree.levelOf(node)))
             {
                 halve(node);
                 return false;
@@ -188,7 +188,7 @@ package starlogo.hierarchy
                 return true;
             }
             // All centres are in one place.
-            _areBelow[top] = true;
+            _areLeavesOrBelow[top] = true;
             if (isLarge(_tree, node))
             {
                 halve(node);
@@ -206,7 +206,7 @@ package starlogo.hierarchy
         // Makes the children of a node, whose items are divided.
         private function makeChildren(node:int):void
         {
-            var child:int = _tree.divide(node, _items.axis, _items.middle, _areBelow[_waiting.length - 1]);
+            var child:int = _tree.divide(node, _items.axis, _items.middle, _areLeavesOrBelow[_waiting.length - 1]);
             _tree.enclose(child, _items.leftExtents);
             _tree.enclose(child + 1, _items.rightExtents);
         }

@@ -59,7 +59,7 @@ package starlogo.hierarchy
         /** Whether the node has no children that clients see. */
         public function get isLeaf():Boolean
         {
-            return _tree.endsUpToDepth[_node] >= BoxTree.LARGEST_DEPTH;
+            return _tree.isLeafOrBelow(_node);
         }
 
         /**

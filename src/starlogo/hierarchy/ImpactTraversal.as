@@ -30,7 +30,7 @@ package starlogo.hierarchy
          * @param visitor decides about nodes that decide; null if their boxes do
          * @return the nodes or items that touch first, and the time; the next search overwrites it
          */
-        public function findTouch(trees:PosedTrees, motion:RelativeMotion, visitor:NodePairVisitor):BestPair
+        public function findImpact(trees:PosedTrees, motion:RelativeMotion, visitor:NodePairVisitor):BestPair
         {
             var relative:Placement = trees.pose.placement;
             _pair.axes.readAxes(relative, 1);
@@ -60,7 +60,7 @@ package starlogo.hierarchy
         {
             if (visitor != null)
             {
-                visitor.findTouch(a, b, out);
+                visitor.findImpact(a, b, out);
                 return;
             }
             readPair(trees, a, b, out);

@@ -26,13 +26,14 @@ package starlogo.hierarchy
         {
             _ray.copyFrom(ray);
             _all = out;
+            limit = ray.to;
             _search.findAlong(ray, tree, depth, this);
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            if (SpanFinder.findInBox(_ray, tree.boxOf(node), NodeRayVisitor.TOUCHING, _span))
+            if (SpanFinder.findInBox(_ray, tree.boxOf(node), NodeRayVisitor.NOT_WIDENED, _span))
             {
                 _all.addSpan(_ray, _span, Tolerances.ROUNDING * tree.radiusAboutOrigin);
             }

@@ -15,7 +15,7 @@ package starlogo.hierarchy
     public final class NodeRayVisitor extends NodeVisitor
     {
         /** The factor on a node's half-extents. Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it. */
-        internal static const TOUCHING:Number = 1;
+        internal static const NOT_WIDENED:Number = 1;
 
         private var _ray:Ray = new Ray();
         private var _span:RaySpan = new RaySpan();
@@ -38,6 +38,7 @@ package starlogo.hierarchy
         {
             _ray.copyFrom(ray);
             _first = -1;
+            limit = ray.to;
             _search.findAlong(ray, tree, depth, this);
             return _first >= 0 && enters(tree, _first, out);
         }
@@ -59,7 +60,7 @@ package starlogo.hierarchy
 
         private function enters(tree:BoxTree, node:int, out:RayEntry):Boolean
         {
-            return SpanFinder.findInBox(_ray, tree.boxOf(node), TOUCHING, _span) && out.enter(_ray, _span);
+            return SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span) && out.enter(_ray, _span);
         }
     }
 }

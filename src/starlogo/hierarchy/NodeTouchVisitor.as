@@ -40,7 +40,7 @@ package starlogo.hierarchy
          * @param motion of the structure, from the pose on; receives the time. If it is still, the structure touches at time 0 or never
          * @return the node, or -1
          */
-        public function findTouch(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
+        public function findImpact(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             _structure = pose.placeWidened(structure);
             _sweep.copyVector(motion);

@@ -30,7 +30,8 @@ package starlogo.hierarchy
         /** Result of <code>find()</code>: two nodes that decide touch. */
         public static const OVERLAPPING:int = 2;
 
-        // How two boxes overlap, if they are not apart. In a deep overlap, the middle of b is so near to a that all of b's own axes overlap.
+        // How two boxes overlap. In a deep overlap, the middle of b is so near to a that all of b's own axes overlap.
+        private static const SEPARATE:int = 0;
         private static const SHALLOW:int = 1;
         private static const DEEP:int = 2;
 
@@ -122,7 +123,7 @@ package starlogo.hierarchy
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && visitor == null;
-                if (overlap == APART || overlap == SHALLOW && doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
+                if (overlap == SEPARATE || overlap == SHALLOW && doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
                 {
                     continue;
                 }
@@ -172,7 +173,7 @@ package starlogo.hierarchy
             return top + 2;
         }
 
-        // How two boxes overlap that no axis of the first one separates: APART, SHALLOW or DEEP. The distance of b's middle from a is compared with
+        // How two boxes overlap that no axis of the first one separates: SEPARATE, SHALLOW or DEEP. The distance of b's middle from a is compared with
         // the spheres around b and inside of it; then the axes of b decide.
         private static function overlapBesideFirst(pair:BoxPair):int
         {
@@ -188,7 +189,7 @@ package starlogo.hierarchy
             include "../intersection/squaredToBox.inc";
             if (squaredDistance > bX * bX + bY * bY + bZ * bZ)
             {
-                return APART;
+                return SEPARATE;
             }
             var least:Number = bX < bY ? bX : bY;
             least = bZ < least ? bZ : least;
@@ -196,7 +197,7 @@ package starlogo.hierarchy
             {
                 return DEEP;
             }
-            return BoxSeparation.overlapAlongFacesOfB(pair) ? SHALLOW : APART;
+            return BoxSeparation.overlapAlongFacesOfB(pair) ? SHALLOW : SEPARATE;
         }
 
         // Returns the child of a node of the first tree that is nearer to the second one's node.

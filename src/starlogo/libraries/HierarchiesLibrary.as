@@ -36,7 +36,7 @@ package starlogo.libraries
 
         private var _models:ModelTable;
 
-        private var _minVerticesToSplit:int = BoxTreeBuilder.MIN_VERTICES_TO_SPLIT;
+        private var _minVerticesToSplit:int = BoxTreeBuilder.MOST_VERTICES_OF_LEAF;
         private var _maxDepth:int = BoxTreeBuilder.MAX_DEPTH;
 
         /**

@@ -41,7 +41,7 @@ package starlogo.queries
         public function addModel(model:Model, preparesExact:Boolean):void
         {
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-            tree.beginBuilding(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, preparesExact);
+            tree.beginBuilding(BoxTreeBuilder.MOST_VERTICES_OF_LEAF, BoxTreeBuilder.MAX_DEPTH, false, preparesExact);
             tree.finishBuilding();
             _models.entryToWrite(model.name).replace(model, null, tree);
         }

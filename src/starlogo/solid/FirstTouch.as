@@ -25,12 +25,13 @@ package starlogo.solid
 
         // When the chosen one is touched, and how squarely it is met.
         private var _chosenTime:Number = RelativeMotion.NEVER;
-        private var _squareness:Number = 0;
+        private var _squareness:Number = -Infinity;
 
         /** Begins. Touches up to a time count. */
         public function begin(latest:Number):void
         {
             time = _chosenTime = RelativeMotion.NEVER;
+            _squareness = -Infinity;
             this.latest = latest;
         }
 

@@ -16,7 +16,7 @@ package starlogo.solid
     public class ImpactQuery
     {
         /**
-         * Finds the first moment at which the two overlap while the model moves, and the contact then. Rounding can miss a touch at the latest time.
+         * Finds the first moment at which the two touch while the model moves, and the contact then. Rounding can miss a touch at the latest time.
          * So if nothing is found before, the standing test is made at that time too.
          *
          * @param motion of the model; receives the time
@@ -25,14 +25,14 @@ package starlogo.solid
         public final function findFirst(motion:RelativeMotion, out:ContactPoint):void
         {
             var time:Number = 0;
-            if (!overlapsAt(motion, 0))
+            if (!areTouchingAt(motion, 0))
             {
                 findImpact(motion, out);
                 if (motion.time != RelativeMotion.NEVER)
                 {
                     return;
                 }
-                time = overlapsAt(motion, motion.latest) ? motion.latest : RelativeMotion.NEVER;
+                time = areTouchingAt(motion, motion.latest) ? motion.latest : RelativeMotion.NEVER;
             }
             motion.time = time;
             if (out != null && time != RelativeMotion.NEVER)
@@ -41,10 +41,10 @@ package starlogo.solid
             }
         }
 
-        /** Whether the two overlap or touch where the motion has brought the model at a time. */
-        public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
+        /** Whether the two touch where the motion has brought the model at a time. */
+        public function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
-            throw new IllegalOperationError(this + " does not implement overlapsAt");
+            throw new IllegalOperationError(this + " does not implement areTouchingAt");
         }
 
         /**

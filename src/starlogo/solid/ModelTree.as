@@ -60,18 +60,18 @@ package starlogo.solid
          * @private Begins the work that makes the nodes. <code>finishBuilding()</code> does what is left of it. Its steps throw an
          *     ArgumentError if a coordinate is larger than 1e60.
          *
-         * @param minVerticesToSplit a node with at most this many vertices is a leaf
+         * @param mostVerticesOfLeaf a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean, down to the leaves
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          */
-        engine function beginBuilding(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean):void
+        engine function beginBuilding(mostVerticesOfLeaf:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean):void
         {
             var work:StepSequence = new StepSequence().begin(function():Steps
                 {
-                    return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, minVerticesToSplit, maxDepth, splitByMean);
+                    return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, mostVerticesOfLeaf, maxDepth, splitByMean);
                 });
-            building = preparesExact && hasTriangles ? work.begin(newInterior) : work;
+            building = preparesExact && hasTriangles ? work.begin(newInteriorWork) : work;
         }
 
         /** @private Puts work before the work that was begun. It makes the nodes from what is stored, if it can; otherwise they are built. */
@@ -91,7 +91,7 @@ package starlogo.solid
         }
 
         // The work that prepares what is inside of the triangles.
-        private function newInterior():Steps
+        private function newInteriorWork():Steps
         {
             var builder:InteriorBuilder = new InteriorBuilder(mesh, surface);
             return new StepSequence().add(builder).call(function():void
@@ -112,7 +112,7 @@ package starlogo.solid
         {
             if (_interior == null && hasTriangles)
             {
-                finish(newInterior());
+                finish(newInteriorWork());
             }
         }
 
@@ -129,8 +129,8 @@ package starlogo.solid
             return _mesh;
         }
 
-        /** What is inside of the triangles, for models that have some. If it is not prepared, prepares it. */
-        internal function get interior():Interior
+        /** What is inside of the triangles, for models that have some. If it is not prepared yet, prepares it, which is slow. */
+        internal function prepareInterior():Interior
         {
             prepareExact();
             return _interior;
@@ -149,7 +149,7 @@ package starlogo.solid
             {
                 isOutside = OPEN_SIDES.hasOpenSide(middle, boxTree);
             }
-            return !isOutside && interior.isInside(middle);
+            return !isOutside && prepareInterior().isInside(middle);
         }
 
         /**

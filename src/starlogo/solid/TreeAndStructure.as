@@ -2,7 +2,6 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
@@ -83,21 +82,15 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function overlapInPose():Boolean
+        override internal function areTouchingInPose():Boolean
         {
-            return findFirst(_still) >= 0 || findInside(null);
+            return findFirstTouched(_still) >= 0 || findInside(null);
         }
 
         /** @inheritDoc */
-        override internal function isOneInside():Boolean
+        override internal function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            return findInside(null);
-        }
-
-        /** @inheritDoc */
-        override internal function findTouch(motion:RelativeMotion, out:ContactPoint):void
-        {
-            var found:int = findFirst(motion);
+            var found:int = findFirstTouched(motion);
             if (out == null || found < 0)
             {
                 return;
@@ -120,9 +113,9 @@ package starlogo.solid
         }
 
         // Finds which triangle, by its slot, or else which node is touched first. Returns -1 if none is.
-        private function findFirst(motion:RelativeMotion):int
+        private function findFirstTouched(motion:RelativeMotion):int
         {
-            return _isExact ? _triangles.findTouch(_tree, _structure, pose, motion) : _nodes.findTouch(_tree.boxTree, _depth, _structure, pose, motion);
+            return _isExact ? _triangles.findImpact(_tree, _structure, pose, motion) : _nodes.findImpact(_tree.boxTree, _depth, _structure, pose, motion);
         }
 
         private function findContactOfNode(node:int, motion:RelativeMotion, out:ContactPoint):void
@@ -148,12 +141,10 @@ package starlogo.solid
         override internal function findInside(out:ClosestPoints):Boolean
         {
             var structure:BoundingStructure = pose.place(_structure);
-            // The origin of its points is inside of it, and so is a ball around it.
+            // The origin of its points is inside of it, and so is a ball around it if it is round.
             structure.shapeInto(_shape);
             _point.setTo(_shape.x, _shape.y, _shape.z);
-            var box:Box = structure as Box;
-            var radius:Number = box == null ? _shape.radius : Math.min(box.halfX, Math.min(box.halfY, box.halfZ));
-            if (!_tree.isInside(_point, radius))
+            if (!_tree.isInside(_point, _shape.radius))
             {
                 return false;
             }

@@ -23,10 +23,10 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
+        override public function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
             _pair.relateAt(motion, time);
-            return _pair.overlapInPose();
+            return _pair.areTouchingInPose();
         }
 
         /** @inheritDoc */
@@ -34,7 +34,7 @@ package starlogo.solid
         {
             _pair.relateAt(motion, 0);
             RelativePose.relateMotion(_pair.placementA, motion, _motion);
-            _pair.findTouch(_motion, out);
+            _pair.findImpact(_motion, out);
             motion.time = _motion.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
@@ -42,11 +42,15 @@ package starlogo.solid
             }
         }
 
-        /** Does what <code>findImpact()</code> does, and says whether one of the two is inside of the other where the motion begins. */
-        public function findEntry(motion:RelativeMotion, out:ContactPoint):Boolean
+        /**
+         * Does what <code>findImpact()</code> does, and finds whether one of the two begins inside of the other.
+         *
+         * @return whether one is inside of the other and their surfaces do not touch where the motion begins
+         */
+        public function findImpactAndInside(motion:RelativeMotion, out:ContactPoint):Boolean
         {
             findImpact(motion, out);
-            return motion.time > 0 && _pair.isOneInside();
+            return motion.time > 0 && _pair.findInside(null);
         }
 
         /**
@@ -61,7 +65,7 @@ package starlogo.solid
             RelativePose.relateMotion(_pair.placementA, motion, _motion);
             // Only what touches at once counts. The motion turns the contact to a plane that it comes against.
             _motion.latest = 0;
-            _pair.findTouch(_motion, out);
+            _pair.findImpact(_motion, out);
             if (_motion.time == RelativeMotion.NEVER)
             {
                 _motion.time = 0;

@@ -33,29 +33,29 @@ package starlogo.solid
         /** The second model's pose in the space of the first one. */
         public var pose:RelativePose = new RelativePose();
 
-        /** Whether the two overlap where they stand. */
-        public final function areOverlapping():Boolean
+        /** Whether the two touch where they stand: their surfaces do, or one of them is inside of the other. */
+        public final function areTouching():Boolean
         {
             relate();
-            return overlapInPose();
+            return areTouchingInPose();
         }
 
         /**
          * Finds the distance and the closest points of the two where they stand.
          *
-         * @param areTouching whether the two overlap. If so, a point of both is found
+         * @param doTouch whether the two touch. If so, a point of both is found
          * @param out receives the distance and the points, in the world
          */
-        public final function findClosest(areTouching:Boolean, out:ClosestPoints):void
+        public final function findClosest(doTouch:Boolean, out:ClosestPoints):void
         {
             relate();
             findClosestOfSurfaces(out);
             out.distance *= placementA.size;
             // a point of both is known already if the measured distance is 0
-            var isPointNeeded:Boolean = areTouching && out.distance > 0;
+            var isPointNeeded:Boolean = doTouch && out.distance > 0;
             if (!isPointNeeded || !findInside(out))
             {
-                out.correct(areTouching);
+                out.correct(doTouch);
                 out.placePoints(placementA);
             }
         }
@@ -72,16 +72,10 @@ package starlogo.solid
             pose.relateAt(placementA, motion, time, placementB);
         }
 
-        /** Whether the two overlap in their pose. */
-        internal function overlapInPose():Boolean
+        /** Whether the two touch in their pose. */
+        internal function areTouchingInPose():Boolean
         {
-            throw new IllegalOperationError(this + " does not implement overlapInPose");
-        }
-
-        /** Whether one of the two, whose surfaces do not touch in their pose, is inside of the other. For two trees, only the traversal knows it. */
-        internal function isOneInside():Boolean
-        {
-            return overlapInPose();
+            throw new IllegalOperationError(this + " does not implement areTouchingInPose");
         }
 
         /**
@@ -91,14 +85,14 @@ package starlogo.solid
          * @param out receives the contact then, in the first model's space, with a normal from the first model to the second, and the number of the
          *     first model's triangle if the second one is a structure; null if only the time is needed
          */
-        internal function findTouch(motion:RelativeMotion, out:ContactPoint):void
+        internal function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findTouch");
+            throw new IllegalOperationError(this + " does not implement findImpact");
         }
 
         /**
          * Finds the contact of the first model's root with the second one's root, or with the structure. The parameters are those of
-         * <code>findTouch()</code>.
+         * <code>findImpact()</code>.
          */
         internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
         {

@@ -32,6 +32,7 @@ package starlogo.solid
             _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _all = out;
+            limit = ray.to;
             _search.findAlong(ray, model.boxTree, BoxTree.EXACT, this);
         }
 

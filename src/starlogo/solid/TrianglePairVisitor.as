@@ -91,9 +91,13 @@ package starlogo.solid
                 setSecond(i);
                 for (var slot:int = _firstMesh.tree.first[a]; slot < end; slot++)
                 {
-                    if (touches(slot))
+                    if (areExtentsNear(slot))
                     {
-                        return true;
+                        setFirst(slot);
+                        if (areTrianglesTouching())
+                        {
+                            return true;
+                        }
                     }
                 }
             }
@@ -101,7 +105,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function findTouch(a:int, b:int, best:BestPair):void
+        override public function findImpact(a:int, b:int, best:BestPair):void
         {
             var motion:RelativeMotion = _motion;
             var first:int = _firstMesh.tree.first[a];
@@ -113,7 +117,12 @@ package starlogo.solid
                 _planeOfSecond.setTriangle(_moved, 9 * i);
                 for (var slot:int = end - 1; slot >= first && _touch.time > 0; slot--)
                 {
-                    if (findTime(slot))
+                    if (!areExtentsNear(slot))
+                    {
+                        continue;
+                    }
+                    setFirst(slot);
+                    if (findTime(motion))
                     {
                         if (_touch.choose(motion, _kernel.plane, _planeOfSecond))
                         {
@@ -138,7 +147,7 @@ package starlogo.solid
                 setSecond(i);
                 for (var slot:int = _firstMesh.tree.first[a]; slot < end; slot++)
                 {
-                    findCloserPoints(slot, 9 * i, points);
+                    findCloserPoints(slot, i, points);
                 }
             }
             best.least = points.distance;
@@ -189,48 +198,41 @@ package starlogo.solid
             _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
 
-        // Whether a triangle of the first model, by its slot, touches the current one.
-        private function touches(slot:int):Boolean
+        // Sets the current triangle of the first model, which is tested.
+        private function setFirst(slot:int):void
         {
-            if (!areExtentsNear(slot))
-            {
-                return false;
-            }
             _counts.triangleTests++;
-            if (stayApart(slot) || TriangleSeparation.areApart(_cornersOfFirst, 0, _kernel.shape))
-            {
-                return false;
-            }
-            return _kernel.areTouching();
+            _firstMesh.readTriangle(slot, _cornersOfFirst);
+            _kernel.setTriangle(_cornersOfFirst);
         }
 
-        // Finds when the current triangle first touches a triangle of the first model. Sets the motion's time if that is no later than its latest time,
-        // and returns whether it is.
-        private function findTime(slot:int):Boolean
+        // Whether the two current triangles touch.
+        private function areTrianglesTouching():Boolean
         {
-            if (!areExtentsNear(slot))
-            {
-                return false;
-            }
-            _counts.triangleTests++;
-            if (stayApart(slot))
-            {
-                return false;
-            }
-            _kernel.findTime(_motion);
-            return _motion.time <= _motion.latest;
+            return !stayApart() && !TriangleSeparation.areApart(_cornersOfFirst, 0, _kernel.shape) && _kernel.areTouching();
         }
 
-        // Finds the closest points of the current triangle and a triangle of the first model, if they are nearer than those so far. The current one's
-        // corners begin at an index.
-        private function findCloserPoints(slot:int, second:int, points:ClosestPoints):void
+        // Finds when the two current triangles first touch. Sets the motion's time if that is no later than its latest time, and returns whether it is.
+        private function findTime(motion:RelativeMotion):Boolean
+        {
+            if (stayApart())
+            {
+                return false;
+            }
+            _kernel.findTime(motion);
+            return motion.time <= motion.latest;
+        }
+
+        // Finds the closest points of the second node's triangle, by its index there, and a triangle of the first model, if they are nearer than those
+        // so far.
+        private function findCloserPoints(slot:int, index:int, points:ClosestPoints):void
         {
             if (!(squaredDistanceOfExtents(slot) < points.distance * points.distance))
             {
                 return;
             }
             _firstMesh.readTriangle(slot, _cornersOfFirst);
-            if (!isBeyond(second, points))
+            if (!isBeyond(index, points))
             {
                 _counts.triangleTests++;
                 if (_kernel.findCloser(_cornersOfFirst, points))
@@ -251,11 +253,9 @@ package starlogo.solid
                     || ofFirst[int(at + 4)] > ofSecond[5] || ofFirst[int(at + 5)] < ofSecond[4]);
         }
 
-        // Goes on to a triangle of the first model. Whether the second model's triangle stays on one side of its plane.
-        private function stayApart(slot:int):Boolean
+        // Whether the current triangle of the second node stays on one side of the plane of the first model's.
+        private function stayApart():Boolean
         {
-            _firstMesh.readTriangle(slot, _cornersOfFirst);
-            _kernel.setTriangle(_cornersOfFirst);
             return _kernel.stayApart(_motion, _outerTolerance);
         }
 
@@ -283,8 +283,9 @@ package starlogo.solid
         // Whether the triangle of the first model is so far before the second model's triangle, along the vector from the first model's closest point so
         // far to the second's, that the two cannot be nearer. Places along it are scaled by its length, so the distance so far becomes its square. The
         // second one is projected each time, because few pairs come here whose extents are near enough.
-        private function isBeyond(second:int, points:ClosestPoints):Boolean
+        private function isBeyond(index:int, points:ClosestPoints):Boolean
         {
+            var second:int = 9 * index;
             var x:Number = points.b.x - points.a.x;
             var y:Number = points.b.y - points.a.y;
             var z:Number = points.b.z - points.a.z;

@@ -34,6 +34,7 @@ package starlogo.solid
             _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _first.slot = -1;
+            limit = ray.to;
             _search.findAlong(ray, model.boxTree, BoxTree.EXACT, this);
             if (_first.slot < 0)
             {

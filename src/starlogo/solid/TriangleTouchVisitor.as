@@ -69,7 +69,7 @@ package starlogo.solid
          * @param motion of the structure, from the pose on; receives the time. If it is still, the structure touches at time 0 or never
          * @return the triangle's slot, or -1
          */
-        public function findTouch(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
+        public function findImpact(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             limit = motion.latest;
             begin(model, structure, pose, motion);

@@ -95,17 +95,17 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function overlapInPose():Boolean
+        override internal function areTouchingInPose():Boolean
         {
             var result:int = _overlaps.find(_trees, visitorFor(RelativeMotion.NONE));
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
-            return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && findInside(null);
+            return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && _containment.findInside(this, null);
         }
 
         /** @inheritDoc */
-        override internal function findTouch(motion:RelativeMotion, out:ContactPoint):void
+        override internal function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            var best:BestPair = _impacts.findTouch(_trees, motion, visitorFor(motion));
+            var best:BestPair = _impacts.findImpact(_trees, motion, visitorFor(motion));
             motion.time = best.time;
             if (out == null || motion.time == RelativeMotion.NEVER)
             {
@@ -141,10 +141,10 @@ package starlogo.solid
             _distances.findClosest(_trees, visitorFor(RelativeMotion.NONE), out);
         }
 
-        /** The boxes of two roots must overlap: otherwise the insides would be prepared in vain. @inheritDoc */
+        /** Neither is inside if the boxes of the roots do not touch. Then the insides are not prepared. @inheritDoc */
         override internal function findInside(out:ClosestPoints):Boolean
         {
-            return _containment.findInside(this, out);
+            return PairTable.areTouching(_trees.a.boxOf(0), pose.placeWidened(_trees.b.boxOf(0))) && _containment.findInside(this, out);
         }
 
         // What decides about two nodes: their triangles, or null for their boxes. The motion is the second model's.

@@ -47,7 +47,7 @@ package starlogo.ground
                     var high:Number = terrain.heightAt(_placement.x, _placement.y);
                     _placement.z = (high == high ? high : 0) + _random.between(-1.5, 1.5) * size;
                     var found:int = answerTo(terrain, structure);
-                    var expected:Boolean = _query.overlapsAt(RelativeMotion.NONE, 0);
+                    var expected:Boolean = _query.areTouchingAt(RelativeMotion.NONE, 0);
                     counts[found]++;
                     wrong.addIf(found == (expected ? GroundEarlyOut.APART : GroundEarlyOut.TOUCHING), structure.toString().split(" ")[1] + (expected ? " apart" : " touching"), kind + " " + i + ", " + structure);
                 }
@@ -69,7 +69,7 @@ package starlogo.ground
                         return column == 10 && row == 10 ? 0.7 : -10;
                     });
                 var found:int = answerTo(terrain, new Hull(new <Number>[0, 0, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1]));
-                assertEquals(isBlocky + ": " + found, false, _query.overlapsAt(RelativeMotion.NONE, 0) || found == GroundEarlyOut.TOUCHING);
+                assertEquals(isBlocky + ": " + found, false, _query.areTouchingAt(RelativeMotion.NONE, 0) || found == GroundEarlyOut.TOUCHING);
             }
         }
 

@@ -53,7 +53,7 @@ package starlogo.ground
                 var down:RelativeMotion = new RelativeMotion();
                 down.endAfter(_random.between(-1, 1) * _maxDistance, _random.between(-1, 1) * _maxDistance, -10 * _maxDistance);
                 setQuery();
-                if (_query.overlapsAt(down, 0))
+                if (_query.areTouchingAt(down, 0))
                 {
                     continue;
                 }
@@ -124,7 +124,7 @@ package starlogo.ground
             _placement.x = _placement.y = far;
             _placement.z = half + 0.99 * gap;
             setQuery();
-            assertTrue(structure + " at " + far, _query.overlapsAt(RelativeMotion.NONE, 0));
+            assertTrue(structure + " at " + far, _query.areTouchingAt(RelativeMotion.NONE, 0));
         }
 
         // Two bars stick in the side of a column. The one that is deepest counts, whether it comes first or last.
@@ -195,7 +195,7 @@ package starlogo.ground
                 _placement.z = _terrain.heightAt(_placement.x, _placement.y) + _random.between(-1.5, 0.5) * _maxDistance;
                 setQuery();
             }
-            while (!_query.overlapsAt(RelativeMotion.NONE, 0));
+            while (!_query.areTouchingAt(RelativeMotion.NONE, 0));
         }
 
         private function setQuery():void

@@ -80,7 +80,7 @@ package starlogo.solid
                 var z:Number = random.between(-0.2, 1.2);
                 var expected:Boolean = SolidAngles.windingAround(model, x, y, z) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals(expected, hierarchy.interior.isInside(new Vector3D(x, y, z)));
+                assertEquals(expected, hierarchy.prepareInterior().isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 50 && inside < 250);
         }
@@ -92,10 +92,10 @@ package starlogo.solid
             for each (var expected:Array in [[SolidModels.crossed(), 3], [SolidModels.doll(), 3], [SolidModels.apart(), 3], [BuiltInModel.sphere(), 1]])
             {
                 var hierarchy:ModelTree = hierarchyOf(expected[0].vertices, expected[0].triangles);
-                assertEquals(expected[0].name, expected[1] * points, hierarchy.interior.partPoints.length);
+                assertEquals(expected[0].name, expected[1] * points, hierarchy.prepareInterior().partPoints.length);
             }
             var apart:Model = SolidModels.apart();
-            var least:Number = hierarchyOf(apart.vertices, apart.triangles).interior.leastPartExtent;
+            var least:Number = hierarchyOf(apart.vertices, apart.triangles).prepareInterior().leastPartExtent;
             assertTrue("the least one: " + least, Math.abs(least - 0.2 / 1.15) < 1e-9);
         }
 
@@ -138,7 +138,7 @@ package starlogo.solid
         private static function checkAlongRays(hierarchy:ModelTree, model:Model, random:SeededRandom):void
         {
             var inside:int = 0;
-            assertTrue("closed", hierarchy.interior.hasClosedShell);
+            assertTrue("closed", hierarchy.prepareInterior().hasClosedShell);
             for (var i:int = 0; i < 400; i++)
             {
                 var corner:int = random.integer(0, model.triangles.length - 1);
@@ -156,7 +156,7 @@ package starlogo.solid
                 }
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals(model.name + ", point " + i, expected, hierarchy.interior.isInside(new Vector3D(x, y, z)));
+                assertEquals(model.name + ", point " + i, expected, hierarchy.prepareInterior().isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 10 && inside < 390);
         }
@@ -190,7 +190,7 @@ package starlogo.solid
         {
             var model:Model = read(address);
             var hierarchy:ModelTree = hierarchyOf(model.vertices, model.triangles);
-            assertTrue("closed", hierarchy.interior.hasClosedShell);
+            assertTrue("closed", hierarchy.prepareInterior().hasClosedShell);
             var random:SeededRandom = new SeededRandom(seed);
             var inside:int = 0;
             for (var i:int = 0; i < 150; i++)
@@ -202,7 +202,7 @@ package starlogo.solid
                 var z:Number = model.vertices[near + 2] + spread * random.normal();
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals("point " + i, expected, hierarchy.interior.isInside(new Vector3D(x, y, z)));
+                assertEquals("point " + i, expected, hierarchy.prepareInterior().isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 20 && inside < 130);
         }

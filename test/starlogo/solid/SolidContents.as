@@ -21,11 +21,11 @@ package starlogo.solid
             {
                 return "none";
             }
-            var interior:Interior = hierarchy.interior;
+            var interior:Interior = hierarchy.prepareInterior();
             var windings:WindingCounter = interior.windingCounter;
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
-            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.welded, interior.leastPartExtent, interior.partPoints, mesh.corners,
+            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.cavityOf, surface.widestSeam, windings.welded, interior.leastPartExtent, interior.partPoints, mesh.corners,
                     mesh.extents, axesOf(hierarchy.boxTree)].join("\n");
         }
 

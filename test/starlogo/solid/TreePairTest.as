@@ -76,7 +76,7 @@ package starlogo.solid
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
                     tested++;
-                    assertTrue("standing " + between, _trees.setTo(cube, stands, int.MAX_VALUE, cube, beside, int.MAX_VALUE, true).areOverlapping());
+                    assertTrue("standing " + between, _trees.setTo(cube, stands, int.MAX_VALUE, cube, beside, int.MAX_VALUE, true).areTouching());
                 }
             }
             assertTrue("tested " + tested, tested > 3);
@@ -97,7 +97,7 @@ package starlogo.solid
                 bear.mesh.readTriangle(slot, corners);
                 var sphere:Sphere = new Sphere(new Vector3D(corners[0], corners[1], corners[2]), 1e-6);
                 pair.setTo(bear, stands, int.MAX_VALUE, sphere, stands, true);
-                assertTrue(pair.areOverlapping());
+                assertTrue(pair.areTouching());
                 pair.findInside(out);
                 out.a.x = 7;
                 pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, true);
@@ -257,12 +257,12 @@ package starlogo.solid
         private function treesOverlap(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int,
                 exact:Boolean):Boolean
         {
-            return _trees.setTo(a, placementA, depthA, b, placementB, depthB, exact).areOverlapping();
+            return _trees.setTo(a, placementA, depthA, b, placementB, depthB, exact).areTouching();
         }
 
         private function structureOverlaps(a:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
         {
-            return _treeAndStructure.setTo(a, placementA, depth, structure, placementB, false).areOverlapping();
+            return _treeAndStructure.setTo(a, placementA, depth, structure, placementB, false).areTouching();
         }
 
         // About the middle of a model of size 1.

@@ -41,7 +41,7 @@ package starlogo.solid
         {
             var closed:Array = models().filter(function(model:Model, ...rest):Boolean
                 {
-                    return hierarchyOf(model).interior.hasClosedShell;
+                    return hierarchyOf(model).prepareInterior().hasClosedShell;
                 });
             assertTrue("closed ones: " + closed.length, closed.length > 5);
             var count:int = Effort.choose(20000, 1000000) / closed.length + 1;
@@ -316,7 +316,7 @@ package starlogo.solid
             {
                 point.setTo(box[0] + box[3] * _random.between(-1, 1), box[1] + box[4] * _random.between(-1, 1), box[2] + box[5] * _random.between(-1, 1));
             }
-            while (!hierarchy.interior.isInside(point));
+            while (!hierarchy.prepareInterior().isInside(point));
             return point;
         }
 

@@ -76,7 +76,7 @@ package starlogo.libraries.cooked
                     VarInt.write(0, out);
                     continue;
                 }
-                VarInt.write(1 + tree.axisOf(node) + (tree.endsUpToDepth[node] >= BoxTree.LARGEST_DEPTH ? BELOW : 0) + 6 * (tree.end[left] - tree.first[left]), out);
+                VarInt.write(1 + tree.axisOf(node) + (tree.isLeafOrBelow(node) ? BELOW : 0) + 6 * (tree.end[left] - tree.first[left]), out);
                 waiting.push(left + 1, left);
             }
             return out;
@@ -171,7 +171,7 @@ package starlogo.libraries.cooked
             var end:int = _tree.end[node];
             var middle:int = first + (code - 1) / 6;
             var division:int = (code - 1) % 6;
-            var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth : BoxTreeBuilder.isHalved(_tree, node) && middle != (first + end) >> 1;
+            var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth : BoxTreeBuilder.isHalvedOnLevel(_tree.levelOf(node)) && middle != (first + end) >> 1;
             if (isWrong || middle <= first || middle >= end)
             {
                 return false;

@@ -259,7 +259,7 @@ package starlogo.queries.motion
                 var tests:PairTests = core.body.narrowPhase.pairTestsFor(moved, other);
                 if (countsInside)
                 {
-                    isInside = tests.findEntry(moved, other, motion, out);
+                    isInside = tests.findImpactAndInside(moved, other, motion, out);
                 }
                 else
                 {

@@ -99,7 +99,7 @@ package starlogo.search.pairs
         }
 
         /** A model may be wholly under the surface. @inheritDoc */
-        override public function findEntry(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
+        override public function findImpactAndInside(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
         {
             findImpact(a, b, motion, out);
             return motion.time > 0 && touchesAtBeginning(a, b, motion);
@@ -171,7 +171,7 @@ package starlogo.search.pairs
             _extents.halfY = a.halfY;
             _extents.halfZ = a.halfZ;
             var found:int = _earlyOut.decide(gridOf(b), _extents, a.form);
-            return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).overlapsAt(motion, 0) : found == GroundEarlyOut.TOUCHING;
+            return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).areTouchingAt(motion, 0) : found == GroundEarlyOut.TOUCHING;
         }
 
         // The query of the ground, set to a body.

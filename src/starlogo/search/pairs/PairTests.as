@@ -143,7 +143,7 @@ package starlogo.search.pairs
          *
          * @return whether one is inside of the other and their surfaces do not touch there
          */
-        public function findEntry(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
+        public function findImpactAndInside(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
         {
             findImpact(a, b, motion, out);
             return false;

@@ -77,7 +77,7 @@ package starlogo.search.pairs
                 return areTouching(b, a);
             }
             _counts.pairTests++;
-            return pairOf(a, b).areOverlapping();
+            return pairOf(a, b).areTouching();
         }
 
         /** @inheritDoc */
@@ -108,11 +108,11 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findEntry(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
+        override public function findImpactAndInside(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
         {
             var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b));
             _counts.pairTests++;
-            var isInside:Boolean = _impacts.findEntry(own, out);
+            var isInside:Boolean = _impacts.findImpactAndInside(own, out);
             finish(own, motion, out);
             return isInside;
         }

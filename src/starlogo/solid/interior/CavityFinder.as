@@ -228,9 +228,9 @@ package starlogo.solid.interior
                         innermost = outer;
                     }
                 }
-                if (isTwoSided(innermost) && _shells[innermost].orientation == -shell.orientation)
+                if (isTwoSided(innermost) && !_surface.boundsCavity(innermost) && _shells[innermost].orientation == -shell.orientation)
                 {
-                    _surface.shellStates[index] = innermost;
+                    _surface.cavityOf[index] = innermost;
                 }
             }
         }

@@ -25,22 +25,23 @@ package starlogo.solid.interior
         private static const COPIES:int = 1;
         private static const ANY:int = 2;
 
-        /**
-         * For each edge, one more than the number of the edge that it is matched with, or 0 if there is none. Complete after the last step.
-         */
+        /** For each edge, the edge that it is matched with, or -1 if there is none. Undefined for triangles without edges. Complete after the last step. */
         public var partners:Vector.<int>;
 
         private var _triangles:Vector.<uint>;
         private var _welding:Welding;
 
-        // For each vertex, one more than the number of the last edge of which it is the lower vertex, or 0. Null after the edges are linked.
+        // For each vertex, the last edge of which it is the lower vertex, or -1. For each edge, the one before it with the same lower vertex, or -1.
+        // Null after the edges are linked.
         private var _lastOfLow:Vector.<int>;
+        private var _beforeOfLow:Vector.<int>;
 
-        // For each vertex, one more than the number of the last visited edge of which it is the higher vertex, or 0. Null after the edges are linked.
+        // For each vertex, the last visited edge of which it is the higher vertex, or -1, and how many were visited between the same two vertices. Null
+        // after the edges are linked.
         private var _visitedOfHigh:Vector.<int>;
+        private var _countOfHigh:Vector.<int>;
 
-        // For each edge, one more than the number of the edge before it with the same lower vertex, or 0. After the edges are linked, with both the
-        // same vertices.
+        // For each edge, the one before it between the same two vertices, or -1.
         private var _before:Vector.<int>;
 
         // If more than two edges are between the same two vertices, the last of these edges is in this list, in the order of the lower
@@ -58,11 +59,13 @@ package starlogo.solid.interior
             _welding = welding;
             var vertexCount:int = welding.welded.length;
             partners = fixedInts(triangles.length);
+            _beforeOfLow = fixedInts(triangles.length);
             _before = fixedInts(triangles.length);
             _lastOfLow = fixedInts(vertexCount);
             _visitedOfHigh = fixedInts(vertexCount);
-            slices(triangles.length / 3, TRIANGLES_PER_STEP, gather).slices(vertexCount, VERTICES_PER_STEP, link)
-                .slices(triangles.length, EDGES_PER_STEP, match).call(beginNonManifold);
+            _countOfHigh = fixedInts(vertexCount);
+            slices(vertexCount, VERTICES_PER_STEP, clear).slices(triangles.length / 3, TRIANGLES_PER_STEP, gather)
+                .slices(vertexCount, VERTICES_PER_STEP, link).call(beginNonManifold);
         }
 
         /** Whether a triangle has three different corners. Other triangles have no edges. */
@@ -92,6 +95,15 @@ package starlogo.solid.interior
             return begin < end ? begin : end;
         }
 
+        private function clear(first:int, end:int):void
+        {
+            for (var vertex:int = first; vertex < end; vertex++)
+            {
+                _lastOfLow[vertex] = -1;
+                _visitedOfHigh[vertex] = -1;
+            }
+        }
+
         // Gathers the edges of each lower vertex.
         private function gather(first:int, end:int):void
         {
@@ -111,66 +123,60 @@ package starlogo.solid.interior
 
         private function gatherAt(low:int, edge:int):void
         {
-            _before[edge] = _lastOfLow[low];
-            _lastOfLow[low] = edge + 1;
+            _beforeOfLow[edge] = _lastOfLow[low];
+            _lastOfLow[low] = edge;
         }
 
-        // Links the edges between the same vertices, those of each lower vertex from the last one to the first. Until they are matched, the partner of
-        // an edge is the next one between the same vertices.
+        // Links the edges between the same vertices, those of each lower vertex from the last one to the first. Two are matched. If there are more,
+        // all of them wait.
         private function link(first:int, end:int):void
         {
             for (var low:int = first; low < end; low++)
             {
-                var edge:int = _lastOfLow[low] - 1;
-                while (edge >= 0)
+                for (var edge:int = _lastOfLow[low]; edge >= 0; edge = _beforeOfLow[edge])
                 {
-                    var before:int = _before[edge] - 1;
                     var high:int = beginOf(edge) + endOf(edge) - low;
-                    var later:int = _visitedOfHigh[high] - 1;
-                    _before[edge] = 0;
+                    var later:int = _visitedOfHigh[high];
+                    var count:int = 1;
+                    partners[edge] = -1;
+                    _before[edge] = -1;
                     if (later >= 0 && lowOf(later) == low)
                     {
-                        _before[later] = edge + 1;
-                        partners[edge] = later + 1;
+                        count += _countOfHigh[high];
+                        _before[later] = edge;
                     }
-                    _visitedOfHigh[high] = edge + 1;
-                    edge = before;
+                    if (count == 2)
+                    {
+                        pair(edge, later);
+                    }
+                    else if (count == 3)
+                    {
+                        wait(low, later);
+                    }
+                    _visitedOfHigh[high] = edge;
+                    _countOfHigh[high] = count;
                 }
             }
         }
 
-        // Matches the last edge between two vertices with the one before it, which is matched with it already. If there are more, they wait.
-        private function match(first:int, end:int):void
+        // Parts two edges that are matched, because there are more between the same vertices.
+        private function wait(low:int, first:int):void
         {
-            for (var edge:int = first; edge < end; edge++)
-            {
-                var before:int = _before[edge] - 1;
-                if (before < 0 || partners[edge] != 0)
-                {
-                    continue;
-                }
-                if (_before[before] == 0)
-                {
-                    partners[edge] = before + 1;
-                    continue;
-                }
-                _nonManifold.push(lowOf(edge) * Number(partners.length) + edge);
-                for (; before >= 0; before = _before[before] - 1)
-                {
-                    partners[before] = 0;
-                }
-            }
+            var last:int = partners[first];
+            partners[first] = -1;
+            partners[last] = -1;
+            _nonManifold.push(low * Number(partners.length) + last);
         }
 
         private function pair(a:int, b:int):void
         {
-            partners[a] = b + 1;
-            partners[b] = a + 1;
+            partners[a] = b;
+            partners[b] = a;
         }
 
         private function beginNonManifold():void
         {
-            _lastOfLow = _visitedOfHigh = null;
+            _lastOfLow = _beforeOfLow = _visitedOfHigh = _countOfHigh = null;
             _nonManifold.sort(Array.NUMERIC);
             if (_nonManifold.length > 0)
             {
@@ -183,9 +189,9 @@ package starlogo.solid.interior
         {
             for (var edge:int = first; edge < end; edge++)
             {
-                if (partners[edge] > edge + 1)
+                if (partners[edge] > edge)
                 {
-                    _sets.join(edge / 3, (partners[edge] - 1) / 3);
+                    _sets.join(edge / 3, partners[edge] / 3);
                 }
             }
         }
@@ -203,7 +209,7 @@ package starlogo.solid.interior
         private function matchNonManifold(last:int):void
         {
             var groups:Object = {};
-            for (var edge:int = last; edge >= 0; edge = _before[edge] - 1)
+            for (var edge:int = last; edge >= 0; edge = _before[edge])
             {
                 var root:int = _sets.rootOf(edge / 3);
                 groups[root] ||= [];

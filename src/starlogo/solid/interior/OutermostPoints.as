@@ -43,12 +43,6 @@ package starlogo.solid.interior
             }
         }
 
-        /** The index of a group's points, or -1 if it has no triangles. */
-        public function startOf(group:int):int
-        {
-            return _starts[group];
-        }
-
         /** The longest of a group's three extents. It must have triangles. */
         public function extentOf(group:int):Number
         {

@@ -52,7 +52,7 @@ package starlogo.solid.interior
                 {
                     if (signedShells[_first] == 0 && _edges.hasEdges(_first))
                     {
-                        _surface.shellStates.push(SurfaceTopology.TWO_SIDED);
+                        _surface.addShell(SurfaceTopology.TWO_SIDED, -1);
                         balances.push(0);
                         addTriangle(_first, balances.length);
                     }
@@ -76,7 +76,7 @@ package starlogo.solid.interior
             var own:int = signedShells[triangle];
             for (var edge:int = 3 * triangle; edge < 3 * triangle + 3; edge++)
             {
-                var partner:int = partners[edge] - 1;
+                var partner:int = partners[edge];
                 if (partner < 0)
                 {
                     lowerState(SurfaceTopology.OPEN);

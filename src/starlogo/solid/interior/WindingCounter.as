@@ -30,8 +30,9 @@ package starlogo.solid.interior
         // How often each shell winds around the point of the last count(), or 0 if a cavity of it does. Null before the first count.
         private var _windings:Vector.<int> = null;
 
-        // The shells that the ray from that point crosses, and how many entries they are. A shell is listed again each time that its winding number has
-        // come back to 0 on the ray. Shells of points before may come after them.
+        // For each shell, whether the ray from that point crosses it. Those that it crosses, and how many they are. Shells of points before may come
+        // after them.
+        private var _isCrossed:Vector.<Boolean> = null;
         private var _crossed:Vector.<int> = new Vector.<int>();
         private var _crossedCount:int = 0;
 
@@ -116,8 +117,6 @@ package starlogo.solid.interior
                 if (isAround(_crossed[i]))
                 {
                     out.push(_crossed[i]);
-                    // so that it is listed once
-                    _windings[_crossed[i]] = 0;
                 }
             }
             return _crossedCount;
@@ -127,7 +126,7 @@ package starlogo.solid.interior
         private function isAround(shell:int):Boolean
         {
             var state:int = surface.shellStates[shell];
-            return state == SurfaceTopology.TWO_SIDED && _windings[shell] != 0 || state == SurfaceTopology.ONE_SIDED && (_windings[shell] & 1) != 0;
+            return state == SurfaceTopology.TWO_SIDED && _windings[shell] != 0 && !surface.boundsCavity(shell) || state == SurfaceTopology.ONE_SIDED && (_windings[shell] & 1) != 0;
         }
 
         // Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, away from where most
@@ -137,9 +136,11 @@ package starlogo.solid.interior
         private function count(x:Number, y:Number, z:Number):void
         {
             _windings ||= new Vector.<int>(surface.shellStates.length, true);
+            _isCrossed ||= new Vector.<Boolean>(surface.shellStates.length, true);
             for (var before:int = 0; before < _crossedCount; before++)
             {
                 _windings[_crossed[before]] = 0;
+                _isCrossed[_crossed[before]] = false;
             }
             _crossedCount = 0;
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
@@ -155,7 +156,7 @@ package starlogo.solid.interior
                 var shell:int = _crossed[i];
                 if (surface.boundsCavity(shell) && _windings[shell] != 0)
                 {
-                    _windings[surface.shellStates[shell]] = 0;
+                    _windings[surface.cavityOf[shell]] = 0;
                 }
             }
         }
@@ -209,12 +210,12 @@ package starlogo.solid.interior
             var shell:int = surface.shellOf(triangle);
             if (shell >= 0)
             {
-                var winding:int = _windings[shell];
-                if (winding == 0)
+                if (!_isCrossed[shell])
                 {
+                    _isCrossed[shell] = true;
                     _crossed[_crossedCount++] = shell;
                 }
-                _windings[shell] = surface.isReversed(triangle) ? winding - crossing : winding + crossing;
+                _windings[shell] += surface.isReversed(triangle) ? -crossing : crossing;
             }
         }
 

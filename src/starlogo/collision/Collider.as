@@ -85,7 +85,7 @@ package starlogo.collision
         /** @private Has the choice of shapes and the settings, and tests pairs of agents, for questions too. */
         engine function get narrowPhase():NarrowPhase
         {
-            return search.table.narrowPhase;
+            return search.narrowPhase;
         }
 
         /** @inheritDoc */

@@ -24,6 +24,7 @@ package starlogo.search
         public var candidatePairs:int = 0;
 
         private var _table:AgentTable;
+        private var _narrowPhase:NarrowPhase;
 
         // The search under way: its input, the motions of the rows, or null if no agent sweeps, and what takes the pairs.
         private var _input:FrameInput = null;
@@ -36,10 +37,14 @@ package starlogo.search
         // The members that are tested with the ground or the edges of the world.
         private var _worldCandidates:IntList = new IntList();
 
-        /** @param table has the rows */
-        public function CandidateTests(table:AgentTable)
+        /**
+         * @param table has the rows
+         * @param narrowPhase tests their bodies
+         */
+        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase)
         {
             _table = table;
+            _narrowPhase = narrowPhase;
         }
 
         /**
@@ -102,7 +107,7 @@ package starlogo.search
         {
             // a field would be read again for each candidate
             var table:AgentTable = _table;
-            var narrowPhase:NarrowPhase = table.narrowPhase;
+            var narrowPhase:NarrowPhase = _narrowPhase;
             if (narrowPhase.choice.areSpheres)
             {
                 return narrowPhase.sphereTests.keepTouching(table, row, others, count, level);
@@ -134,7 +139,7 @@ package starlogo.search
         private function keepTouchingWorld(worldRow:int, others:Vector.<int>, count:int):int
         {
             var world:Body = _table.bodyOf(worldRow);
-            var tests:PairTests = _table.narrowPhase.pairTestsForWorldAgent(world);
+            var tests:PairTests = _narrowPhase.pairTestsForWorldAgent(world);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {

@@ -26,6 +26,7 @@ package starlogo.search
         private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
 
         private var _table:AgentTable;
+        private var _narrowPhase:NarrowPhase;
 
         // The members of the last search.
         private var _cells:CellLists;
@@ -44,11 +45,13 @@ package starlogo.search
 
         /**
          * @param table has the rows
+         * @param narrowPhase has the settings of the tests
          * @param levels those of the bins
          */
-        public function ChangedRows(table:AgentTable, levels:Vector.<BinLevel>)
+        public function ChangedRows(table:AgentTable, narrowPhase:NarrowPhase, levels:Vector.<BinLevel>)
         {
             _table = table;
+            _narrowPhase = narrowPhase;
             _cells = new CellLists(levels);
         }
 
@@ -138,7 +141,7 @@ package starlogo.search
 
         private function get currentDepth():int
         {
-            var limits:TreeLimits = _table.narrowPhase.treeLimits;
+            var limits:TreeLimits = _narrowPhase.treeLimits;
             return limits.exact ? 0 : limits.maxDepth;
         }
 
@@ -156,7 +159,7 @@ package starlogo.search
         // Whether so few rows have changed that a search of all rows would take longer.
         private function areFew(changes:int):Boolean
         {
-            var rowsPerChange:int = _table.narrowPhase.choice.areSpheres || !_interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
+            var rowsPerChange:int = _narrowPhase.choice.areSpheres || !_interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
             return rowsPerChange * changes <= _table.list.rows.count;
         }
 

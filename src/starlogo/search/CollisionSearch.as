@@ -31,6 +31,9 @@ package starlogo.search
         /** The agents of the last search. */
         public var table:AgentTable;
 
+        /** Tests their bodies. It may have other searches too. */
+        public var narrowPhase:NarrowPhase;
+
         private var _bins:Bins = new Bins();
         private var _tests:CandidateTests;
         private var _rowMotions:RowMotions;
@@ -51,13 +54,14 @@ package starlogo.search
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
 
-        /** @param narrowPhase may have other searches too */
+        /** @param narrowPhase chooses the shapes of the agents, and tests their bodies */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
-            table = new AgentTable(narrowPhase);
-            _tests = new CandidateTests(table);
-            _rowMotions = new RowMotions(table);
-            _changedRows = new ChangedRows(table, _bins.levels);
+            this.narrowPhase = narrowPhase;
+            table = new AgentTable(narrowPhase.choice);
+            _tests = new CandidateTests(table, narrowPhase);
+            _rowMotions = new RowMotions(table, narrowPhase);
+            _changedRows = new ChangedRows(table, narrowPhase, _bins.levels);
             _pairs = new FoundPairs(table.list);
             _pairsOfChanged = new FoundPairs(table.list);
         }
@@ -82,14 +86,14 @@ package starlogo.search
             table.readChanges();
             _motions = Agent.haveSwept && isAnySweeping(input.agents) ? _rowMotions : null;
             // tests since the last search, as those of questions, do not count
-            table.narrowPhase.counts.clear();
+            narrowPhase.counts.clear();
             var mayBegin:Boolean = mayKeep && _mayBeKept;
             // if the search throws, the next one is of all rows, because the table has been read
             _mayBeKept = false;
             var isOfChanged:Boolean = mayBegin && _changedRows.find(input, _motions);
             table.readWorld(input.ground, input.edges);
             var memberCount:int = isOfChanged ? findOfChanged(input) : findOfAll(input, mayKeep);
-            counts.copyTests(table.narrowPhase.counts);
+            counts.copyTests(narrowPhase.counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
@@ -160,7 +164,7 @@ package starlogo.search
         {
             var bodyA:Body = table.currentBodyOf(a, _bodyA);
             var bodyB:Body = table.currentBodyOf(b, _bodyB);
-            return bodyA.shape != null && bodyB.shape != null && table.narrowPhase.areTouching(bodyA, bodyB);
+            return bodyA.shape != null && bodyB.shape != null && narrowPhase.areTouching(bodyA, bodyB);
         }
 
         /**
@@ -200,7 +204,7 @@ package starlogo.search
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            table.narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
+            narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
         }
     }
 }

@@ -44,6 +44,7 @@ package starlogo.search
         private var _sweeps:Vector.<Boolean> = new Vector.<Boolean>();
 
         private var _table:AgentTable;
+        private var _narrowPhase:NarrowPhase;
 
         // The motion of a pair that is tested.
         private var _motion:RelativeMotion = new RelativeMotion();
@@ -52,10 +53,14 @@ package starlogo.search
         private var _interval:ContactInterval = new ContactInterval();
         private var _axisMotion:AxisMotion = new AxisMotion();
 
-        /** @param table has the rows */
-        public function RowMotions(table:AgentTable)
+        /**
+         * @param table has the rows
+         * @param narrowPhase tests their bodies
+         */
+        public function RowMotions(table:AgentTable, narrowPhase:NarrowPhase)
         {
             _table = table;
+            _narrowPhase = narrowPhase;
         }
 
         /**
@@ -210,10 +215,10 @@ package starlogo.search
             }
             if (motion.time == RelativeMotion.NEVER)
             {
-                _table.narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
+                _narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
                 return;
             }
-            _table.narrowPhase.pairTestsFor(bodyA, bodyB).separate(bodyA, bodyB, motion, out);
+            _narrowPhase.pairTestsFor(bodyA, bodyB).separate(bodyA, bodyB, motion, out);
             // the motion was relative to b at its present place, so the point is moved back to where b was at that time
             var back:Number = motion.time - 1;
             out.x += back * motions.x[b];
@@ -237,12 +242,12 @@ package starlogo.search
         {
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
-            if (_table.narrowPhase.areTouching(bodyA, bodyB))
+            if (_narrowPhase.areTouching(bodyA, bodyB))
             {
                 motion.time = time;
                 if (out != null)
                 {
-                    _table.narrowPhase.pairTestsFor(bodyA, bodyB).findContactOfParts(bodyA, bodyB, motion, out);
+                    _narrowPhase.pairTestsFor(bodyA, bodyB).findContactOfParts(bodyA, bodyB, motion, out);
                 }
             }
         }
@@ -257,12 +262,12 @@ package starlogo.search
             sweptPairs++;
             if (areSpheres && out == null)
             {
-                _table.narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
+                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
                 return;
             }
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
-            _table.narrowPhase.pairTestsFor(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
+            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.

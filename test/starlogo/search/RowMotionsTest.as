@@ -15,8 +15,9 @@ package starlogo.search
     /** A motion begins where the last search saw the agent. */
     public class RowMotionsTest
     {
-        private var _table:AgentTable = new AgentTable(new NarrowPhase(new TightestFitChoice(landOf(BuiltInModel.cube()))));
-        private var _motions:RowMotions = new RowMotions(_table);
+        private var _tests:NarrowPhase = new NarrowPhase(new TightestFitChoice(landOf(BuiltInModel.cube())));
+        private var _table:AgentTable = new AgentTable(_tests.choice);
+        private var _motions:RowMotions = new RowMotions(_table, _tests);
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]

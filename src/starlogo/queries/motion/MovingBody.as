@@ -173,7 +173,7 @@ package starlogo.queries.motion
         /** The tests of two bodies. */
         public function get narrowPhase():NarrowPhase
         {
-            return _seen.table.narrowPhase;
+            return _seen.narrowPhase;
         }
 
         /** The whole body at a place. It is valid until the next call. */

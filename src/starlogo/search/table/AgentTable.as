@@ -7,9 +7,9 @@ package starlogo.search.table
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.NarrowPhase;
     import starlogo.search.WorldAgent;
 
     use namespace engine;
@@ -29,9 +29,6 @@ package starlogo.search.table
         // In place of a revision: the last search has not seen the agent. It is less than the revision of any jump.
         private static const NOT_SEEN:int = -2;
 
-        /** Chooses the shapes of the agents, and tests their bodies. It may have other tables too. */
-        public var narrowPhase:NarrowPhase;
-
         /** The list that was read last, and the row of each agent. */
         public var list:ListedAgents = new ListedAgents();
 
@@ -47,6 +44,9 @@ package starlogo.search.table
 
         /** By row: the extents of the shape at that place. */
         engine var extents:Extents = new Extents();
+
+        // Chooses the shapes of the agents. It may have other tables too.
+        private var _choice:BaseShapeChoice;
 
         // By row: the way from the agent's place to the middle of its extents.
         private var _offsets:Points = new Points();
@@ -71,12 +71,10 @@ package starlogo.search.table
         private var _reshaped:IntList = new IntList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        /**
-         * @param narrowPhase chooses the shapes, and tests the bodies
-         */
-        public function AgentTable(narrowPhase:NarrowPhase)
+        /** @param choice chooses the shapes */
+        public function AgentTable(choice:BaseShapeChoice)
         {
-            this.narrowPhase = narrowPhase;
+            _choice = choice;
             makeRoom();
         }
 
@@ -96,7 +94,7 @@ package starlogo.search.table
          */
         public function findChanges(agents:Vector.<Agent>):void
         {
-            narrowPhase.choice.forgetReplaced();
+            _choice.forgetReplaced();
             leftOrReordered.count = 0;
             // findChanged finds out on the way whether the list is the same
             var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && findChanged(agents, list.rows);
@@ -132,7 +130,7 @@ package starlogo.search.table
          */
         public function readRow(row:int):void
         {
-            narrowPhase.choice.forgetReplaced();
+            _choice.forgetReplaced();
             var agent:Agent = list.agents[row];
             if (!isBodyCurrent(row))
             {
@@ -226,14 +224,14 @@ package starlogo.search.table
          */
         public function currentBodyOf(agent:Agent, spare:Body):Body
         {
-            narrowPhase.choice.forgetReplaced();
+            _choice.forgetReplaced();
             var row:int = list.rowOf(agent);
             if (row >= 0 && agent.revision == revisions[row] && isBodyCurrent(row))
             {
                 return bodyOf(row);
             }
             var ofWorld:WorldAgent = agent as WorldAgent;
-            spare.readAgent(agent, ofWorld == null ? narrowPhase.choice.shapeOf(agent) : ofWorld.requireSurface());
+            spare.readAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
             if (row >= 0)
             {
                 spare.rank = list.ranks[row];
@@ -340,7 +338,7 @@ package starlogo.search.table
             }
             for (var i:int = 0; i < reshaped.count; i++)
             {
-                out[i] = narrowPhase.choice.shapeOf(list.agents[reshaped.numbers[i]]);
+                out[i] = _choice.shapeOf(list.agents[reshaped.numbers[i]]);
             }
         }
 

@@ -9,7 +9,6 @@ package starlogo.search.table
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentQueries;
-    import starlogo.search.NarrowPhase;
     import starlogo.search.TightestFitChoice;
     import support.EachCollider;
     import support.RandomWorlds;
@@ -22,7 +21,7 @@ package starlogo.search.table
     public class AgentTableTest
     {
         private var _land:GreatLand = landOf(BuiltInModel.cube());
-        private var _table:AgentTable = new AgentTable(new NarrowPhase(new TightestFitChoice(_land)));
+        private var _table:AgentTable = new AgentTable(new TightestFitChoice(_land));
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]

@@ -66,7 +66,7 @@ package starlogo.search
          *
          * @param members the members of the search
          * @param motions the motions of the rows; null if no agent sweeps
-         * @return whether <code>find()</code> may be called for the next search: if this one was like the one before, the next is probably like it
+         * @return whether <code>moveChanged()</code> may be called for the next search: if this one was like the one before, the next is probably like it
          *     too. Otherwise it would hardly be worth it
          */
         public function noteSearch(members:IntList, input:FrameInput, motions:RowMotions):Boolean
@@ -84,19 +84,19 @@ package starlogo.search
         }
 
         /**
-         * Finds the rows that have changed, and moves them to their cells. The table has read the agents, but not yet the ground and the edges.
+         * Finds the rows that have changed, and moves them to their cells. The table has read the agents, the ground and the edges.
          *
          * @param motions the motions of the rows; null if no agent sweeps
          * @return false if all rows have to be searched: because the search does not depend on the same as the last one, too many rows have changed,
          *     or the cells need other buckets
          */
-        public function find(input:FrameInput, motions:RowMotions):Boolean
+        public function moveChanged(input:FrameInput, motions:RowMotions):Boolean
         {
             if (!isLikeLast(input, motions))
             {
                 return false;
             }
-            findChanged(input);
+            markChanged(input);
             if (!areFew(_rows.count))
             {
                 return false;
@@ -164,7 +164,7 @@ package starlogo.search
         }
 
         // Finds the rows that have changed, and marks them.
-        private function findChanged(input:FrameInput):void
+        private function markChanged(input:FrameInput):void
         {
             _mark++;
             _rows.count = 0;
@@ -174,8 +174,11 @@ package starlogo.search
                 _marks.length = length;
             }
             _cells.makeRoom(length);
-            markWorldAgent(ListedAgents.GROUND_ROW, input.ground);
-            markWorldAgent(ListedAgents.EDGES_ROW, input.edges);
+            // the ground and the edges are no members, but their pairs change with them
+            for (var i:int = 0; i < _table.changedOfWorld.count; i++)
+            {
+                _marks[_table.changedOfWorld.numbers[i]] = _mark;
+            }
             addAll(_table.changed);
             addAll(_table.leftOrReordered);
             if (_motions != null)
@@ -185,15 +188,6 @@ package starlogo.search
             if (input.admitted != null)
             {
                 addFiltered(input);
-            }
-        }
-
-        // The ground and the edges are no members, but their pairs change with them.
-        private function markWorldAgent(worldRow:int, agent:WorldAgent):void
-        {
-            if (_table.list.agents[worldRow] !== agent || agent != null && agent.revision != _table.revisions[worldRow])
-            {
-                _marks[worldRow] = _mark;
             }
         }
 

@@ -78,20 +78,14 @@ package starlogo.search
          */
         public function find(input:FrameInput, mayKeep:Boolean, counts:SearchCounts):FoundPairs
         {
-            table.findChanges(input.agents);
-            if (Agent.haveSwept)
-            {
-                _rowMotions.note();
-            }
-            table.readChanges();
+            readInput(input);
             _motions = Agent.haveSwept && isAnySweeping(input.agents) ? _rowMotions : null;
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
             var mayBegin:Boolean = mayKeep && _mayBeKept;
             // if the search throws, the next one is of all rows, because the table has been read
             _mayBeKept = false;
-            var isOfChanged:Boolean = mayBegin && _changedRows.find(input, _motions);
-            table.readWorld(input.ground, input.edges);
+            var isOfChanged:Boolean = mayBegin && _changedRows.moveChanged(input, _motions);
             var memberCount:int = isOfChanged ? findOfChanged(input) : findOfAll(input, mayKeep);
             counts.copyTests(narrowPhase.counts);
             counts.agents = table.list.rows.count;
@@ -101,6 +95,18 @@ package starlogo.search
             counts.sweptPairs = _motions == null ? 0 : _motions.sweptPairs;
             counts.collisions = _pairs.count;
             return _pairs;
+        }
+
+        // Reads the input into the table. The motions are noted before the table reads the places, because they begin at those of the last search.
+        private function readInput(input:FrameInput):void
+        {
+            table.acceptList(input.agents);
+            if (Agent.haveSwept)
+            {
+                _rowMotions.note();
+            }
+            table.readChanges();
+            table.readWorld(input.ground, input.edges);
         }
 
         // Finds the pairs of all members. Returns the number of members.

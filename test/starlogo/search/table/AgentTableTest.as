@@ -55,6 +55,41 @@ package starlogo.search.table
         }
 
         [Test]
+        public function aRefusedListLeavesTheRowsAsTheyAre():void
+        {
+            var row:int = _table.list.rowOf(_agents[3]);
+            var breed:int = _table.breeds[row];
+            _agents[3].breed = "wolf";
+            _agents[3].moveTo(5, 0, 0);
+            assertThrows(ArgumentError, /no model/, _table.read, _agents.concat(new <Agent>[new Agent("unknown")]));
+            assertEquals(breed, _table.breeds[row]);
+            assertEquals(0, _table.places.x[row]);
+            _table.read(_agents);
+            assertEquals(_agents[3].breedNumber, _table.breeds[row]);
+            assertEquals(5, _table.places.x[row]);
+        }
+
+        [Test]
+        public function aPlaceThatIsSetIsWhereTheNextMotionBegins():void
+        {
+            var agent:Agent = _agents[3];
+            var row:int = _table.list.rowOf(agent);
+            agent.jumpTo(5, 0, 0);
+            _table.read(_agents);
+            var revision:int = agent.revision;
+            _table.setLastPlace(row, 2, 0, 0, true);
+            assertEquals("the agent is as it was", revision, agent.revision);
+            assertTrue(_table.isMotionStart(row, agent));
+            _table.acceptList(_agents);
+            assertEquals("rows to read", 1, _table.changed.count);
+            assertEquals(2, _table.places.x[row]);
+            _table.readChanges();
+            assertEquals(5, _table.places.x[row]);
+            _table.setLastPlace(row, 5, 0, 0, false);
+            assertTrue(!_table.isMotionStart(row, agent));
+        }
+
+        [Test]
         public function aRefreshedAgentIsSeenAsItIs():void
         {
             var random:SeededRandom = new SeededRandom(741);

@@ -27,14 +27,15 @@ package starlogo.search
 
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
+        private var _motions:RowMotions;
 
         // The members of the last search.
         private var _cells:CellLists;
 
         // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, to which a Collision adds none
-        // later; the motions, or null if no agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
+        // later; whether an agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
         private var _interests:BreedInterests = null;
-        private var _motions:RowMotions = null;
+        private var _wereSwept:Boolean = false;
         private var _isFiltered:Boolean = false;
         private var _maxDepth:int = 0;
 
@@ -46,12 +47,14 @@ package starlogo.search
         /**
          * @param table has the rows
          * @param narrowPhase has the settings of the tests
+         * @param motions those of the rows
          * @param levels those of the bins
          */
-        public function ChangedRows(table:AgentTable, narrowPhase:NarrowPhase, levels:Vector.<BinLevel>)
+        public function ChangedRows(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions, levels:Vector.<BinLevel>)
         {
             _table = table;
             _narrowPhase = narrowPhase;
+            _motions = motions;
             _cells = new CellLists(levels);
         }
 
@@ -65,19 +68,18 @@ package starlogo.search
          * Notes a search of all rows that has ended.
          *
          * @param members the members of the search
-         * @param motions the motions of the rows; null if no agent sweeps
          * @return whether <code>moveChanged()</code> may be called for the next search: if this one was like the one before, the next is probably like it
          *     too. Otherwise it would hardly be worth it
          */
-        public function noteSearch(members:IntList, input:FrameInput, motions:RowMotions):Boolean
+        public function noteSearch(members:IntList, input:FrameInput):Boolean
         {
-            if (isLikeLast(input, motions))
+            if (isLikeLast(input))
             {
-                _cells.begin(motions == null ? _table.extents : motions.extents, members, _table.list.agents.length);
+                _cells.begin(_motions.extents, members, _table.list.agents.length);
                 return true;
             }
             _interests = input.interests;
-            _motions = motions;
+            _wereSwept = _motions.areSwept;
             _isFiltered = input.admitted != null;
             _maxDepth = currentDepth;
             return false;
@@ -86,13 +88,12 @@ package starlogo.search
         /**
          * Finds the rows that have changed, and moves them to their cells. The table has read the agents, the ground and the edges.
          *
-         * @param motions the motions of the rows; null if no agent sweeps
          * @return false if all rows have to be searched: because the search does not depend on the same as the last one, too many rows have changed,
          *     or the cells need other buckets
          */
-        public function moveChanged(input:FrameInput, motions:RowMotions):Boolean
+        public function moveChanged(input:FrameInput):Boolean
         {
-            if (!isLikeLast(input, motions))
+            if (!isLikeLast(input))
             {
                 return false;
             }
@@ -101,9 +102,9 @@ package starlogo.search
             {
                 return false;
             }
-            if (motions != null)
+            if (_motions.areSwept)
             {
-                motions.begin(_rows);
+                _motions.begin(_rows);
             }
             return updateCells(input) && _cells.haveRightBucketCounts();
         }
@@ -133,9 +134,9 @@ package starlogo.search
         }
 
         // Whether a search depends on the same as the last one, and few rows were read again.
-        private function isLikeLast(input:FrameInput, motions:RowMotions):Boolean
+        private function isLikeLast(input:FrameInput):Boolean
         {
-            return _interests === input.interests && _motions === motions && _isFiltered == (input.admitted != null)
+            return _interests === input.interests && _wereSwept == _motions.areSwept && _isFiltered == (input.admitted != null)
                 && _maxDepth == currentDepth && areFew(countRead());
         }
 
@@ -149,7 +150,7 @@ package starlogo.search
         private function countRead():int
         {
             var count:int = _table.changed.count + _table.leftOrReordered.count;
-            if (_motions != null)
+            if (_motions.areSwept)
             {
                 count += _motions.previouslyChanged.count;
             }
@@ -181,7 +182,7 @@ package starlogo.search
             }
             addAll(_table.changed);
             addAll(_table.leftOrReordered);
-            if (_motions != null)
+            if (_motions.areSwept)
             {
                 addAll(_motions.previouslyChanged);
             }

@@ -201,11 +201,10 @@ package starlogo.queries.motion
             return isOneWay(row) && contact.normalZ < UPWARDS;
         }
 
-        /** The larger extent of the body and another. The ground's extents are those of a cell, and do not count. */
+        /** The larger extent of the body and another. That of the ground is 0. */
         public function extentWith(other:Body):Number
         {
-            var ofOther:Number = other.form == ModelShape.GROUND ? 0 : 2 * other.largestHalf;
-            return Math.max(ofOther, extent);
+            return Math.max(2 * other.largestHalf, extent);
         }
 
         /**

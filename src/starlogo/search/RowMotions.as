@@ -216,10 +216,12 @@ package starlogo.search
             return motions.x[a] != 0 || motions.y[a] != 0 || motions.z[a] != 0 ? 0 : 1;
         }
 
-        // Whether two rows touch where they are.
+        // Whether two rows touch where they are. Only the second may be of the world.
         private function areTouching(a:int, b:int):Boolean
         {
-            return _narrowPhase.areTouching(_table.bodyOf(a), _table.bodyOf(b));
+            var bodyA:Body = _table.bodyOf(a);
+            var bodyB:Body = _table.bodyOf(b);
+            return _narrowPhase.pairTestsFor(bodyA, bodyB).areTouching(bodyA, bodyB);
         }
 
         /**

@@ -19,6 +19,7 @@ package support
         /** Whether the two touch. */
         public var areTouching:Boolean;
 
+        private var _pairs:NarrowPhase;
         private var _table:AgentTable;
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
@@ -26,7 +27,8 @@ package support
         /** As a collider of these settings sees agents. */
         public function AskedDistance(pairs:NarrowPhase)
         {
-            _table = new AgentTable(pairs);
+            _pairs = pairs;
+            _table = new AgentTable(pairs.choice);
         }
 
         /** How far two agents are apart. */
@@ -34,8 +36,8 @@ package support
         {
             _table.currentBodyOf(a, _bodyA);
             _table.currentBodyOf(b, _bodyB);
-            areTouching = _table.narrowPhase.areTouching(_bodyA, _bodyB);
-            _table.narrowPhase.findClosest(_bodyA, _bodyB, true, closest);
+            areTouching = _pairs.areTouching(_bodyA, _bodyB);
+            _pairs.findClosest(_bodyA, _bodyB, true, closest);
             return closest.distance;
         }
 

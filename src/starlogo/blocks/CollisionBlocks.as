@@ -196,7 +196,7 @@ package starlogo.blocks
         {
             var system:BaseCollider = _collision.systemInUse;
             var tests:NarrowPhase = system.findNarrowPhase();
-            if (_search == null || _search.table.narrowPhase !== tests)
+            if (_search == null || _search.narrowPhase !== tests)
             {
                 _search = new CollisionSearch(tests);
             }

@@ -26,7 +26,7 @@ package starlogo.broadphase
         /** The index of the row's level, from 1 on; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
-        // By index, for the levels so far: the width of the cells. The first is none.
+        // By index, for the levels so far: the width that rows may have (BinLevel.width). Cells are a little wider. The first is none.
         internal var levelWidths:Vector.<Number> = new <Number>[0, BinLevel.LEAST_WIDTH];
 
         /** Makes room for so many rows, which are more than before. New rows are points at the origin without a level. */

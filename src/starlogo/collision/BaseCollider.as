@@ -100,11 +100,11 @@ package starlogo.collision
             return contact;
         }
 
-        /** @private The engine's collider that this one is or contains, or null. It belongs to one Collision at most. */
-        engine function get innerCollider():Collider
+        /** @private The engine's collider that this one is or contains, which one Collision at most owns; null if there is none. */
+        engine function get ownedCollider():Collider
         {
             var around:BaseCollider = _collisionSystem as BaseCollider;
-            return around == null ? null : around.innerCollider;
+            return around == null ? null : around.ownedCollider;
         }
 
         /** @private */
@@ -156,10 +156,10 @@ package starlogo.collision
         /** @private Tells the engine's collider that this one is or contains what its Collision does: see Collider.IDLE. */
         engine function enterPhase(phase:int):void
         {
-            var inner:Collider = innerCollider;
-            if (inner != null)
+            var owned:Collider = ownedCollider;
+            if (owned != null)
             {
-                inner.enterPhase(phase);
+                owned.enterPhase(phase);
             }
         }
 

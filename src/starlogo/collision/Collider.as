@@ -85,7 +85,7 @@ package starlogo.collision
         /** @private Has the choice of shapes and the settings, and tests pairs of agents, for questions too. */
         engine function get narrowPhase():NarrowPhase
         {
-            return search.table.narrowPhase;
+            return search.narrowPhase;
         }
 
         /** @inheritDoc */
@@ -112,7 +112,7 @@ package starlogo.collision
         {
             requireGiven("agents", agents);
             var by:CollisionSearch = search;
-            if (isOwned && _phase != SEARCHING)
+            if (isOwned && !isSearchingForFrame)
             {
                 // the game's own call must not change where the next frame's motions begin
                 _extraSearch ||= new CollisionSearch(narrowPhase);
@@ -121,7 +121,7 @@ package starlogo.collision
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.setTo(agents, interests, null, null);
             var pairs:FoundPairs = find(by, _input, false);
-            if (_phase != HANDLING)
+            if (!areHandlersRunning)
             {
                 _contactSearch = by;
             }
@@ -159,7 +159,7 @@ package starlogo.collision
         {
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
-            if (_phase != HANDLING)
+            if (!areHandlersRunning)
             {
                 by.table.refreshWorld();
             }
@@ -177,7 +177,7 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function get innerCollider():Collider
+        override engine function get ownedCollider():Collider
         {
             return this;
         }
@@ -208,6 +208,18 @@ package starlogo.collision
             return _owner != null && _owner.uses(this);
         }
 
+        // Whether a call of findCollisions is the search of the Collision's frame: a BaseCollider around this collider makes it. Other calls are
+        // the game's own.
+        private function get isSearchingForFrame():Boolean
+        {
+            return _phase == SEARCHING;
+        }
+
+        private function get areHandlersRunning():Boolean
+        {
+            return _phase == HANDLING;
+        }
+
         /** @private From now on contactOf sees the last frame. */
         engine function takeContactsFromFrame():void
         {
@@ -224,7 +236,7 @@ package starlogo.collision
             {
                 takeContactsFromFrame();
             }
-            if ((phase == HANDLING) != (_phase == HANDLING))
+            if ((phase == HANDLING) != areHandlersRunning)
             {
                 holdGround(phase == HANDLING);
             }

@@ -125,9 +125,9 @@ package starlogo.collision
         {
             requireGiven("collisionSystem", value);
             var next:BaseCollider = BaseCollider.wrap(value);
-            if (next.innerCollider != null)
+            if (next.ownedCollider != null)
             {
-                next.innerCollider.giveTo(this);
+                next.ownedCollider.giveTo(this);
             }
             _given = value;
             _system = next;
@@ -253,10 +253,10 @@ package starlogo.collision
             _handlers.clear();
             // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
-            var inner:Collider = _system.innerCollider;
-            if (inner != null)
+            var owned:Collider = _system.ownedCollider;
+            if (owned != null)
             {
-                inner.forgetMotions();
+                owned.forgetMotions();
             }
         }
 
@@ -346,7 +346,7 @@ package starlogo.collision
         /** @private Whether a collider is in the collision system, or in the one of the frame under way. It is then no other Collision's. */
         engine function uses(collider:Collider):Boolean
         {
-            return _system.innerCollider === collider || _updating != null && _updating.innerCollider === collider;
+            return _system.ownedCollider === collider || _updating != null && _updating.ownedCollider === collider;
         }
 
         /** @private */

@@ -19,6 +19,9 @@ package starlogo.collision
         // In place of the index of a pair: a touch that has ended.
         private static const NO_PAIR:int = -1;
 
+        // In place of the index of the next handler: the calls of a pair or touch have not begun.
+        private static const NOT_BEGUN:int = -1;
+
         /** The number of handlers called. */
         public var count:int = 0;
 
@@ -33,9 +36,9 @@ package starlogo.collision
         // Whether each pair has got its touch, with calls both ways.
         private var _areTouchesComplete:Boolean;
 
-        // The handlers of the present pair or touch, and the index of the next one, because the calls go on from there if a handler throws. Whether a
-        // handler runs.
-        private var _handlers:PairHandlers;
+        // The calls of the present pair or ended touch: its handlers, the index of the next one, and whether a handler runs. If a handler throws, the
+        // calls go on from here.
+        private var _ofPair:PairHandlers;
         private var _next:int;
         private var _isCalling:Boolean;
 
@@ -107,7 +110,7 @@ package starlogo.collision
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
             var end:int = ended + pairCount;
             var done:int = 0;
-            _next = 0;
+            _next = NOT_BEGUN;
             _isCalling = false;
             while (done < end)
             {
@@ -123,7 +126,7 @@ package starlogo.collision
                         {
                             callForPair(chosen == null ? done - ended : chosen.numbers[done - ended]);
                         }
-                        _next = 0;
+                        _next = NOT_BEGUN;
                     }
                 }
                 catch (error:*)
@@ -143,17 +146,18 @@ package starlogo.collision
                 throw error;
             }
             _isCalling = false;
-            errors.push(nameBreeds(error is Error ? error : new Error(String(error)), _handlers.handlers[_next - 1]));
+            errors.push(nameBreeds(error is Error ? error : new Error(String(error)), _ofPair.handlers[_next - 1]));
         }
 
         // The handlers belong to the breeds that the two agents had when the touch began.
         private function callForEnded(touch:Touch):void
         {
-            if (_next == 0)
+            if (_next == NOT_BEGUN)
             {
-                _handlers = _table.handlersOf(touch.firstBreed, touch.secondBreed);
+                _ofPair = _table.handlersOf(touch.firstBreed, touch.secondBreed);
+                _next = 0;
             }
-            callHandlers(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.isCalledForBoth ? _handlers.handlers.length : _handlers.firstCount);
+            callHandlers(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.isCalledForBoth ? _ofPair.handlers.length : _ofPair.firstCount);
         }
 
         // The handlers belong to the breeds that the two agents have before the first of them is called.
@@ -161,12 +165,13 @@ package starlogo.collision
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            if (_next == 0)
+            if (_next == NOT_BEGUN)
             {
-                _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);
+                _ofPair = _table.handlersOf(first.breedNumber, second.breedNumber);
+                _next = 0;
             }
-            var end:int = _handlers.handlers.length;
-            if (!_handlers.tracksTouches)
+            var end:int = _ofPair.handlers.length;
+            if (!_ofPair.tracksTouches)
             {
                 callHandlers(pair, first, second, CollisionHandler.COLLISION, end);
                 return;
@@ -181,7 +186,7 @@ package starlogo.collision
             callHandlers(pair, first, second, isStarting ? CollisionHandler.COLLISION | CollisionHandler.START : CollisionHandler.COLLISION, end);
             if (isStarting)
             {
-                touch.isCalledForBoth = _next > _handlers.firstCount || _next == end;
+                touch.isCalledForBoth = _next > _ofPair.firstCount || _next == end;
                 _areTouchesComplete &&= touch.isCalledForBoth;
             }
         }
@@ -201,8 +206,8 @@ package starlogo.collision
         // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
         private function callHandlers(pair:int, first:Agent, second:Agent, kinds:int, end:int):void
         {
-            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
-            var firstCount:int = _handlers.firstCount;
+            var handlers:Vector.<CollisionHandler> = _ofPair.handlers;
+            var firstCount:int = _ofPair.firstCount;
             while (_next < end)
             {
                 var handler:CollisionHandler = handlers[_next];

@@ -76,7 +76,7 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            _seen.table.narrowPhase.findClosest(a, b, pointA != null || pointB != null, _closest);
+            _seen.narrowPhase.findClosest(a, b, pointA != null || pointB != null, _closest);
             if (_closest.distance == Infinity)
             {
                 // the edges of a world without edges have no points

@@ -39,10 +39,11 @@ package starlogo.queries
      */
     public final class SeenAgents
     {
-        /**
-         * @private The agents as rows. Questions only read them. The tests of their bodies belong to the collision system and have its settings.
-         */
+        /** @private The agents as rows. Questions only read them. */
         engine var table:AgentTable;
+
+        /** @private The tests of their bodies. They belong to the collision system and have its settings. */
+        engine var narrowPhase:NarrowPhase;
 
         private var _source:QuerySource;
 
@@ -75,7 +76,8 @@ package starlogo.queries
             {
                 throw QuerySource.errorAbout(collisionOrShapes);
             }
-            table = new AgentTable(_source.findNarrowPhase());
+            narrowPhase = _source.findNarrowPhase();
+            table = new AgentTable(narrowPhase.choice);
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
@@ -102,11 +104,12 @@ package starlogo.queries
             requireGiven("agents", agents);
             requireUnlocked("update");
             var found:NarrowPhase = _source.findNarrowPhase();
-            var isOther:Boolean = found !== table.narrowPhase;
-            var next:AgentTable = isOther ? new AgentTable(found) : table;
+            var isOther:Boolean = found !== narrowPhase;
+            var next:AgentTable = isOther ? new AgentTable(found.choice) : table;
             next.read(agents);
             next.readWorld(terrain == null ? null : terrain.worldAgent, null);
             table = next;
+            narrowPhase = found;
             for (var i:int = 0; isOther && i < _needs.length; i++)
             {
                 _needs[i](found);
@@ -144,7 +147,7 @@ package starlogo.queries
         engine function needTests(addTo:Function):void
         {
             _needs.push(addTo);
-            addTo(table.narrowPhase);
+            addTo(narrowPhase);
         }
 
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */

@@ -52,7 +52,7 @@ package starlogo.queries
         {
             requireGiven("bounds", bounds);
             var body:Body = _seen.bodyOf(agent);
-            return body.shape != null && _seen.table.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _body));
+            return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _body));
         }
 
         /** See AgentQueries.wouldTouchAt. */
@@ -86,7 +86,7 @@ package starlogo.queries
             _search.beginAround(_seen.treeOfExtents(), body);
             for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
             {
-                if (table.narrowPhase.areTouching(body, table.bodyOf(row)))
+                if (_seen.narrowPhase.areTouching(body, table.bodyOf(row)))
                 {
                     var toX:Number = table.places.x[row] - body.placement.x;
                     var toY:Number = table.places.y[row] - body.placement.y;

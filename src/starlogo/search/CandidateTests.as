@@ -24,10 +24,12 @@ package starlogo.search
         public var candidatePairs:int = 0;
 
         private var _table:AgentTable;
+        private var _narrowPhase:NarrowPhase;
 
-        // The search under way: its input, the motions of the rows, or null if no agent sweeps, and what takes the pairs.
+        private var _motions:RowMotions;
+
+        // The search under way: its input, and what takes the pairs.
         private var _input:FrameInput = null;
-        private var _motions:RowMotions = null;
         private var _out:FoundPairs = null;
 
         // If an agent sweeps: the times at which a row touches others.
@@ -36,24 +38,28 @@ package starlogo.search
         // The members that are tested with the ground or the edges of the world.
         private var _worldCandidates:IntList = new IntList();
 
-        /** @param table has the rows */
-        public function CandidateTests(table:AgentTable)
+        /**
+         * @param table has the rows
+         * @param narrowPhase tests their bodies
+         * @param motions those of the rows
+         */
+        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions)
         {
             _table = table;
+            _narrowPhase = narrowPhase;
+            _motions = motions;
         }
 
         /**
-         * Begins a search.
+         * Begins a search. If an agent sweeps, the tests of the motions have begun.
          *
-         * @param motions the motions of the rows, whose tests have begun; null if no agent sweeps
          * @param out receives the pairs, row by row. They are not in order then
          */
-        public function begin(input:FrameInput, motions:RowMotions, out:FoundPairs):void
+        public function begin(input:FrameInput, out:FoundPairs):void
         {
             candidatePairs = 0;
             out.begin();
             _input = input;
-            _motions = motions;
             _out = out;
         }
 
@@ -66,7 +72,7 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            addTouching(row, others, count, level);
+            addPairs(row, others, _motions.areSwept ? keepSwept(row, others, count, level.slack) : keepTouching(row, others, count, level));
         }
 
         /**
@@ -83,18 +89,20 @@ package starlogo.search
             }
             _input.listMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.numbers;
-            addTouching(worldRow, others, _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count), null);
+            var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
+            addPairs(worldRow, others, _motions.areSwept ? keepSwept(worldRow, others, count, RowMotions.NO_EXTENTS) : keepTouchingWorld(worldRow, others, count));
         }
 
-        // Adds the pairs of a row with those that touch it. The level has the slack of their extents; it is null for the ground and the edges.
-        private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
+        // Adds the pairs of a row with the first of the others. In a search with motions they have times.
+        private function addPairs(row:int, others:Vector.<int>, count:int):void
         {
-            if (_motions != null)
-            {
-                _out.addPairs(row, others, _motions.keepTouching(row, others, count, level, _times), _times);
-                return;
-            }
-            _out.addPairs(row, others, level == null ? keepTouchingWorld(row, others, count) : keepTouching(row, others, count, level), null);
+            _out.addPairs(row, others, count, _motions.areSwept ? _times : null);
+        }
+
+        // Keeps the rows that touch a row on their motions, and moves them to the beginning of the list.
+        private function keepSwept(row:int, others:Vector.<int>, count:int, slack:Number):int
+        {
+            return _motions.keepTouching(row, others, count, slack, _times);
         }
 
         // Keeps the rows that touch a row, and moves them to the beginning of the list.
@@ -102,7 +110,7 @@ package starlogo.search
         {
             // a field would be read again for each candidate
             var table:AgentTable = _table;
-            var narrowPhase:NarrowPhase = table.narrowPhase;
+            var narrowPhase:NarrowPhase = _narrowPhase;
             if (narrowPhase.choice.areSpheres)
             {
                 return narrowPhase.sphereTests.keepTouching(table, row, others, count, level);
@@ -134,7 +142,7 @@ package starlogo.search
         private function keepTouchingWorld(worldRow:int, others:Vector.<int>, count:int):int
         {
             var world:Body = _table.bodyOf(worldRow);
-            var tests:PairTests = _table.narrowPhase.pairTestsForWorldAgent(world);
+            var tests:PairTests = _narrowPhase.pairTestsForWorldAgent(world);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {

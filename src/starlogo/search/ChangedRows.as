@@ -26,14 +26,16 @@ package starlogo.search
         private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
 
         private var _table:AgentTable;
+        private var _narrowPhase:NarrowPhase;
+        private var _motions:RowMotions;
 
         // The members of the last search.
         private var _cells:CellLists;
 
         // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, to which a Collision adds none
-        // later; the motions, or null if no agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
+        // later; whether an agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
         private var _interests:BreedInterests = null;
-        private var _motions:RowMotions = null;
+        private var _wereSwept:Boolean = false;
         private var _isFiltered:Boolean = false;
         private var _maxDepth:int = 0;
 
@@ -44,11 +46,15 @@ package starlogo.search
 
         /**
          * @param table has the rows
+         * @param narrowPhase has the settings of the tests
+         * @param motions those of the rows
          * @param levels those of the bins
          */
-        public function ChangedRows(table:AgentTable, levels:Vector.<BinLevel>)
+        public function ChangedRows(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions, levels:Vector.<BinLevel>)
         {
             _table = table;
+            _narrowPhase = narrowPhase;
+            _motions = motions;
             _cells = new CellLists(levels);
         }
 
@@ -62,45 +68,43 @@ package starlogo.search
          * Notes a search of all rows that has ended.
          *
          * @param members the members of the search
-         * @param motions the motions of the rows; null if no agent sweeps
-         * @return whether <code>find()</code> may be called for the next search: if this one was like the one before, the next is probably like it
+         * @return whether <code>moveChanged()</code> may be called for the next search: if this one was like the one before, the next is probably like it
          *     too. Otherwise it would hardly be worth it
          */
-        public function noteSearch(members:IntList, input:FrameInput, motions:RowMotions):Boolean
+        public function noteSearch(members:IntList, input:FrameInput):Boolean
         {
-            if (isLikeLast(input, motions))
+            if (isLikeLast(input))
             {
-                _cells.begin(motions == null ? _table.extents : motions.extents, members, _table.list.agents.length);
+                _cells.begin(_motions.extents, members, _table.list.agents.length);
                 return true;
             }
             _interests = input.interests;
-            _motions = motions;
+            _wereSwept = _motions.areSwept;
             _isFiltered = input.admitted != null;
             _maxDepth = currentDepth;
             return false;
         }
 
         /**
-         * Finds the rows that have changed, and moves them to their cells. The table has read the agents, but not yet the ground and the edges.
+         * Finds the rows that have changed, and moves them to their cells. The table has read the agents, the ground and the edges.
          *
-         * @param motions the motions of the rows; null if no agent sweeps
          * @return false if all rows have to be searched: because the search does not depend on the same as the last one, too many rows have changed,
          *     or the cells need other buckets
          */
-        public function find(input:FrameInput, motions:RowMotions):Boolean
+        public function moveChanged(input:FrameInput):Boolean
         {
-            if (!isLikeLast(input, motions))
+            if (!isLikeLast(input))
             {
                 return false;
             }
-            findChanged(input);
+            markChanged(input);
             if (!areFew(_rows.count))
             {
                 return false;
             }
-            if (motions != null)
+            if (_motions.areSwept)
             {
-                motions.begin(_rows);
+                _motions.begin(_rows);
             }
             return updateCells(input) && _cells.haveRightBucketCounts();
         }
@@ -130,15 +134,15 @@ package starlogo.search
         }
 
         // Whether a search depends on the same as the last one, and few rows were read again.
-        private function isLikeLast(input:FrameInput, motions:RowMotions):Boolean
+        private function isLikeLast(input:FrameInput):Boolean
         {
-            return _interests === input.interests && _motions === motions && _isFiltered == (input.admitted != null)
+            return _interests === input.interests && _wereSwept == _motions.areSwept && _isFiltered == (input.admitted != null)
                 && _maxDepth == currentDepth && areFew(countRead());
         }
 
         private function get currentDepth():int
         {
-            var limits:TreeLimits = _table.narrowPhase.treeLimits;
+            var limits:TreeLimits = _narrowPhase.treeLimits;
             return limits.exact ? 0 : limits.maxDepth;
         }
 
@@ -146,7 +150,7 @@ package starlogo.search
         private function countRead():int
         {
             var count:int = _table.changed.count + _table.leftOrReordered.count;
-            if (_motions != null)
+            if (_motions.areSwept)
             {
                 count += _motions.previouslyChanged.count;
             }
@@ -156,12 +160,12 @@ package starlogo.search
         // Whether so few rows have changed that a search of all rows would take longer.
         private function areFew(changes:int):Boolean
         {
-            var rowsPerChange:int = _table.narrowPhase.choice.areSpheres || !_interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
+            var rowsPerChange:int = _narrowPhase.choice.areSpheres || !_interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
             return rowsPerChange * changes <= _table.list.rows.count;
         }
 
         // Finds the rows that have changed, and marks them.
-        private function findChanged(input:FrameInput):void
+        private function markChanged(input:FrameInput):void
         {
             _mark++;
             _rows.count = 0;
@@ -171,26 +175,20 @@ package starlogo.search
                 _marks.length = length;
             }
             _cells.makeRoom(length);
-            markWorldAgent(ListedAgents.GROUND_ROW, input.ground);
-            markWorldAgent(ListedAgents.EDGES_ROW, input.edges);
+            // the ground and the edges are no members, but their pairs change with them
+            for (var i:int = 0; i < _table.changedOfWorld.count; i++)
+            {
+                _marks[_table.changedOfWorld.numbers[i]] = _mark;
+            }
             addAll(_table.changed);
             addAll(_table.leftOrReordered);
-            if (_motions != null)
+            if (_motions.areSwept)
             {
                 addAll(_motions.previouslyChanged);
             }
             if (input.admitted != null)
             {
                 addFiltered(input);
-            }
-        }
-
-        // The ground and the edges are no members, but their pairs change with them.
-        private function markWorldAgent(worldRow:int, agent:WorldAgent):void
-        {
-            if (_table.list.agents[worldRow] !== agent || agent != null && agent.revision != _table.revisions[worldRow])
-            {
-                _marks[worldRow] = _mark;
             }
         }
 

@@ -6,7 +6,6 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
-    import starlogo.broadphase.Extents;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
@@ -31,18 +30,18 @@ package starlogo.search
         /** The agents of the last search. */
         public var table:AgentTable;
 
+        /** Tests their bodies. It may have other searches too. */
+        public var narrowPhase:NarrowPhase;
+
         private var _bins:Bins = new Bins();
         private var _tests:CandidateTests;
-        private var _rowMotions:RowMotions;
+        private var _motions:RowMotions;
         private var _changedRows:ChangedRows;
 
         // The pairs of the search, and those of changed rows that are put between them. Whether the next search may begin with these pairs.
         private var _pairs:FoundPairs;
         private var _pairsOfChanged:FoundPairs;
         private var _mayBeKept:Boolean = false;
-
-        // The motions in the search; null if no agent sweeps in it.
-        private var _motions:RowMotions = null;
 
         // The members of a search in which some rows are no members.
         private var _members:IntList = new IntList();
@@ -51,13 +50,14 @@ package starlogo.search
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
 
-        /** @param narrowPhase may have other searches too */
+        /** @param narrowPhase chooses the shapes of the agents, and tests their bodies */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
-            table = new AgentTable(narrowPhase);
-            _tests = new CandidateTests(table);
-            _rowMotions = new RowMotions(table);
-            _changedRows = new ChangedRows(table, _bins.levels);
+            this.narrowPhase = narrowPhase;
+            table = new AgentTable(narrowPhase.choice);
+            _motions = new RowMotions(table, narrowPhase);
+            _tests = new CandidateTests(table, narrowPhase, _motions);
+            _changedRows = new ChangedRows(table, narrowPhase, _motions, _bins.levels);
             _pairs = new FoundPairs(table.list);
             _pairsOfChanged = new FoundPairs(table.list);
         }
@@ -74,49 +74,53 @@ package starlogo.search
          */
         public function find(input:FrameInput, mayKeep:Boolean, counts:SearchCounts):FoundPairs
         {
-            table.findChanges(input.agents);
-            if (Agent.haveSwept)
-            {
-                _rowMotions.note();
-            }
-            table.readChanges();
-            _motions = Agent.haveSwept && isAnySweeping(input.agents) ? _rowMotions : null;
+            readInput(input);
             // tests since the last search, as those of questions, do not count
-            table.narrowPhase.counts.clear();
+            narrowPhase.counts.clear();
             var mayBegin:Boolean = mayKeep && _mayBeKept;
             // if the search throws, the next one is of all rows, because the table has been read
             _mayBeKept = false;
-            var isOfChanged:Boolean = mayBegin && _changedRows.find(input, _motions);
-            table.readWorld(input.ground, input.edges);
+            var isOfChanged:Boolean = mayBegin && _changedRows.moveChanged(input);
             var memberCount:int = isOfChanged ? findOfChanged(input) : findOfAll(input, mayKeep);
-            counts.copyTests(table.narrowPhase.counts);
+            counts.copyTests(narrowPhase.counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
             counts.candidatePairs = _tests.candidatePairs;
-            counts.sweptPairs = _motions == null ? 0 : _motions.sweptPairs;
+            counts.sweptPairs = _motions.areSwept ? _motions.sweptPairs : 0;
             counts.collisions = _pairs.count;
             return _pairs;
+        }
+
+        // Reads the input into the table. The motions are noted before the table reads the places, because they begin at those of the last search.
+        private function readInput(input:FrameInput):void
+        {
+            table.acceptList(input.agents);
+            if (Agent.haveSwept)
+            {
+                _motions.note();
+            }
+            _motions.areSwept = Agent.haveSwept && isAnySweeping(input.agents);
+            table.readChanges();
+            table.readWorld(input.ground, input.edges);
         }
 
         // Finds the pairs of all members. Returns the number of members.
         private function findOfAll(input:FrameInput, mayKeep:Boolean):int
         {
             var members:IntList = input.findMembers(table, _members);
-            var extents:Extents = table.extents;
-            if (_motions != null)
+            if (_motions.areSwept)
             {
                 _motions.begin(table.list.rows);
-                extents = _motions.extents;
             }
-            _tests.begin(input, _motions, _pairs);
-            _bins.findPairs(extents, members, _tests);
+            _tests.begin(input, _pairs);
+            _bins.findPairs(_motions.extents, members, _tests);
             for (var worldRow:int = ListedAgents.GROUND_ROW; worldRow <= ListedAgents.EDGES_ROW; worldRow++)
             {
                 _tests.testWithWorldAgent(worldRow, members);
             }
-            _pairs.putInOrder(_motions != null);
-            _mayBeKept = mayKeep && _changedRows.noteSearch(members, input, _motions);
+            _pairs.putInOrder(_motions.areSwept);
+            _mayBeKept = mayKeep && _changedRows.noteSearch(members, input);
             return members.count;
         }
 
@@ -125,13 +129,13 @@ package starlogo.search
         // members.
         private function findOfChanged(input:FrameInput):int
         {
-            _tests.begin(input, _motions, _pairsOfChanged);
+            _tests.begin(input, _pairsOfChanged);
             _changedRows.findPairs(_tests);
             for (var worldRow:int = ListedAgents.GROUND_ROW; worldRow <= ListedAgents.EDGES_ROW; worldRow++)
             {
                 _tests.testWithWorldAgent(worldRow, _changedRows.rowsToTestWith(worldRow));
             }
-            _pairsOfChanged.putInOrder(_motions != null);
+            _pairsOfChanged.putInOrder(_motions.areSwept);
             _changedRows.updatePairs(_pairs, _pairsOfChanged);
             _mayBeKept = true;
             return _changedRows.memberCount;
@@ -152,7 +156,7 @@ package starlogo.search
         public function forgetSearch():void
         {
             _mayBeKept = false;
-            _motions = null;
+            _motions.areSwept = false;
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -160,7 +164,7 @@ package starlogo.search
         {
             var bodyA:Body = table.currentBodyOf(a, _bodyA);
             var bodyB:Body = table.currentBodyOf(b, _bodyB);
-            return bodyA.shape != null && bodyB.shape != null && table.narrowPhase.areTouching(bodyA, bodyB);
+            return bodyA.shape != null && bodyB.shape != null && narrowPhase.areTouching(bodyA, bodyB);
         }
 
         /**
@@ -188,7 +192,7 @@ package starlogo.search
                 return;
             }
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
-            if (areSeen && _motions != null)
+            if (areSeen && _motions.areSwept)
             {
                 _motions.findContact(rowA, rowB, motion, out);
                 return;
@@ -200,7 +204,7 @@ package starlogo.search
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            table.narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
+            narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
         }
     }
 }

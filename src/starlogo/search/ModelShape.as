@@ -32,7 +32,7 @@ package starlogo.search
         /** The model's name. */
         public var modelName:String;
 
-        /** The number that BaseShapeChoice.kindOf() has returned. */
+        /** The number that BaseShapeChoice.kindOf() has returned. It is not the kind of the structure. */
         public var kind:int;
 
         /** @private The revision of the model in the GreatLand. */
@@ -87,8 +87,7 @@ package starlogo.search
         }
 
         /**
-         * @private Makes a shape of the ground or of the edges of the world. Its structure gives the scale for tolerances: as wide as a cell, or a
-         *     point.
+         * @private Makes a shape of the ground or of the edges of the world. Its structure is a point, so no tolerance is a fraction of it.
          *
          * @param grid the heights of the ground, or null
          * @param edges the edges, or null
@@ -98,7 +97,7 @@ package starlogo.search
         {
             var isGround:Boolean = grid != null;
             var shape:ModelShape = new ModelShape(isGround ? Breeds.TERRAIN : Breeds.EDGE, Agent.ANY_KIND, 0);
-            shape.structure = new Sphere(new Vector3D(), isGround ? grid.cellWidth / 2 : 0);
+            shape.structure = new Sphere(new Vector3D(), 0);
             shape.form = isGround ? GROUND : EDGES;
             shape.isUpright = true;
             shape.grid = grid;

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import flash.errors.IllegalOperationError;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
@@ -109,12 +110,19 @@ package starlogo.search
             return a.rank > b.rank;
         }
 
-        /** The tests for two bodies, by their forms. The order of the two: see PairTests. */
+        /**
+         * The tests for two bodies, by their forms.
+         *
+         * @param a a body of an agent or a structure
+         * @param b any body
+         * @throws flash.errors.IllegalOperationError if the first body is of the world. Tests take it as the second one: see PairTests
+         */
         public function pairTestsFor(a:Body, b:Body):PairTests
         {
             var last:int = a.form > b.form ? a.form : b.form;
             if (last >= ModelShape.GROUND)
             {
+                requireSecond(a);
                 return pairTestsForWorldAgent(b);
             }
             if (last == ModelShape.TREE)
@@ -122,6 +130,14 @@ package starlogo.search
                 return treeTests;
             }
             return last == BoundingStructure.SPHERE ? sphereTests : structureTests;
+        }
+
+        private static function requireSecond(first:Body):void
+        {
+            if (first.isOfWorld)
+            {
+                throw new IllegalOperationError("the ground and the edges of the world are the second body of a pair");
+            }
         }
 
         /** The tests with the ground. */

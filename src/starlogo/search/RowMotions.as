@@ -2,7 +2,6 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.convex.ContactPoint;
@@ -12,6 +11,7 @@ package starlogo.search
     import starlogo.geometry.Placement;
     import starlogo.intersection.boxes.AxisMotion;
     import starlogo.intersection.boxes.ContactInterval;
+    import starlogo.search.pairs.PairTests;
     import starlogo.search.table.AgentTable;
 
     use namespace engine;
@@ -22,6 +22,12 @@ package starlogo.search
      */
     internal final class RowMotions
     {
+        /** In place of the slack of a level: the extents of a row say nothing, so they rule no pair out. */
+        internal static const NO_EXTENTS:Number = Infinity;
+
+        /** Whether an agent of the search sweeps. If none does, the motions do not count. */
+        internal var areSwept:Boolean = false;
+
         /** By row: the way from the place in the search before. It is 0 for an agent that has not moved, or has come without a motion. */
         internal var motions:Points = new Points();
 
@@ -31,11 +37,11 @@ package starlogo.search
         /** The rows whose motions the search before has noted. */
         internal var previouslyChanged:IntList = new IntList();
 
-        /** By row: the extents of the whole motion. */
-        internal var extents:Extents = new Extents();
-
         /** The number of pairs that the search has tested along their motions. Read only. */
         internal var sweptPairs:int = 0;
+
+        // By row: the extents of the whole motion.
+        private var _extents:Extents = new Extents();
 
         // The rows whose motions this search has noted.
         private var _changed:IntList = new IntList();
@@ -44,6 +50,7 @@ package starlogo.search
         private var _sweeps:Vector.<Boolean> = new Vector.<Boolean>();
 
         private var _table:AgentTable;
+        private var _narrowPhase:NarrowPhase;
 
         // The motion of a pair that is tested.
         private var _motion:RelativeMotion = new RelativeMotion();
@@ -52,10 +59,20 @@ package starlogo.search
         private var _interval:ContactInterval = new ContactInterval();
         private var _axisMotion:AxisMotion = new AxisMotion();
 
-        /** @param table has the rows */
-        public function RowMotions(table:AgentTable)
+        /**
+         * @param table has the rows
+         * @param narrowPhase tests their bodies
+         */
+        public function RowMotions(table:AgentTable, narrowPhase:NarrowPhase)
         {
             _table = table;
+            _narrowPhase = narrowPhase;
+        }
+
+        /** The extents of the rows in the search: those of their whole motions if an agent sweeps, otherwise where they are. */
+        public function get extents():Extents
+        {
+            return areSwept ? _extents : _table.extents;
         }
 
         /**
@@ -68,7 +85,7 @@ package starlogo.search
             {
                 _sweeps.length = haveJumped.length = _table.list.agents.length;
                 motions.grow(_sweeps.length);
-                extents.grow(_sweeps.length);
+                _extents.grow(_sweeps.length);
             }
             var before:IntList = previouslyChanged;
             previouslyChanged = _changed;
@@ -128,25 +145,25 @@ package starlogo.search
             var motionZ:Number = motions.z[row];
             var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
             var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-            extents.x[row] = standing.x[row] - motionX / 2;
-            extents.y[row] = standing.y[row] - motionY / 2;
-            extents.z[row] = standing.z[row] - motionZ / 2;
-            extents.halfX[row] = halfX;
-            extents.halfY[row] = halfY;
-            extents.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
-            extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
-            extents.offset[row] = standing.offset[row];
-            extents.assignLevel(row);
+            _extents.x[row] = standing.x[row] - motionX / 2;
+            _extents.y[row] = standing.y[row] - motionY / 2;
+            _extents.z[row] = standing.z[row] - motionZ / 2;
+            _extents.halfX[row] = halfX;
+            _extents.halfY[row] = halfY;
+            _extents.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
+            _extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+            _extents.offset[row] = standing.offset[row];
+            _extents.assignLevel(row);
         }
 
         /**
          * Keeps the rows that touch a row on their motions, and moves them to the beginning of the list.
          *
-         * @param level has the slack of the rows' extents; null for the ground and the edges, whose extents say nothing
+         * @param slack how far apart the extents of two rows that touch may be; NO_EXTENTS for the ground and the edges
          * @param times receives the times of the touches
          * @return the number of rows that it keeps
          */
-        public function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
+        public function keepTouching(row:int, others:Vector.<int>, count:int, slack:Number, times:Vector.<Number>):int
         {
             var ranks:Vector.<int> = _table.list.ranks;
             var rank:int = ranks[row];
@@ -156,7 +173,7 @@ package starlogo.search
                 var other:int = others[i];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = rank < ranks[other];
-                findFirst(level, isFirst ? row : other, isFirst ? other : row, _motion, null);
+                findTime(isFirst ? row : other, isFirst ? other : row, slack, _motion);
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
@@ -167,29 +184,44 @@ package starlogo.search
             return kept;
         }
 
-        // Finds the time at which two rows first touch. If neither of the two sweeps, they are tested where they are now. The motion receives the motion of
-        // the first relative to the second, with the time, from 0 to 1, or RelativeMotion.NEVER. If there is an out, it receives the contact of two parts
-        // if they touch, where b is now (PairTests.findContactOfParts).
-        private function findFirst(level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        // Finds the time at which two rows first touch, from 0 to 1, or RelativeMotion.NEVER. If neither of the two sweeps, they are tested where they are
+        // now. The motion receives the motion of the first relative to the second, with the time.
+        private function findTime(a:int, b:int, slack:Number, motion:RelativeMotion):void
         {
-            motion.endAfter(motions.x[a] - motions.x[b], motions.y[a] - motions.y[b], motions.z[a] - motions.z[b]);
-            motion.time = RelativeMotion.NEVER;
+            beginMotion(a, b, motion);
             if (!eitherSweeps(a, b))
             {
-                if (level == null || _table.extents.areNear(a, b, level.slack))
-                {
-                    testStanding(a, b, 1, motion, out);
-                }
+                motion.time = _table.extents.areNear(a, b, slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
             }
             else if (motion.isStill)
             {
-                // two that move alike touch from the beginning on, and two that have not moved where they are
-                testStanding(a, b, hasMoved(a) ? 0 : 1, motion, out);
+                motion.time = areTouching(a, b) ? timeOfStill(a) : RelativeMotion.NEVER;
             }
             else
             {
-                sweep(level, a, b, motion, out);
+                sweep(a, b, slack, motion);
             }
+        }
+
+        private function beginMotion(a:int, b:int, motion:RelativeMotion):void
+        {
+            motion.endAfter(motions.x[a] - motions.x[b], motions.y[a] - motions.y[b], motions.z[a] - motions.z[b]);
+            motion.time = RelativeMotion.NEVER;
+        }
+
+        // The time at which two rows that touch first do, if the first does not move relative to the second: from the beginning on if they move alike,
+        // and where they are if they have not moved.
+        private function timeOfStill(a:int):int
+        {
+            return motions.x[a] != 0 || motions.y[a] != 0 || motions.z[a] != 0 ? 0 : 1;
+        }
+
+        // Whether two rows touch where they are. Only the second may be of the world.
+        private function areTouching(a:int, b:int):Boolean
+        {
+            var bodyA:Body = _table.bodyOf(a);
+            var bodyB:Body = _table.bodyOf(b);
+            return _narrowPhase.pairTestsFor(bodyA, bodyB).areTouching(bodyA, bodyB);
         }
 
         /**
@@ -203,17 +235,26 @@ package starlogo.search
         {
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
-            motion.time = RelativeMotion.NEVER;
+            var tests:PairTests = _narrowPhase.pairTestsFor(bodyA, bodyB);
+            beginMotion(a, b, motion);
             if (eitherSweeps(a, b))
             {
-                findFirst(null, a, b, motion, out);
+                if (!motion.isStill)
+                {
+                    tests.findFirst(bodyA, bodyB, motion, out);
+                }
+                else if (tests.areTouching(bodyA, bodyB))
+                {
+                    motion.time = timeOfStill(a);
+                    tests.findContactOfParts(bodyA, bodyB, motion, out);
+                }
             }
             if (motion.time == RelativeMotion.NEVER)
             {
-                _table.narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
+                tests.findContact(bodyA, bodyB, motion, out);
                 return;
             }
-            _table.narrowPhase.pairTestsFor(bodyA, bodyB).separate(bodyA, bodyB, motion, out);
+            tests.separate(bodyA, bodyB, motion, out);
             // the motion was relative to b at its present place, so the point is moved back to where b was at that time
             var back:Number = motion.time - 1;
             out.x += back * motions.x[b];
@@ -227,42 +268,22 @@ package starlogo.search
             return _sweeps[a] || _sweeps[b];
         }
 
-        private function hasMoved(row:int):Boolean
-        {
-            return motions.x[row] != 0 || motions.y[row] != 0 || motions.z[row] != 0;
-        }
-
-        // Tests two rows where they are. If they touch, the motion gets the time.
-        private function testStanding(a:int, b:int, time:int, motion:RelativeMotion, out:ContactPoint):void
-        {
-            var bodyA:Body = _table.bodyOf(a);
-            var bodyB:Body = _table.bodyOf(b);
-            if (_table.narrowPhase.areTouching(bodyA, bodyB))
-            {
-                motion.time = time;
-                if (out != null)
-                {
-                    _table.narrowPhase.pairTestsFor(bodyA, bodyB).findContactOfParts(bodyA, bodyB, motion, out);
-                }
-            }
-        }
-
-        private function sweep(level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        private function sweep(a:int, b:int, slack:Number, motion:RelativeMotion):void
         {
             var areSpheres:Boolean = _table.shapes[a].form == BoundingStructure.SPHERE && _table.shapes[b].form == BoundingStructure.SPHERE;
-            if (level != null && !areSpheres && !overlapOnMotions(_table.extents, level.slack, a, b))
+            if (!areSpheres && !overlapOnMotions(_table.extents, slack, a, b))
             {
                 return;
             }
             sweptPairs++;
-            if (areSpheres && out == null)
+            if (areSpheres)
             {
-                _table.narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
+                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
                 return;
             }
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
-            _table.narrowPhase.pairTestsFor(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
+            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirst(bodyA, bodyB, motion, null);
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.

@@ -15,8 +15,9 @@ package starlogo.search
     /** A motion begins where the last search saw the agent. */
     public class RowMotionsTest
     {
-        private var _table:AgentTable = new AgentTable(new NarrowPhase(new TightestFitChoice(landOf(BuiltInModel.cube()))));
-        private var _motions:RowMotions = new RowMotions(_table);
+        private var _tests:NarrowPhase = new NarrowPhase(new TightestFitChoice(landOf(BuiltInModel.cube())));
+        private var _table:AgentTable = new AgentTable(_tests.choice);
+        private var _motions:RowMotions = new RowMotions(_table, _tests);
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]
@@ -58,12 +59,12 @@ package starlogo.search
                 if (random.chance(0.4))
                 {
                     var wrong:Agent = random.chance() ? null : new Agent("unknown");
-                    assertThrows(ArgumentError, /null|there is no model/, _table.findChanges, listed.concat(new <Agent>[wrong]));
+                    assertThrows(ArgumentError, /null|there is no model/, _table.acceptList, listed.concat(new <Agent>[wrong]));
                     assertLastPlaces(lastList, seen);
                     refused++;
                     continue;
                 }
-                _table.findChanges(listed);
+                _table.acceptList(listed);
                 _motions.note();
                 _table.readChanges();
                 for each (agent in listed)

@@ -88,7 +88,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + search.table.narrowPhase.choice.system * SYSTEM);
+            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + search.narrowPhase.choice.system * SYSTEM);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -120,7 +120,7 @@ package starlogo.collision.snapshots
             var parts:SnapshotParts = new SnapshotParts();
             try
             {
-                readParts(copy, agents, search.table.narrowPhase.choice.system, ground, edges, parts);
+                readParts(copy, agents, search.narrowPhase.choice.system, ground, edges, parts);
             }
             catch (error:Error)
             {

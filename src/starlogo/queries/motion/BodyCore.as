@@ -93,12 +93,9 @@ package starlogo.queries.motion
                 var other:Body = body.bodyOf(rows.numbers[i]);
                 if (other.form == ModelShape.GROUND)
                 {
-                    cell = 2 * other.largestHalf;
+                    cell = other.shape.grid.cellWidth;
                 }
-                else
-                {
-                    largest = Math.max(largest, 2 * other.largestHalf);
-                }
+                largest = Math.max(largest, 2 * other.largestHalf);
             }
             slop = OF_EXTENT * extent + OF_OTHERS * largest + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z))
                 + OF_MOTION * (cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));

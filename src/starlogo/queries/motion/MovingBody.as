@@ -173,7 +173,7 @@ package starlogo.queries.motion
         /** The tests of two bodies. */
         public function get narrowPhase():NarrowPhase
         {
-            return _seen.table.narrowPhase;
+            return _seen.narrowPhase;
         }
 
         /** The whole body at a place. It is valid until the next call. */
@@ -201,11 +201,10 @@ package starlogo.queries.motion
             return isOneWay(row) && contact.normalZ < UPWARDS;
         }
 
-        /** The larger extent of the body and another. The ground's extents are those of a cell, and do not count. */
+        /** The larger extent of the body and another. That of the ground is 0. */
         public function extentWith(other:Body):Number
         {
-            var ofOther:Number = other.form == ModelShape.GROUND ? 0 : 2 * other.largestHalf;
-            return Math.max(ofOther, extent);
+            return Math.max(2 * other.largestHalf, extent);
         }
 
         /**

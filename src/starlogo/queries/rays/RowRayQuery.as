@@ -52,7 +52,7 @@ package starlogo.queries.rays
             var body:Body = _seen.table.bodyOf(row);
             if (body.form == ModelShape.GROUND)
             {
-                return _seen.table.narrowPhase.groundTestsOf(body).findHit(body, ray, out);
+                return _seen.narrowPhase.groundTestsOf(body).findHit(body, ray, out);
             }
             bringIntoModel(ray, body.placement, _inModel);
             return _inModel.isFinite && findHitOfShape(body, _inModel, out) && bringBack(out, _inModel, body.placement, ray);
@@ -99,10 +99,10 @@ package starlogo.queries.rays
             var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
-                var limits:TreeLimits = _seen.table.narrowPhase.treeLimits;
+                var limits:TreeLimits = _seen.narrowPhase.treeLimits;
                 return _solid.find(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
             }
-            return SpanFinder.find(line, shape.structure, _seen.table.narrowPhase.convexSpans, _span) && out.enter(line, _span);
+            return SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span) && out.enter(line, _span);
         }
     }
 }

@@ -53,7 +53,7 @@ package starlogo.queries.rays
             _crossings.count = 0;
             if (isGround)
             {
-                _seen.table.narrowPhase.groundTestsOf(body).findCrossings(body, ray, _crossings);
+                _seen.narrowPhase.groundTestsOf(body).findCrossings(body, ray, _crossings);
             }
             else
             {
@@ -79,10 +79,10 @@ package starlogo.queries.rays
             var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
-                var limits:TreeLimits = _seen.table.narrowPhase.treeLimits;
+                var limits:TreeLimits = _seen.narrowPhase.treeLimits;
                 return _trees.findAll(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
             }
-            if (SpanFinder.find(line, shape.structure, _seen.table.narrowPhase.convexSpans, _span))
+            if (SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span))
             {
                 out.addSpan(line, _span, 0);
             }

@@ -20,7 +20,8 @@ package starlogo.search.pairs
      * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs.
      *
      * <p>The order of a pair: the ground or the edges of the world are the second body in all these methods. Other bodies may come in either
-     * order, except in <code>findClosest()</code>.</p>
+     * order, except in <code>findClosest()</code>, which takes them as <code>NarrowPhase.isReversed()</code> says. Where rounding could depend on the
+     * order, a subclass puts the two into that one itself.</p>
      *
      * @private
      */

@@ -7,9 +7,9 @@ package starlogo.search.table
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.NarrowPhase;
     import starlogo.search.WorldAgent;
 
     use namespace engine;
@@ -26,11 +26,11 @@ package starlogo.search.table
      */
     public final class AgentTable
     {
-        // In place of a revision: the last search has not seen the agent. It is less than the revision of any jump.
-        private static const NOT_SEEN:int = -2;
+        // In place of a revision at which a row was read: it is read in the next search, even if its agent does not change.
+        private static const NOT_READ:int = -1;
 
-        /** Chooses the shapes of the agents, and tests their bodies. It may have other tables too. */
-        public var narrowPhase:NarrowPhase;
+        // In place of a revision at which a motion may begin: none begins there. It is less than the revision of any jump.
+        private static const NO_START:int = -2;
 
         /** The list that was read last, and the row of each agent. */
         public var list:ListedAgents = new ListedAgents();
@@ -41,12 +41,20 @@ package starlogo.search.table
         /** By row: the shape of the agent's model. It is null while the model is loading, and for a row without an agent or with a new one. */
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        /** By row: where the last search saw the agent, and the agent's revision then. */
+        /** By row: where the last search saw the agent. */
         engine var places:Points = new Points();
+
+        /** By row: the agent's revision at which the row was read; NOT_READ if the next search reads it in any case. */
         engine var revisions:Vector.<int> = new Vector.<int>();
 
         /** By row: the extents of the shape at that place. */
         engine var extents:Extents = new Extents();
+
+        // Chooses the shapes of the agents. It may have other tables too.
+        private var _choice:BaseShapeChoice;
+
+        // By row: the agent's revision when the last search saw it. Without a jump since, its next motion begins at its place. NO_START if none does.
+        private var _startRevisions:Vector.<int> = new Vector.<int>();
 
         // By row: the way from the agent's place to the middle of its extents.
         private var _offsets:Points = new Points();
@@ -58,8 +66,11 @@ package starlogo.search.table
         /** The number of rows read last whose models are still loading. */
         engine var loadingCount:int = 0;
 
-        /** The rows that are being read, because their agents have changed. */
+        /** The rows that <code>readChanges()</code> reads, because their agents have changed. */
         engine var changed:IntList = new IntList();
+
+        /** The rows of the ground and the edges of the world, if the last <code>readWorld()</code> found others, or found them changed. */
+        engine var changedOfWorld:IntList = new IntList();
 
         /**
          * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
@@ -71,40 +82,39 @@ package starlogo.search.table
         private var _reshaped:IntList = new IntList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        /**
-         * @param narrowPhase chooses the shapes, and tests the bodies
-         */
-        public function AgentTable(narrowPhase:NarrowPhase)
+        /** @param choice chooses the shapes */
+        public function AgentTable(choice:BaseShapeChoice)
         {
-            this.narrowPhase = narrowPhase;
+            _choice = choice;
             makeRoom();
         }
 
-        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>findChanges()</code> does */
+        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>acceptList()</code> does */
         public function read(agents:Vector.<Agent>):void
         {
-            findChanges(agents);
+            acceptList(agents);
             readChanges();
         }
 
         /**
-         * Takes a list of agents, and finds the rows to read. The rows are still as they were. Call <code>readChanges()</code> next.
+         * Takes a list of agents, and finds the rows to read. From now on the rows of agents that have left are empty, and no motion begins where an
+         * agent had another model. Otherwise the rows stay as the last search has read them, until <code>readChanges()</code>.
          *
-         * @throws ArgumentError if an agent is null or listed twice, or its model is unknown or lacks data that is needed. The positions and
-         *     motions of the last search are then unchanged
-         * @throws RangeError if a structure is out of the world; the same holds then
+         * @throws ArgumentError if an agent is null or listed twice, or its model is unknown or lacks data that is needed. All rows that are
+         *     listed are then unchanged
+         * @throws RangeError if a structure is out of the world. All rows that are listed are then unchanged
          */
-        public function findChanges(agents:Vector.<Agent>):void
+        public function acceptList(agents:Vector.<Agent>):void
         {
-            narrowPhase.choice.forgetReplaced();
+            _choice.forgetReplaced();
             leftOrReordered.count = 0;
-            // findChanged finds out on the way whether the list is the same
-            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && findChanged(agents, list.rows);
+            // compareRows finds out on the way whether the list is the same
+            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && compareRows(agents, list.rows);
             if (!isSame)
             {
                 list.propose(agents);
                 makeRoom();
-                findChanged(agents, list.proposed);
+                compareRows(agents, list.proposed);
             }
             findShapes(_reshaped, _newShapes);
             // nothing below throws
@@ -117,7 +127,7 @@ package starlogo.search.table
             forgetOtherModels();
         }
 
-        /** Reads the rows that have changed. */
+        /** Reads the rows that have changed. Throws nothing. */
         public function readChanges():void
         {
             readPlaces();
@@ -132,7 +142,7 @@ package starlogo.search.table
          */
         public function readRow(row:int):void
         {
-            narrowPhase.choice.forgetReplaced();
+            _choice.forgetReplaced();
             var agent:Agent = list.agents[row];
             if (!isBodyCurrent(row))
             {
@@ -153,23 +163,22 @@ package starlogo.search.table
         {
             if (places.x[row] != x || places.y[row] != y || places.z[row] != z)
             {
-                // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump. So the next
-                // search reads the row again, and moves its extents
-                list.agents[row].revision++;
                 places.x[row] = x;
                 places.y[row] = y;
                 places.z[row] = z;
+                // the agent stands elsewhere, and so do the extents
+                revisions[row] = NOT_READ;
             }
             if (!hasMotion)
             {
-                revisions[row] = NOT_SEEN;
+                forgetMotionStart(row);
             }
         }
 
         /** Whether a motion of an agent may begin at its place: the last search has seen the agent there, and it has not jumped since. */
         public function isMotionStart(row:int, agent:Agent):Boolean
         {
-            return agent.jumpRevision <= revisions[row];
+            return agent.jumpRevision <= _startRevisions[row];
         }
 
         /** Lets no motion of any agent begin at its place, as if the last search had not seen it. */
@@ -177,20 +186,33 @@ package starlogo.search.table
         {
             for (var row:int = 0; row < revisions.length; row++)
             {
-                revisions[row] = NOT_SEEN;
+                forgetMotionStart(row);
             }
+        }
+
+        // The row counts as changed in the next search, because RowMotions looks at no others.
+        private function forgetMotionStart(row:int):void
+        {
+            _startRevisions[row] = NO_START;
+            revisions[row] = NOT_READ;
         }
 
         /** Reads the ground and the edges of the world for a search. Either may be null. */
         public function readWorld(ground:WorldAgent, edges:WorldAgent):void
         {
+            changedOfWorld.count = 0;
             readWorldAgent(ListedAgents.GROUND_ROW, ground);
             readWorldAgent(ListedAgents.EDGES_ROW, edges);
         }
 
         private function readWorldAgent(row:int, agent:WorldAgent):void
         {
-            if (list.agents[row] !== agent)
+            var isOther:Boolean = list.agents[row] !== agent;
+            if (isOther || agent != null && agent.revision != revisions[row])
+            {
+                changedOfWorld.add(row);
+            }
+            if (isOther)
             {
                 list.agents[row] = agent;
                 shapes[row] = null;
@@ -226,14 +248,14 @@ package starlogo.search.table
          */
         public function currentBodyOf(agent:Agent, spare:Body):Body
         {
-            narrowPhase.choice.forgetReplaced();
+            _choice.forgetReplaced();
             var row:int = list.rowOf(agent);
             if (row >= 0 && agent.revision == revisions[row] && isBodyCurrent(row))
             {
                 return bodyOf(row);
             }
             var ofWorld:WorldAgent = agent as WorldAgent;
-            spare.readAgent(agent, ofWorld == null ? narrowPhase.choice.shapeOf(agent) : ofWorld.requireSurface());
+            spare.readAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
             if (row >= 0)
             {
                 spare.rank = list.ranks[row];
@@ -257,7 +279,7 @@ package starlogo.search.table
 
         // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). Returns false if the rows do not
         // belong to the agents.
-        private function findChanged(agents:Vector.<Agent>, listed:IntList):Boolean
+        private function compareRows(agents:Vector.<Agent>, listed:IntList):Boolean
         {
             var rows:Vector.<int> = listed.numbers;
             var byRow:Vector.<Agent> = list.agents;
@@ -286,8 +308,6 @@ package starlogo.search.table
                         reshaped.add(row);
                     }
                     changedRows.add(row);
-                    // also if the list is refused: then the next search reads the row again
-                    breeds[row] = agent.breedNumber;
                 }
             }
             return true;
@@ -321,7 +341,7 @@ package starlogo.search.table
                 return;
             }
             shapes.length = _bodies.length = length;
-            breeds.length = revisions.length = _bodyRevisions.length = length;
+            breeds.length = revisions.length = _startRevisions.length = _bodyRevisions.length = length;
             places.grow(length);
             extents.grow(length);
             _offsets.grow(length);
@@ -340,7 +360,7 @@ package starlogo.search.table
             }
             for (var i:int = 0; i < reshaped.count; i++)
             {
-                out[i] = narrowPhase.choice.shapeOf(list.agents[reshaped.numbers[i]]);
+                out[i] = _choice.shapeOf(list.agents[reshaped.numbers[i]]);
             }
         }
 
@@ -353,17 +373,19 @@ package starlogo.search.table
                 var next:ModelShape = _newShapes[i];
                 if (before == null || next == null || next.modelName != before.modelName)
                 {
-                    revisions[_reshaped.numbers[i]] = NOT_SEEN;
+                    _startRevisions[_reshaped.numbers[i]] = NO_START;
                 }
             }
         }
 
-        // Reads the places of the rows that have changed, and moves their extents.
+        // Reads the places and the breeds of the rows that have changed, and moves their extents.
         private function readPlaces():void
         {
             var numbers:Vector.<int> = changed.numbers;
             var agents:Vector.<Agent> = list.agents;
             var seen:Vector.<int> = revisions;
+            var starts:Vector.<int> = _startRevisions;
+            var breedNumbers:Vector.<int> = breeds;
             var xs:Vector.<Number> = places.x;
             var ys:Vector.<Number> = places.y;
             var zs:Vector.<Number> = places.z;
@@ -381,7 +403,8 @@ package starlogo.search.table
                 var row:int = numbers[i];
                 var agent:Agent = agents[row];
                 var at:Placement = agent.placement;
-                seen[row] = agent.revision;
+                seen[row] = starts[row] = agent.revision;
+                breedNumbers[row] = agent.breedNumber;
                 xs[row] = at.x;
                 ys[row] = at.y;
                 zs[row] = at.z;

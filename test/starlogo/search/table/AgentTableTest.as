@@ -9,7 +9,6 @@ package starlogo.search.table
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentQueries;
-    import starlogo.search.NarrowPhase;
     import starlogo.search.TightestFitChoice;
     import support.EachCollider;
     import support.RandomWorlds;
@@ -22,7 +21,7 @@ package starlogo.search.table
     public class AgentTableTest
     {
         private var _land:GreatLand = landOf(BuiltInModel.cube());
-        private var _table:AgentTable = new AgentTable(new NarrowPhase(new TightestFitChoice(_land)));
+        private var _table:AgentTable = new AgentTable(new TightestFitChoice(_land));
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]
@@ -53,6 +52,41 @@ package starlogo.search.table
             assertTrue(_table.list.agents.length + " rows", _table.list.agents.length <= 30);
             _table.read(_agents);
             assertHasOnly(_agents);
+        }
+
+        [Test]
+        public function aRefusedListLeavesTheRowsAsTheyAre():void
+        {
+            var row:int = _table.list.rowOf(_agents[3]);
+            var breed:int = _table.breeds[row];
+            _agents[3].breed = "wolf";
+            _agents[3].moveTo(5, 0, 0);
+            assertThrows(ArgumentError, /no model/, _table.read, _agents.concat(new <Agent>[new Agent("unknown")]));
+            assertEquals(breed, _table.breeds[row]);
+            assertEquals(0, _table.places.x[row]);
+            _table.read(_agents);
+            assertEquals(_agents[3].breedNumber, _table.breeds[row]);
+            assertEquals(5, _table.places.x[row]);
+        }
+
+        [Test]
+        public function aPlaceThatIsSetIsWhereTheNextMotionBegins():void
+        {
+            var agent:Agent = _agents[3];
+            var row:int = _table.list.rowOf(agent);
+            agent.jumpTo(5, 0, 0);
+            _table.read(_agents);
+            var revision:int = agent.revision;
+            _table.setLastPlace(row, 2, 0, 0, true);
+            assertEquals("the agent is as it was", revision, agent.revision);
+            assertTrue(_table.isMotionStart(row, agent));
+            _table.acceptList(_agents);
+            assertEquals("rows to read", 1, _table.changed.count);
+            assertEquals(2, _table.places.x[row]);
+            _table.readChanges();
+            assertEquals(5, _table.places.x[row]);
+            _table.setLastPlace(row, 5, 0, 0, false);
+            assertTrue(!_table.isMotionStart(row, agent));
         }
 
         [Test]

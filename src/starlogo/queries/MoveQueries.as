@@ -144,7 +144,7 @@ package starlogo.queries
             var body:MovingBody = nestedBody();
             body.readAgent(agent);
             requireMotion(dx, dy, dz, agent);
-            body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
+            body.collectRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
             _motion.setTo(dx, dy, dz);
             _slider.slide(body, body.rows, body.from, _motion, limits, _slid);
             _recovery.restoreClearance(body, body.rows, _slid.place);
@@ -182,7 +182,7 @@ package starlogo.queries
                 first:MotionResult):int
         {
             requireMotion(dx, dy, dz, asker);
-            body.findRowsAlong(dx, dy, dz, asker, filter);
+            body.collectRowsAlong(dx, dy, dz, asker, filter);
             motion.setTo(dx, dy, dz);
             return _hits.end(_touches.findTouches(body, motion, wanted, _hits, first));
         }

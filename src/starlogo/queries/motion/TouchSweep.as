@@ -15,7 +15,7 @@ package starlogo.queries.motion
      * Finds where a straight motion of a body first touches rows, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
      * it only touches, leaves or runs along does not stop it, because the core of the body is swept (CoreSweep).
      *
-     * <p>The motion is tested from where a lift out of all rows together has led the body (CoreSweep.findStart). A row alone may lift it farther. But the
+     * <p>The motion is tested from where a lift out of all rows together has led the body (CoreSweep.startMotion). A row alone may lift it farther. But the
      * motion ends where it would end without lifts, though no deeper in what the body was lifted out of.</p>
      *
      * @private
@@ -69,7 +69,7 @@ package starlogo.queries.motion
             if (addTouches(body, motion, found, hits, first))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
-                _sweep.findStart(body, body.rows, body.from, motion, _common);
+                _sweep.startMotion(body, body.rows, body.from, motion, _common);
                 if (!_common.place.equals(body.from))
                 {
                     found = _seen.ask(wanted, Infinity, null, null);

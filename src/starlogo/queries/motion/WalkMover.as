@@ -73,7 +73,7 @@ package starlogo.queries.motion
             walk.body.readAgent(walk.agent, walk.turn);
             walk.place.copyFrom(walk.body.from);
             walk.closeDepth = CLOSE * walk.body.extent;
-            findNear(walk, 0);
+            collectRows(walk, 0);
             if (walk.platform >= 0)
             {
                 _platforms.carry(walk);
@@ -84,12 +84,12 @@ package starlogo.queries.motion
         }
 
         // Finds the rows near a walk, and up to a distance from it.
-        private static function findNear(walk:Walk, distance:Number):void
+        private static function collectRows(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
             var range:Number = walk.pieces * walk.pieceLength / walk.walkableZ + widthAfterFall(walk) + walk.carry.length;
-            walk.body.findRowsWithin(range + distance, walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.agent,
+            walk.body.collectRowsWithin(range + distance, walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.agent,
                     options.filter);
         }
 
@@ -116,12 +116,12 @@ package starlogo.queries.motion
         // together are as long as the depths of all overlaps at the beginning.
         private function pushOut(walk:Walk):void
         {
-            var left:Number = _recovery.findDepth(walk.body, walk.place, walk.deepest);
+            var left:Number = _recovery.measureOverlaps(walk.body, walk.place, walk.deepest);
             if (!(left > 0))
             {
                 return;
             }
-            findNear(walk, left);
+            collectRows(walk, left);
             var pushes:int = 0;
             do
             {
@@ -133,7 +133,7 @@ package starlogo.queries.motion
                 walk.place.copyFrom(_slid.place);
                 pushes++;
             }
-            while (pushes < MOST_PUSHES && left > 0 && _recovery.findDepth(walk.body, walk.place, walk.deepest) > 0);
+            while (pushes < MOST_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepest) > 0);
         }
 
         // Goes all pieces: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.

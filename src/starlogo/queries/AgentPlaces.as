@@ -18,8 +18,8 @@ package starlogo.queries
     {
         private var _seen:SeenAgents;
 
-        // By the nesting of a question (SeenAgents.nesting): its search.
-        private var _searches:Vector.<NearSearch> = new Vector.<NearSearch>();
+        // The search of a question.
+        private var _searches:Nested;
 
         // The cone of inCone, which calls accepts only after the search.
         private var _cone:Cone = new Cone();
@@ -34,6 +34,10 @@ package starlogo.queries
         {
             requireGiven("seen", seen);
             _seen = seen;
+            _searches = new Nested(seen, function():NearSearch
+                {
+                    return new NearSearch();
+                });
         }
 
         /**
@@ -178,7 +182,8 @@ package starlogo.queries
             requireNotNegative("radius", radius);
             var found:Collector = _seen.ask(wanted, radius * radius, asker, filter);
             var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
-            nestedSearch().find(found, _seen.treeOfPlaces(), x, y, z, cone);
+            var search:NearSearch = _searches.current;
+            search.find(found, _seen.treeOfPlaces(), x, y, z, cone);
             return found;
         }
 
@@ -186,17 +191,8 @@ package starlogo.queries
         {
             requireNotNegative("radius", radius);
             var found:Collector = _seen.ask(Collector.ALL, radius * radius, asker, filter);
-            return nestedSearch().count(found, _seen.treeOfPlaces(), x, y, z);
-        }
-
-        // The search of a question that begins now.
-        private function nestedSearch():NearSearch
-        {
-            while (_searches.length <= _seen.nesting)
-            {
-                _searches.push(new NearSearch());
-            }
-            return _searches[_seen.nesting];
+            var search:NearSearch = _searches.current;
+            return search.count(found, _seen.treeOfPlaces(), x, y, z);
         }
     }
 }

@@ -2,8 +2,8 @@
 // kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
 // what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. The folder trees/ has the trees and their
 // searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts may ask while a
-// question is under way: what that one needs afterwards is there by nesting (SeenAgents.nesting). Read this file first, then AgentRays for a ray,
-// TouchSweep and Slider for a motion, or WalkMover for a walk.
+// question is under way: Nested says what that one has afterwards. Read this file first, then AgentRays for a ray, TouchSweep and Slider for a
+// motion, or WalkMover for a walk.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
@@ -59,8 +59,10 @@ package starlogo.queries
         // The body of an agent that has changed since the last update.
         private var _made:Body = new Body();
 
-        // By nesting: what collects the rows of a question.
-        private var _collectors:Vector.<Collector> = new Vector.<Collector>();
+        // What collects the rows of a question.
+        private var _collectors:Nested;
+
+        private var _nesting:int = 0;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -76,6 +78,11 @@ package starlogo.queries
                 throw QuerySource.errorAbout(collisionOrShapes);
             }
             table = new AgentTable(_source.findNarrowPhase());
+            var seen:SeenAgents = this;
+            _collectors = new Nested(this, function():Collector
+                {
+                    return new Collector(seen);
+                });
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
@@ -150,28 +157,30 @@ package starlogo.queries
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
         engine function ask(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            var at:int = nesting;
-            if (at == _collectors.length)
-            {
-                _collectors.push(new Collector());
-            }
-            var collector:Collector = _collectors[at];
+            var collector:Collector = _collectors.current;
             collector.begin(table, wanted, limit, asker, filter);
             return collector;
         }
 
         /**
          * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
-         * question that calls it, but not change the agents. What a question needs after these calls is there once for each nesting.
+         * question that calls it, but not change the agents. What a question needs after these calls is Nested.
          */
         engine function get nesting():int
         {
-            var depth:int = 0;
-            while (depth < _collectors.length && _collectors[depth].isAsking)
-            {
-                depth++;
-            }
-            return depth;
+            return _nesting;
+        }
+
+        /** @private A question begins to call a filter's <code>accepts</code>. Questions are one deeper from now on. */
+        engine function enterFilter():void
+        {
+            _nesting++;
+        }
+
+        /** @private The calls of <code>accepts</code> have ended. */
+        engine function leaveFilter():void
+        {
+            _nesting--;
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
@@ -272,7 +281,7 @@ package starlogo.queries
 
         private function requireUnlocked(what:String):void
         {
-            if (nesting > 0)
+            if (_nesting > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
             }

@@ -5,6 +5,7 @@ package starlogo.queries.trees
     import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
+    import starlogo.queries.SeenAgents;
     import starlogo.search.table.AgentTable;
 
     use namespace engine;
@@ -16,7 +17,7 @@ package starlogo.queries.trees
      *
      * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. Motions and casts of shapes call it for all rows
-     * near them. It may ask questions itself. These have Collectors of their own (SeenAgents.ask).</p>
+     * near them. It may ask questions itself. These have Collectors of their own (Nested).</p>
      *
      * @private
      */
@@ -34,9 +35,7 @@ package starlogo.queries.trees
         /** The number of rows that are wanted, or ALL. */
         public var wanted:int = ALL;
 
-        /** Whether it is calling a filter's <code>accepts</code>. Read only. */
-        public var isAsking:Boolean = false;
-
+        private var _seen:SeenAgents;
         private var _table:AgentTable;
 
         // The rows that were found, unsorted, and their keys. If accepts decides, the rows that it has admitted come first.
@@ -47,6 +46,12 @@ package starlogo.queries.trees
 
         // The number of rows that accepts has admitted, in order.
         private var _admitted:int = 0;
+
+        /** @param seen the agents that the question is about */
+        public function Collector(seen:SeenAgents)
+        {
+            _seen = seen;
+        }
 
         /**
          * Begins a search.
@@ -169,7 +174,7 @@ package starlogo.queries.trees
         private function admitTo(end:int):void
         {
             var decide:Function = filter.accepts;
-            isAsking = true;
+            _seen.enterFilter();
             try
             {
                 for (var i:int = _admitted; i < end && _admitted < wanted; i++)
@@ -183,7 +188,7 @@ package starlogo.queries.trees
             }
             finally
             {
-                isAsking = false;
+                _seen.leaveFilter();
             }
         }
 

@@ -12,10 +12,12 @@ package support
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
     import starlogo.collision.HierarchicalCollider;
+    import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.Footing;
     import starlogo.queries.RayHit;
     import starlogo.queries.ShapeHit;
+    import starlogo.queries.WalkOptions;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -54,6 +56,12 @@ package support
 
         /** A structure that is asked about. */
         public var structure:BoundingStructure;
+
+        /** The agents that count in questions; null for all. */
+        public var filter:AgentFilter = null;
+
+        /** The agent that questions move: the first one, or another one. */
+        public var mover:Agent;
 
         /** The pairs of the last "update": two agents each, and the contact's text. */
         public var pairs:Array;
@@ -117,6 +125,7 @@ package support
             direction = new Vector3D(agents[1].x - origin.x, agents[1].y - origin.y, agents[1].z + random.between(0, 0.8) - origin.z);
             way = new Vector3D(random.between(-2, 2), random.between(-2, 2), random.pick([0, random.between(-1, 1)]));
             structure = newStructure(random);
+            mover = agents[0];
             queries.update(agents);
         }
 
@@ -143,13 +152,13 @@ package support
                 case "contacts with the edges":
                     return textOf(collider.contactOf(me, bounds.agent)) + textOf(collider.contactOf(bounds.agent, agents[2]));
                 case "near":
-                    return namesOf(queries.near(me, 1.5)) + queries.countNear(me, 1.5);
+                    return namesOf(queries.near(me, 1.5, filter)) + queries.countNear(me, 1.5, filter);
                 case "nearest":
-                    return nameOf(queries.nearest(me)) + namesOf(queries.nearestFew(me, 3));
+                    return nameOf(queries.nearest(me, Infinity, filter)) + namesOf(queries.nearestFew(me, 3, Infinity, filter));
                 case "near a point":
-                    return namesOf(queries.nearPoint(origin, 4)) + queries.countNearPoint(origin, 4) + nameOf(queries.nearestToPoint(origin));
+                    return namesOf(queries.nearPoint(origin, 4, filter)) + queries.countNearPoint(origin, 4, filter) + nameOf(queries.nearestToPoint(origin, Infinity, filter));
                 case "in a cone":
-                    return namesOf(queries.inCone(me, 3, 140));
+                    return namesOf(queries.inCone(me, 3, 140, filter));
                 case "distances":
                     return ofEach(distanceTo);
                 case "distances to the ground":
@@ -163,41 +172,43 @@ package support
                             return queries.distanceToPoint(other, way);
                         });
                 case "cast":
-                    return textOfRay(queries.cast(origin, direction));
+                    return textOfRay(queries.cast(origin, direction, Infinity, filter));
                 case "castAll":
-                    return textOfRays(queries.castAll(origin, direction));
+                    return textOfRays(queries.castAll(origin, direction, Infinity, filter));
                 case "canSee":
                     return ofEach(function(other:Agent):*
                         {
-                            return queries.canSee(me, other);
+                            return queries.canSee(me, other, filter);
                         });
                 case "castShape":
-                    return textOfShape(queries.castShape(structure, way.x, way.y, way.z));
+                    return textOfShape(queries.castShape(structure, way.x, way.y, way.z, filter));
                 case "castShapeAll":
-                    return textOfShapes(queries.castShapeAll(structure, way.x, way.y, way.z));
+                    return textOfShapes(queries.castShapeAll(structure, way.x, way.y, way.z, filter));
                 case "castAgent":
-                    return textOfShape(queries.castAgent(me, way.x, way.y, way.z));
+                    return textOfShape(queries.castAgent(me, way.x, way.y, way.z, filter));
                 case "castAgentAll":
-                    return textOfShapes(queries.castAgentAll(me, way.x, way.y, way.z));
+                    return textOfShapes(queries.castAgentAll(me, way.x, way.y, way.z, filter));
                 case "overlapping":
-                    return namesOf(queries.overlapping(structure));
+                    return namesOf(queries.overlapping(structure, filter));
                 case "touching":
-                    return namesOf(queries.touching(me)) + queries.touchesAny(me);
+                    return namesOf(queries.touching(me, filter)) + queries.touchesAny(me, filter);
                 case "touches an edge":
                     return ofEach(function(other:Agent):*
                         {
                             return queries.touchesEdge(other, bounds);
                         }) + queries.touchesEdge(me, bounds);
                 case "would touch at":
-                    return queries.wouldTouchAt(me, me.x + way.x / 2, me.y + way.y / 2, me.z + way.z / 2) + " " + queries.wouldTouchAt(me, me.x + way.x, me.y + way.y, me.z + way.z);
+                    return queries.wouldTouchAt(me, me.x + way.x / 2, me.y + way.y / 2, me.z + way.z / 2, filter) + " " + queries.wouldTouchAt(me, me.x + way.x, me.y + way.y, me.z + way.z, filter);
                 case "moveUntilTouch":
                     var contact:Contact = new Contact();
-                    return queries.moveUntilTouch(me, way.x, way.y, way.z, null, contact) + " " + placeOf(me) + (contact.time < 1 ? textOf(contact) : "");
+                    return queries.moveUntilTouch(mover, way.x, way.y, way.z, filter, contact) + " " + placeOf(mover) + (contact.time < 1 ? textOf(contact) : "");
                 case "slide":
-                    return queries.slide(me, way.x, way.y, way.z) + " " + placeOf(me);
+                    return queries.slide(mover, way.x, way.y, way.z, filter) + " " + placeOf(mover);
                 case "walk":
-                    var footing:Footing = queries.walk(me, way.x, way.y);
-                    return [footing.stands, nameOf(footing.on), footing.normal, footing.part, footing.pushed, placeOf(me), me.heading].join(" ");
+                    var options:WalkOptions = new WalkOptions();
+                    options.filter = filter;
+                    var footing:Footing = queries.walk(mover, way.x, way.y, options);
+                    return [footing.stands, nameOf(footing.on), footing.normal, footing.part, footing.pushed, placeOf(mover), mover.heading].join(" ");
                 default:
                     throw new ArgumentError("unknown question: " + question);
             }

@@ -18,8 +18,8 @@ package starlogo.queries
     {
         private var _seen:SeenAgents;
 
-        // By the nesting of a question (SeenAgents.nesting): its search.
-        private var _searches:Vector.<NearSearch> = new Vector.<NearSearch>();
+        // The search of a question.
+        private var _searches:Nested;
 
         // The cone of inCone, which calls accepts only after the search.
         private var _cone:Cone = new Cone();
@@ -34,6 +34,10 @@ package starlogo.queries
         {
             requireGiven("seen", seen);
             _seen = seen;
+            _searches = new Nested(seen, function():NearSearch
+                {
+                    return new NearSearch();
+                });
         }
 
         /**
@@ -61,7 +65,7 @@ package starlogo.queries
          */
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
-            var at:Placement = _seen.placeOf(agent);
+            var at:Placement = _seen.placementOf(agent);
             return count(agent, at.x, at.y, at.z, radius, filter);
         }
 
@@ -160,7 +164,7 @@ package starlogo.queries
 
         private function findNear(agent:Agent, radius:Number, wanted:int, filter:AgentFilter, degrees:Number = 360):Collector
         {
-            var at:Placement = _seen.placeOf(agent);
+            var at:Placement = _seen.placementOf(agent);
             return find(agent, at.x, at.y, at.z, radius, wanted, filter, degrees);
         }
 
@@ -176,27 +180,19 @@ package starlogo.queries
                 degrees:Number = 360):Collector
         {
             requireNotNegative("radius", radius);
-            var found:Collector = _seen.ask(wanted, radius * radius, asker, filter);
+            var found:Collector = _seen.beginSearch(wanted, radius * radius, asker, filter);
             var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
-            nestedSearch().find(found, _seen.treeOfPlaces(), x, y, z, cone);
+            var search:NearSearch = _searches.current;
+            search.find(found, _seen.treeOfPlaces(), x, y, z, cone);
             return found;
         }
 
         private function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
         {
             requireNotNegative("radius", radius);
-            var found:Collector = _seen.ask(Collector.ALL, radius * radius, asker, filter);
-            return nestedSearch().count(found, _seen.treeOfPlaces(), x, y, z);
-        }
-
-        // The search of a question that begins now.
-        private function nestedSearch():NearSearch
-        {
-            while (_searches.length <= _seen.nesting)
-            {
-                _searches.push(new NearSearch());
-            }
-            return _searches[_seen.nesting];
+            var found:Collector = _seen.beginSearch(Collector.ALL, radius * radius, asker, filter);
+            var search:NearSearch = _searches.current;
+            return search.count(found, _seen.treeOfPlaces(), x, y, z);
         }
     }
 }

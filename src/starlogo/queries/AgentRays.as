@@ -31,8 +31,8 @@ package starlogo.queries
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
 
-        // By the nesting of a question (SeenAgents.nesting): how the ray meets rows.
-        private var _hits:Vector.<Hits> = new Vector.<Hits>();
+        // How the ray of a question meets rows.
+        private var _hits:Nested;
 
         private var _spare:SpareHits = new SpareHits(RayHit);
 
@@ -52,6 +52,10 @@ package starlogo.queries
             _seen = seen;
             _rowRays = new RowRayQuery(seen);
             _rowSurfaces = new RowSurfaceQuery(seen);
+            _hits = new Nested(seen, function():Hits
+                {
+                    return new Hits(seen);
+                });
         }
 
         /**
@@ -83,7 +87,7 @@ package starlogo.queries
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
             var found:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
-            var hits:Hits = nestedHits();
+            var hits:Hits = beginHits();
             collect(found, hits);
             if (hits.end(found) == 0)
             {
@@ -125,7 +129,7 @@ package starlogo.queries
         {
             var found:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
-            var hits:Hits = nestedHits();
+            var hits:Hits = beginHits();
             if (allSurfaces)
             {
                 collectSurfaces(found, hits);
@@ -186,7 +190,7 @@ package starlogo.queries
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
-            var at:Placement = _seen.placeOf(agent);
+            var at:Placement = _seen.placementOf(agent);
             var body:Body = _seen.bodyOf(agent);
             if (body.shape == null)
             {
@@ -213,21 +217,18 @@ package starlogo.queries
             _ray.aim(origin, direction);
             requireNotNegative("maxDistance", maxDistance);
             _ray.to = maxDistance;
-            var found:Collector = _seen.ask(wanted, maxDistance, null, filter);
+            var found:Collector = _seen.beginSearch(wanted, maxDistance, null, filter);
             _search.begin(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
             return found;
         }
 
-        // The hits of a question that begins now.
-        private function nestedHits():Hits
+        // The hits of a question that begins now: none yet.
+        private function beginHits():Hits
         {
-            while (_hits.length <= _seen.nesting)
-            {
-                _hits.push(new Hits(_seen));
-            }
-            _hits[_seen.nesting].begin();
-            return _hits[_seen.nesting];
+            var hits:Hits = _hits.current;
+            hits.begin();
+            return hits;
         }
 
         // Finds the rows that the ray meets, and keeps how it meets them.

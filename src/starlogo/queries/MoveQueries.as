@@ -37,8 +37,8 @@ package starlogo.queries
         private var _hits:Hits;
         private var _spare:SpareHits = new SpareHits(ShapeHit);
 
-        // By the nesting of a question (SeenAgents.nesting): its body.
-        private var _bodies:Vector.<MovingBody> = new Vector.<MovingBody>();
+        // The body of a question.
+        private var _bodies:Nested;
 
         // A motion, how it ends at the first row that stops it, and how a slide ends.
         private var _motion:Vector3D = new Vector3D();
@@ -51,12 +51,16 @@ package starlogo.queries
             _seen = seen;
             _touches = new TouchSweep(seen);
             _hits = new Hits(seen);
+            _bodies = new Nested(seen, function():MovingBody
+                {
+                    return new MovingBody(seen);
+                });
         }
 
         /** See AgentWalks.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var body:MovingBody = nestedBody();
+            var body:MovingBody = _bodies.current;
             body.readStructure(structure);
             return cast(body, null, dx, dy, dz, filter, hit);
         }
@@ -65,7 +69,7 @@ package starlogo.queries
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var body:MovingBody = nestedBody();
+            var body:MovingBody = _bodies.current;
             body.readStructure(structure);
             return castAll(body, null, dx, dy, dz, filter, out);
         }
@@ -73,7 +77,7 @@ package starlogo.queries
         /** See AgentWalks.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var body:MovingBody = nestedBody();
+            var body:MovingBody = _bodies.current;
             body.readCastAgent(agent);
             return cast(body, agent, dx, dy, dz, filter, hit);
         }
@@ -81,7 +85,7 @@ package starlogo.queries
         /** See AgentWalks.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var body:MovingBody = nestedBody();
+            var body:MovingBody = _bodies.current;
             body.readCastAgent(agent);
             return castAll(body, agent, dx, dy, dz, filter, out);
         }
@@ -90,7 +94,7 @@ package starlogo.queries
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            var body:MovingBody = nestedBody();
+            var body:MovingBody = _bodies.current;
             body.readAgent(agent);
             findStops(body, agent, dx, dy, dz, filter, 1, _motion, _first);
             var isMet:Boolean = _first.row >= 0;
@@ -127,24 +131,13 @@ package starlogo.queries
             return moveSliding(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
         }
 
-        // The body of a question that begins now.
-        private function nestedBody():MovingBody
-        {
-            var at:int = _seen.nesting;
-            while (_bodies.length <= at)
-            {
-                _bodies.push(new MovingBody(_seen));
-            }
-            return _bodies[at];
-        }
-
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
             _seen.requireMovable(agent, "slide");
-            var body:MovingBody = nestedBody();
+            var body:MovingBody = _bodies.current;
             body.readAgent(agent);
             requireMotion(dx, dy, dz, agent);
-            body.findRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
+            body.collectRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
             _motion.setTo(dx, dy, dz);
             _slider.slide(body, body.rows, body.from, _motion, limits, _slid);
             _recovery.restoreClearance(body, body.rows, _slid.place);
@@ -182,7 +175,7 @@ package starlogo.queries
                 first:MotionResult):int
         {
             requireMotion(dx, dy, dz, asker);
-            body.findRowsAlong(dx, dy, dz, asker, filter);
+            body.collectRowsAlong(dx, dy, dz, asker, filter);
             motion.setTo(dx, dy, dz);
             return _hits.end(_touches.findTouches(body, motion, wanted, _hits, first));
         }

@@ -2,13 +2,14 @@
 // kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
 // what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. The folder trees/ has the trees and their
 // searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts may ask while a
-// question is under way: what that one needs afterwards is there by nesting (SeenAgents.nesting). Read this file first, then AgentRays for a ray,
-// TouchSweep and Slider for a motion, or WalkMover for a walk.
+// question is under way: Nested says what that one has afterwards. Read this file first, then AgentRays for a ray, TouchSweep and Slider for a
+// motion, or WalkMover for a walk.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.collision.QuerySource;
     import starlogo.data.requireGiven;
@@ -60,8 +61,10 @@ package starlogo.queries
         // The body of an agent that has changed since the last update.
         private var _made:Body = new Body();
 
-        // By nesting: what collects the rows of a question.
-        private var _collectors:Vector.<Collector> = new Vector.<Collector>();
+        // What collects the rows of a question.
+        private var _collectors:Nested;
+
+        private var _nesting:int = 0;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -78,6 +81,11 @@ package starlogo.queries
             }
             narrowPhase = _source.findNarrowPhase();
             table = new AgentTable(narrowPhase.choice);
+            var seen:SeenAgents = this;
+            _collectors = new Nested(this, function():Collector
+                {
+                    return new Collector(seen);
+                });
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
@@ -151,30 +159,32 @@ package starlogo.queries
         }
 
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
-        engine function ask(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
+        engine function beginSearch(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            var at:int = nesting;
-            if (at == _collectors.length)
-            {
-                _collectors.push(new Collector());
-            }
-            var collector:Collector = _collectors[at];
+            var collector:Collector = _collectors.current;
             collector.begin(table, wanted, limit, asker, filter);
             return collector;
         }
 
         /**
          * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
-         * question that calls it, but not change the agents. What a question needs after these calls is there once for each nesting.
+         * question that calls it, but not change the agents. What a question needs after these calls is Nested.
          */
         engine function get nesting():int
         {
-            var depth:int = 0;
-            while (depth < _collectors.length && _collectors[depth].isAsking)
-            {
-                depth++;
-            }
-            return depth;
+            return _nesting;
+        }
+
+        /** @private A question begins to call a filter's <code>accepts</code>. Questions are one deeper from now on. */
+        engine function enterFilter():void
+        {
+            _nesting++;
+        }
+
+        /** @private The calls of <code>accepts</code> have ended. */
+        engine function leaveFilter():void
+        {
+            _nesting--;
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
@@ -203,8 +213,8 @@ package starlogo.queries
             }
         }
 
-        /** @private Where an agent is now. Throws an error if the agent is not placed. */
-        engine function placeOf(agent:Agent):Placement
+        /** @private Where an agent is now, and how it is turned. Throws an error if the agent is not placed. */
+        engine function placementOf(agent:Agent):Placement
         {
             requirePlaced(agent);
             return agent.placement;
@@ -245,7 +255,7 @@ package starlogo.queries
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */
         engine function treeOfPlaces():RowTree
         {
-            return build(_places, table.places);
+            return build(_places, table.places, null);
         }
 
         /**
@@ -255,10 +265,10 @@ package starlogo.queries
         engine function treeOfExtents():RowTree
         {
             table.refreshWorld();
-            return build(_extents, table.extents);
+            return build(_extents, table.extents, table.extents);
         }
 
-        private function build(tree:RowTree, points:Points):RowTree
+        private function build(tree:RowTree, points:Points, sizes:Extents):RowTree
         {
             if (!_isRead)
             {
@@ -267,7 +277,7 @@ package starlogo.queries
             }
             if (tree.isStale)
             {
-                tree.build(table.list.rows.numbers, table.list.rows.count, points);
+                tree.build(table.list.rows.numbers, table.list.rows.count, points, sizes);
             }
             tree.learnBreeds(table.list.agents);
             return tree;
@@ -275,7 +285,7 @@ package starlogo.queries
 
         private function requireUnlocked(what:String):void
         {
-            if (nesting > 0)
+            if (_nesting > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
             }

@@ -32,14 +32,18 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _walkMover:WalkMover;
 
-        // By the nesting of a question (SeenAgents.nesting): its walk.
-        private var _walks:Vector.<Walk> = new Vector.<Walk>();
+        // The walk of a question.
+        private var _walks:Nested;
 
         /** @param seen the agents that the questions are about */
         public function WalkQueries(seen:SeenAgents)
         {
             _seen = seen;
             _walkMover = new WalkMover(seen);
+            _walks = new Nested(seen, function():Walk
+                {
+                    return new Walk(seen);
+                });
         }
 
         /** See AgentWalks.walk. */
@@ -70,7 +74,7 @@ package starlogo.queries
         // Finds where a walk leads, and on what the agent stands there. Nothing moves.
         private function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions):Walk
         {
-            var walk:Walk = nestedWalk();
+            var walk:Walk = _walks.current;
             readOptions(agent, dx, dy, options, walk);
             agent.platformLink ||= new PlatformLink(agent);
             var footing:Footing = walk.footing;
@@ -83,20 +87,10 @@ package starlogo.queries
             return walk;
         }
 
-        // The walk of a question that begins now.
-        private function nestedWalk():Walk
-        {
-            while (_walks.length <= _seen.nesting)
-            {
-                _walks.push(new Walk(_seen));
-            }
-            return _walks[_seen.nesting];
-        }
-
         // Finds what the motion and the options mean for the agent. No platform carries it yet.
         private function readOptions(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
         {
-            var size:Number = _seen.placeOf(agent).size;
+            var size:Number = _seen.placementOf(agent).size;
             requireMotion(dx, dy, 0, agent);
             var whole:Number = Math.sqrt(dx * dx + dy * dy);
             out.agent = agent;

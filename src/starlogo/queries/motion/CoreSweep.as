@@ -14,7 +14,7 @@ package starlogo.queries.motion
 
     /**
      * Finds how a motion starts, what stops a body on a straight motion, and when. It sweeps the body's core, which does not meet what the body only
-     * touches, leaves or runs along. Casts, slides and straight motions start with <code>findStart()</code>.
+     * touches, leaves or runs along. Casts, slides and straight motions start with <code>startMotion()</code>.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
@@ -43,7 +43,7 @@ package starlogo.queries.motion
          * @param from where the motion begins
          * @param out receives the answer
          */
-        public function findStart(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionStart):void
+        public function startMotion(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionStart):void
         {
             out.place.copyFrom(from);
             out.lifted.clear();
@@ -51,8 +51,8 @@ package starlogo.queries.motion
             out.obstacles.copyFrom(rows);
             out.impact.row = -1;
             out.core.begin(body, rows, from, motion);
-            out.isFree = !hasLength(motion) || findFirstIfFree(out.core, out.obstacles, from, motion, out.impact);
-            if (!out.isFree)
+            out.isImpactKnown = !hasLength(motion) || sweepIfFree(out.core, out.obstacles, from, motion, out.impact);
+            if (!out.isImpactKnown)
             {
                 _recovery.leaveOverlaps(out);
             }
@@ -68,17 +68,17 @@ package starlogo.queries.motion
          */
         public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, start:MotionStart, out:MotionResult):void
         {
-            findStart(body, rows, from, motion, start);
+            startMotion(body, rows, from, motion, start);
             out.isDeep = start.planes.count > 0;
-            out.row = start.isFree ? -1 : findCrossed(start.planes, motion, out.contact);
+            out.row = start.isImpactKnown ? -1 : findCrossed(start.planes, motion, out.contact);
             if (out.row >= 0)
             {
                 out.fraction = 0;
                 return;
             }
-            if (!start.isFree)
+            if (!start.isImpactKnown)
             {
-                findObstacle(start.core, start.obstacles, start.place, motion, start.impact);
+                sweepObstacles(start.core, start.obstacles, start.place, motion, start.impact);
             }
             out.row = start.impact.row;
             out.fraction = 1;
@@ -97,9 +97,9 @@ package starlogo.queries.motion
          * @param out receives the answer
          * @return whether anything is met
          */
-        public function findFirst(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        public function sweepRows(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return findFirstOf(core, rows, from, motion, false, out);
+            return sweepAll(core, rows, from, motion, false, out);
         }
 
         /**
@@ -109,9 +109,9 @@ package starlogo.queries.motion
          * @param from where the motion begins
          * @param out receives the answer
          */
-        public function findObstacle(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
+        public function sweepObstacles(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            while (findFirst(core, obstacles, from, motion, out) && core.body.passes(out.row, out.contact))
+            while (sweepRows(core, obstacles, from, motion, out) && core.body.passes(out.row, out.contact))
             {
                 obstacles.remove(out.row);
             }
@@ -120,7 +120,7 @@ package starlogo.queries.motion
         /** Whether a row would stop a core on a straight motion. What it overlaps at the beginning stops it too. */
         public function meets(core:BodyCore, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            return hasLength(motion) && findImpact(core, row, from, motion, false, _met);
+            return hasLength(motion) && sweepRow(core, row, from, motion, false, _met);
         }
 
         /**
@@ -166,19 +166,19 @@ package starlogo.queries.motion
 
         // Finds what stops the core first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies are not decided here,
         // nor motions that a one-way obstacle may stop first. Returns whether the core certainly overlaps nothing.
-        private function findFirstIfFree(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        private function sweepIfFree(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return !core.isFlat && (!findFirstOf(core, obstacles, from, motion, true, out) || out.time > 0 && !core.body.isOneWay(out.row));
+            return !core.isFlat && (!sweepAll(core, obstacles, from, motion, true, out) || out.time > 0 && !core.body.isOneWay(out.row));
         }
 
-        // See findFirst. If insides count, a row stops the core at the beginning if it is inside of the row there, or has the row inside.
-        private function findFirstOf(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
+        // See sweepRows. If insides count, a row stops the core at the beginning if it is inside of the row there, or has the row inside.
+        private function sweepAll(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
         {
             out.row = -1;
             out.time = out.comparedTime = RelativeMotion.NEVER;
             for (var i:int = 0; i < rows.count && out.comparedTime > 0; i++)
             {
-                if (findImpact(core, rows.numbers[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
+                if (sweepRow(core, rows.numbers[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
                 {
                     out.copyFrom(_met);
                 }
@@ -209,7 +209,7 @@ package starlogo.queries.motion
         // Finds when and how a row stops the core. If the first contact does not point against the motion, the core leaves there what it touches. At the same
         // time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on. A flat core may be past a
         // sheet there, so it is not swept again. Returns whether the row stops it.
-        private function findImpact(core:BodyCore, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
+        private function sweepRow(core:BodyCore, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
         {
             var contact:ContactPoint = out.contact;
             setAlong(from, motion, 1, _end);

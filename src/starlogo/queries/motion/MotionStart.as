@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
 
     /**
-     * How a motion starts, as a record. CoreSweep.findStart() writes it. A slide goes on with it: it adds planes, and removes what it passes from the
+     * How a motion starts, as a record. CoreSweep.startMotion() writes it. A slide goes on with it: it adds planes, and removes what it passes from the
      * obstacles.
      *
      * @private
@@ -26,10 +26,13 @@ package starlogo.queries.motion
         /** The rows that can stop the motion: not those that have a plane, and no one-way rows that the body passes. */
         public var obstacles:IntList = new IntList();
 
-        /** Whether the body overlapped nothing. Then the first impact is known. */
-        public var isFree:Boolean = false;
+        /**
+         * Whether the impact is known already: the motion has no length, or the sweep has shown that the core overlaps nothing. Otherwise the body may
+         * overlap something, or it is flat, or a one-way row comes first. Then overlaps have been left, and the obstacles must be swept from the place.
+         */
+        public var isImpactKnown:Boolean = false;
 
-        /** What the core meets first. */
+        /** What the core meets first, once it is known. */
         public var impact:Impact = new Impact();
     }
 }

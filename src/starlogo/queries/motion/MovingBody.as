@@ -1,7 +1,7 @@
 // This folder moves a body among the rows of a table. A MovingBody is what moves. Three classes say where its motions end: TouchSweep in the touch of a
 // row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the body meets (SlideRest); WalkMover makes a walk of
 // slides and straight motions, with PlatformCarry before it and Foothold where it stands. Read this file first, then
-// BodyCore, CoreSweep.findStart(), TouchSweep, Slider and WalkMover.go().
+// BodyCore, CoreSweep.startMotion(), TouchSweep, Slider and WalkMover.go().
 // Core: the body, but smaller by a slop (BodyCore). Only what the core meets stops the body, so the body may touch what it stands on or runs along.
 // Shallow overlap: one that can come from rounding in the game. A motion begins with a lift out of those (OverlapRecovery), a walk with pushes out of
 // deep ones.
@@ -131,9 +131,9 @@ package starlogo.queries.motion
          * @param asker the agent that moves, which does not count; null for a structure
          * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
          */
-        public function findRowsAlong(dx:Number, dy:Number, dz:Number, asker:Agent, filter:AgentFilter):void
+        public function collectRowsAlong(dx:Number, dy:Number, dz:Number, asker:Agent, filter:AgentFilter):void
         {
-            var found:Collector = _seen.ask(Collector.ALL, 1, asker, filter);
+            var found:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
             rows.count = 0;
             if (hasShape)
             {
@@ -152,9 +152,9 @@ package starlogo.queries.motion
          * @param asker the agent that moves, which does not count
          * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
          */
-        public function findRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
+        public function collectRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
         {
-            var found:Collector = _seen.ask(Collector.ALL, 1, asker, filter);
+            var found:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
             rows.count = 0;
             if (hasShape)
             {

@@ -10,7 +10,7 @@ package starlogo.queries.motion
 
     /**
      * Gets a body out of what it overlaps. It frees the body's core where a motion begins (leaveOverlaps), leads the body off what it touches where its
-     * motions end (restoreClearance), and tells a walk how deep the body is in others (findDepth).
+     * motions end (restoreClearance), and tells a walk how deep the body is in others (measureOverlaps).
      *
      * <p>A shallow overlap comes from rounding in the game: the body is lifted out of it. If the body overlaps a row more deeply, the plane of their
      * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts.</p>
@@ -87,14 +87,14 @@ package starlogo.queries.motion
          *     clearance out
          * @return the sum of the depths of all overlaps
          */
-        public function findDepth(body:MovingBody, place:Vector3D, deepest:ContactPoint):Number
+        public function measureOverlaps(body:MovingBody, place:Vector3D, deepest:ContactPoint):Number
         {
             var sum:Number = 0;
             deepest.depth = 0;
             _core.beginStanding(body, body.rows, place);
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                if (findDeepOverlap(_core, body.rows.numbers[i], place, _contact))
+                if (measureOverlap(_core, body.rows.numbers[i], place, _contact))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > deepest.depth)
@@ -151,7 +151,7 @@ package starlogo.queries.motion
             while (i < obstacles.count)
             {
                 var row:int = obstacles.numbers[i];
-                var isOverlapped:Boolean = start.core.touches(row, start.place);
+                var isOverlapped:Boolean = start.core.coreTouches(row, start.place);
                 if (isOverlapped && (body.passesAt(row, start.place) || (findOverlap(body, row, start.place, alsoShallow, _contact) && addPlane(row, start, _contact))))
                 {
                     obstacles.remove(row);
@@ -194,7 +194,7 @@ package starlogo.queries.motion
         // the core overlaps the row.
         private function findLift(core:BodyCore, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
-            if (!core.touches(row, place))
+            if (!core.coreTouches(row, place))
             {
                 return false;
             }
@@ -209,7 +209,7 @@ package starlogo.queries.motion
         {
             var body:MovingBody = core.body;
             // mostly it is known faster that the core touches the row than how deep the overlap is
-            if (!findTouchingPlace(core, row, place, _touching) || body.passesAt(row, _touching) || (!core.isFlat && core.touches(row, place)))
+            if (!findTouchingPlace(core, row, place, _touching) || body.passesAt(row, _touching) || (!core.isFlat && core.coreTouches(row, place)))
             {
                 return false;
             }
@@ -237,11 +237,11 @@ package starlogo.queries.motion
             }
         }
 
-        // Finds an overlap that a walk begins with a push out of: see findDepth. Returns whether it counts.
-        private static function findDeepOverlap(core:BodyCore, row:int, place:Vector3D, out:ContactPoint):Boolean
+        // Finds an overlap that a walk begins with a push out of: see measureOverlaps. Returns whether it counts.
+        private static function measureOverlap(core:BodyCore, row:int, place:Vector3D, out:ContactPoint):Boolean
         {
             var body:MovingBody = core.body;
-            if (body.isOneWay(row) || !core.touches(row, place))
+            if (body.isOneWay(row) || !core.coreTouches(row, place))
             {
                 return false;
             }

@@ -46,9 +46,9 @@ package starlogo.queries.motion
             out.floor.setNormal(0, 0, -1);
             out.floorRow = -1;
             _rest.begin(motion, limits);
-            _sweep.findStart(body, rows, from, _rest.motion, _start);
+            _sweep.startMotion(body, rows, from, _rest.motion, _start);
             out.place.copyFrom(_start.place);
-            if (!_start.isFree)
+            if (!_start.isImpactKnown)
             {
                 _rest.beginCorner();
                 if (limits.staysLevel)
@@ -56,7 +56,7 @@ package starlogo.queries.motion
                     makePlanesUpright(planes, _rest);
                 }
                 _rest.project(planes);
-                findNext(out.place, _rest.motion, _start);
+                sweepRest(out.place, _rest.motion, _start);
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = planes.count;
@@ -73,7 +73,7 @@ package starlogo.queries.motion
                 var newest:int = planes.add(impact.contact, impact.row);
                 dropNeedless(out.place, _start, corner, newest);
                 _rest.project(planes);
-                findNext(out.place, _rest.motion, _start);
+                sweepRest(out.place, _rest.motion, _start);
             }
             if (impact.row < 0)
             {
@@ -110,11 +110,11 @@ package starlogo.queries.motion
         }
 
         // Finds what stops the rest of a motion next.
-        private function findNext(place:Vector3D, rest:Vector3D, out:MotionStart):void
+        private function sweepRest(place:Vector3D, rest:Vector3D, out:MotionStart):void
         {
             if (rest.lengthSquared > 0)
             {
-                _sweep.findObstacle(out.core, out.obstacles, place, rest, out.impact);
+                _sweep.sweepObstacles(out.core, out.obstacles, place, rest, out.impact);
             }
             else
             {
@@ -187,7 +187,7 @@ package starlogo.queries.motion
         // Whether a motion from this corner is stopped in it.
         private function meetsInCorner(start:MotionStart, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.findFirst(start.core, start.obstacles, place, motion, _without) && isInCorner(start.core, _without, motion)
+            return _sweep.sweepRows(start.core, start.obstacles, place, motion, _without) && isInCorner(start.core, _without, motion)
                 && !start.core.body.passes(_without.row, _without.contact);
         }
 

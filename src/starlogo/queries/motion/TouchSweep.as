@@ -15,7 +15,7 @@ package starlogo.queries.motion
      * Finds where a straight motion of a body first touches rows, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
      * it only touches, leaves or runs along does not stop it, because the core of the body is swept (CoreSweep).
      *
-     * <p>The motion is tested from where a lift out of all rows together has led the body (CoreSweep.findStart). A row alone may lift it farther. But the
+     * <p>The motion is tested from where a lift out of all rows together has led the body (CoreSweep.startMotion). A row alone may lift it farther. But the
      * motion ends where it would end without lifts, though no deeper in what the body was lifted out of.</p>
      *
      * @private
@@ -63,16 +63,16 @@ package starlogo.queries.motion
          */
         public function findTouches(body:MovingBody, motion:Vector3D, wanted:int, hits:Hits, first:MotionResult):Collector
         {
-            var found:Collector = _seen.ask(wanted, Infinity, null, null);
+            var found:Collector = _seen.beginSearch(wanted, Infinity, null, null);
             _common.place.copyFrom(body.from);
             _common.lifted.clear();
             if (addTouches(body, motion, found, hits, first))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
-                _sweep.findStart(body, body.rows, body.from, motion, _common);
+                _sweep.startMotion(body, body.rows, body.from, motion, _common);
                 if (!_common.place.equals(body.from))
                 {
-                    found = _seen.ask(wanted, Infinity, null, null);
+                    found = _seen.beginSearch(wanted, Infinity, null, null);
                     addTouches(body, motion, found, hits, first);
                 }
             }

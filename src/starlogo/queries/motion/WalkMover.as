@@ -36,10 +36,14 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
 
-        // How steps end: a slide, a slide that may be undone, and a straight way.
+        // How steps end: a slide, a slide that may be undone, a straight way, and the way down from a step.
         private var _slid:SlideResult = new SlideResult();
         private var _tried:SlideResult = new SlideResult();
         private var _straight:MotionResult = new MotionResult();
+        private var _below:MotionResult = new MotionResult();
+
+        // What the agent meets besides something too steep.
+        private var _beside:SlideResult = new SlideResult();
 
         // Where a fall has come.
         private var _fallen:Vector3D = new Vector3D();
@@ -69,7 +73,7 @@ package starlogo.queries.motion
             walk.body.readAgent(walk.agent, walk.turn);
             walk.place.copyFrom(walk.body.from);
             walk.closeDepth = CLOSE * walk.body.extent;
-            findNear(walk, 0);
+            collectRows(walk, 0);
             if (walk.platform >= 0)
             {
                 _platforms.carry(walk);
@@ -80,13 +84,12 @@ package starlogo.queries.motion
         }
 
         // Finds the rows near a walk, and up to a distance from it.
-        private static function findNear(walk:Walk, distance:Number):void
+        private static function collectRows(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
-            var range:Number = walk.pieces * walk.pieceLength / walk.walkableZ + Math.min(options.fall, walk.body.whole.placement.size) / 2
-                + walk.carry.length;
-            walk.body.findRowsWithin(range + distance, walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.agent,
+            var range:Number = walk.pieces * walk.pieceLength / walk.walkableZ + widthAfterFall(walk) + walk.carry.length;
+            walk.body.collectRowsWithin(range + distance, walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.agent,
                     options.filter);
         }
 
@@ -95,31 +98,30 @@ package starlogo.queries.motion
         {
             walk.start.copyFrom(walk.place);
             walk.footing.pushed = 0;
-            var stands:Boolean = goDown(walk, walk.closeDepth, _straight);
+            goUpright(walk, walk.place, -walk.closeDepth, _straight);
             if (!_straight.isDeep)
             {
-                return stands;
+                return standAtEnd(walk, _straight);
             }
-            walk.place.copyFrom(walk.start);
             pushOut(walk);
             var x:Number = walk.place.x - walk.start.x;
             var y:Number = walk.place.y - walk.start.y;
             var z:Number = walk.place.z - walk.start.z;
             walk.footing.pushed = Math.sqrt(x * x + y * y + z * z);
             walk.start.copyFrom(walk.place);
-            return goDown(walk, walk.closeDepth, _straight);
+            return standBelow(walk, walk.closeDepth);
         }
 
         // Pushes the agent out of what it overlaps deeply. The deepest overlap comes first. A push is a slide, so it leads through nothing else. All pushes
         // together are as long as the depths of all overlaps at the beginning.
         private function pushOut(walk:Walk):void
         {
-            var left:Number = _recovery.findDepth(walk.body, walk.place, walk.deepest);
+            var left:Number = _recovery.measureOverlaps(walk.body, walk.place, walk.deepest);
             if (!(left > 0))
             {
                 return;
             }
-            findNear(walk, left);
+            collectRows(walk, left);
             var pushes:int = 0;
             do
             {
@@ -131,7 +133,7 @@ package starlogo.queries.motion
                 walk.place.copyFrom(_slid.place);
                 pushes++;
             }
-            while (pushes < MOST_PUSHES && left > 0 && _recovery.findDepth(walk.body, walk.place, walk.deepest) > 0);
+            while (pushes < MOST_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepest) > 0);
         }
 
         // Goes all pieces: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
@@ -146,7 +148,7 @@ package starlogo.queries.motion
                 {
                     walk.start.copyFrom(walk.place);
                     // beyond a gap there may be ground again
-                    stands ||= beginsStanding && goDown(walk, walk.closeDepth, _straight);
+                    stands ||= beginsStanding && standBelow(walk, walk.closeDepth);
                 }
                 if (stands)
                 {
@@ -183,7 +185,7 @@ package starlogo.queries.motion
             walk.place.copyFrom(_slid.place);
             // the ground may have led up only for a part of the piece: on a ramp, and over the edge of a step
             var height:Number = Math.max(0, walk.place.z - walk.start.z);
-            return goDown(walk, height + walk.options.snap + walk.closeDepth, _straight);
+            return standBelow(walk, height + walk.options.snap + walk.closeDepth);
         }
 
         // How far a piece leads up or down if it runs along the ground below the agent.
@@ -204,8 +206,13 @@ package starlogo.queries.motion
             }
             slideAlong(walk, _straight.place, 0, walk.walkableZ, _tried);
             walk.place.copyFrom(_tried.place);
+            if (!isFarther(walk, plain))
+            {
+                return false;
+            }
             var depth:Number = height + walk.options.snap + walk.closeDepth;
-            return isFarther(walk, plain) && (goDown(walk, depth, _straight) || (slideOff(walk, depth, _straight) && isFarther(walk, plain)));
+            goUpright(walk, walk.place, -depth, _below);
+            return standAtEnd(walk, _below) || (slideOff(walk, depth, _below) && isFarther(walk, plain));
         }
 
         // Whether the agent is farther along the piece than another place.
@@ -228,7 +235,7 @@ package starlogo.queries.motion
             walk.place.copyFrom(_tried.place);
             var dx:Number = walk.place.x - walk.start.x;
             var dy:Number = walk.place.y - walk.start.y;
-            return dx * dx + dy * dy <= walk.pieceLength * walk.pieceLength && goDown(walk, walk.closeDepth, _straight);
+            return dx * dx + dy * dy <= walk.pieceLength * walk.pieceLength && standBelow(walk, walk.closeDepth);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
@@ -254,33 +261,52 @@ package starlogo.queries.motion
             {
                 // a fall can also end where the ground begins, without being stopped
                 walk.place.copyFrom(_fallen);
-                return goDown(walk, walk.closeDepth, _straight);
+                return standBelow(walk, walk.closeDepth);
             }
             if (standOn(walk, _straight.contact, _straight.row, _fallen))
             {
                 return true;
             }
-            var longest:Number = Math.min(walk.options.fall, walk.body.whole.placement.size);
-            slideDown(walk, _fallen, Math.min(left, longest), longest / 2, _slid);
+            slideDown(walk, _fallen, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk), _slid);
             if (!(walk.place.z - _slid.place.z < REST * walk.body.extent))
             {
                 walk.place.copyFrom(_slid.place);
             }
-            return goDown(walk, walk.closeDepth, _straight);
+            return standBelow(walk, walk.closeDepth);
         }
 
-        // Goes down to the ground if it is no deeper than this depth, and not too steep. Otherwise the agent stays. The result says how the way down ends.
-        private function goDown(walk:Walk, depth:Number, out:MotionResult):Boolean
+        // How far down the slide after a fall may lead.
+        private static function depthAfterFall(walk:Walk):Number
         {
-            goUpright(walk, walk.place, -depth, out);
-            return out.row >= 0 && (standOn(walk, out.contact, out.row, out.place) || standOnOther(walk, out.place));
+            return Math.min(walk.options.fall, walk.body.whole.placement.size);
+        }
+
+        // How far sideways the slide after a fall may lead.
+        private static function widthAfterFall(walk:Walk):Number
+        {
+            return depthAfterFall(walk) / 2;
+        }
+
+        // Lets the agent stand on the ground below it, if the ground is no deeper than this depth, and not too steep. Otherwise the agent stays where it
+        // is. Returns whether it stands.
+        private function standBelow(walk:Walk, depth:Number):Boolean
+        {
+            goUpright(walk, walk.place, -depth, _straight);
+            return standAtEnd(walk, _straight);
+        }
+
+        // Lets the agent stand where a way down has ended, on what has stopped it or on what else it touches there. Otherwise the agent stays where it is.
+        // Returns whether it stands.
+        private function standAtEnd(walk:Walk, down:MotionResult):Boolean
+        {
+            return down.row >= 0 && (standOn(walk, down.contact, down.row, down.place) || standOnOther(walk, down.place));
         }
 
         // Lets the agent stand on what else it touches at a place, besides something too steep.
         private function standOnOther(walk:Walk, place:Vector3D):Boolean
         {
-            slideDown(walk, place, walk.closeDepth, walk.body.extent, _tried);
-            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
+            slideDown(walk, place, walk.closeDepth, walk.body.extent, _beside);
+            return _beside.floorRow >= 0 && _beside.floor.normalZ > -1 && standOn(walk, _beside.floor, _beside.floorRow, place);
         }
 
         // Lets the agent stand at a place, on a row that it touches there, if the row carries it.

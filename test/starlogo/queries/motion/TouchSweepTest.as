@@ -124,7 +124,7 @@ package starlogo.queries.motion
             agent.hierarchical = true;
             _seen.update(new <Agent>[agent]);
             _body.readStructure(new Sphere(from, 0.1));
-            _body.findRowsAlong(motion.x, motion.y, motion.z, null, null);
+            _body.collectRowsAlong(motion.x, motion.y, motion.z, null, null);
             _sweep.findTouches(_body, motion, 1, _hits, _result);
         }
 
@@ -145,7 +145,7 @@ package starlogo.queries.motion
                 var middle:Vector3D = new Vector3D(agent.x, agent.y, agent.z + agent.size / 2);
                 _body.readStructure(make(middle.add(side), _structures.frame()));
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
-                _body.findRowsAlong(motion.x, motion.y, motion.z, null, null);
+                _body.collectRowsAlong(motion.x, motion.y, motion.z, null, null);
                 _sweep.findTouches(_body, motion, 1, _hits, _result);
                 if (_result.row >= 0)
                 {

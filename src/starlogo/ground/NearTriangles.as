@@ -11,7 +11,8 @@ package starlogo.ground
      */
     internal final class NearTriangles
     {
-        // Boxes are so much larger than they were, for rounding: as a multiple of Tolerances.ROUNDING and of all lengths.
+        // Boxes are so much larger than they were, for rounding: as a multiple of Tolerances.ROUNDING and of all lengths. For a triangle they are larger by
+        // the same multiple of its margin.
         private static const WIDER:Number = 10;
 
         /** What is looked for, all but the box. It is set before a search begins. */
@@ -25,7 +26,8 @@ package starlogo.ground
 
         private var _source:GroundTriangles = new GroundTriangles();
 
-        // The triangles so far, and the next of them. If they are not kept, the first one is overwritten.
+        // The triangles so far, and the next of them. If they are not kept, the first one is overwritten. The list grows during the first searches,
+        // up to the triangles of few cells, and its records are used again: later frames allocate nothing.
         private var _found:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
         private var _count:int = 0;
         private var _next:int = 0;
@@ -78,8 +80,10 @@ package starlogo.ground
         {
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
+            var grid:HeightGrid = search.grid;
+            var toFirst:Number = Math.abs(grid.x - search.origin.x) + Math.abs(grid.y - search.origin.y);
             var wider:Number = WIDER * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + Math.abs(motion.x) + Math.abs(motion.y)
-                    + Math.abs(motion.z) + box.halfX + box.halfY + box.halfZ + search.grid.cellWidth);
+                    + Math.abs(motion.z) + box.halfX + box.halfY + box.halfZ + grid.cellWidth + toFirst);
             _more.x = motion.latest * motion.x / 2;
             _more.y = motion.latest * motion.y / 2;
             _more.z = motion.latest * motion.z / 2;
@@ -134,7 +138,7 @@ package starlogo.ground
         {
             var box:GroundBox = _around;
             var near:GroundTriangle = triangle;
-            var far:Number = search.maxDistance;
+            var far:Number = search.maxDistance + WIDER * near.margin;
             var x:Number = box.x;
             var y:Number = box.y;
             var z:Number = box.z;

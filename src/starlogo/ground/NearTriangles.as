@@ -1,6 +1,7 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.convex.TrianglePlane;
     import starlogo.geometry.Tolerances;
@@ -15,7 +16,7 @@ package starlogo.ground
         // the same multiple of its margin.
         private static const WIDER:Number = 10;
 
-        /** What is looked for, all but the box. It is set before a search begins. */
+        /** What is looked for. Set the ground, the origin, the motion and the limits before boxes begin. Then only the limits may be narrowed. */
         public var search:GroundSearch = new GroundSearch();
 
         /** The triangle that <code>next()</code> has found. Read only. */
@@ -54,9 +55,10 @@ package starlogo.ground
         /**
          * Begins with a box.
          *
+         * @param shape the shape that is tested, if it is in the box; null for none
          * @param boxesLeft how many boxes come after this one and those inside of it
          */
-        public function begin(box:GroundBox, boxesLeft:int):void
+        public function begin(box:GroundBox, shape:ConvexShape, boxesLeft:int):void
         {
             _next = 0;
             if (!_areKept || boxesLeft < _boxesLeft)
@@ -66,6 +68,7 @@ package starlogo.ground
                 _count = 0;
                 _boxesLeft = boxesLeft;
                 search.box.copyFrom(box);
+                search.shape = shape;
                 findMore();
             }
             _around.x = box.x + _more.x;

@@ -70,16 +70,23 @@ package starlogo.ground
         /**
          * Begins.
          *
-         * @param motion of the pieces from where they are: triangles count that they may meet until its latest time. This may become earlier meanwhile
+         * @param motion of the pieces from where they are: triangles count that they may meet until its latest time. The motion is copied
          * @param maxDistance triangles count that are at most this far away
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
             _triangles.stop();
             pieces.begin();
-            _search.motion = motion;
+            _search.motion.copyVector(motion);
+            _search.motion.latest = motion.latest;
             _search.maxDistance = maxDistance;
             _triangles.leastDepth = 0;
+        }
+
+        /** From now on only triangles count that the pieces may meet until this time. */
+        public function leaveOutLater(time:Number):void
+        {
+            _search.motion.latest = time;
         }
 
         /** From now on only triangles count that are at most this far away. */
@@ -112,8 +119,7 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _search.shape = pieces.shapeInBox;
-                _triangles.begin(pieces.box, pieces.nodesLeft);
+                _triangles.begin(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
                 if (!pieces.isAbovePieces || !_triangles.next())
                 {
                     return true;

@@ -25,8 +25,9 @@ package starlogo.ground
         /** No answer. Only a test of the agent's shape decides. */
         public static const UNKNOWN:int = 2;
 
-        // The place under the agent's middle, and bounds of the heights: of all, then of those around it.
+        // The place under the agent's middle, another place near it, and bounds of the heights: of all, then of those around it.
         private var _under:GroundPoint = new GroundPoint();
+        private var _near:GroundPoint = new GroundPoint();
         private var _around:HeightRange = new HeightRange();
 
         /**
@@ -68,7 +69,7 @@ package starlogo.ground
             {
                 return APART;
             }
-            return isSphere && !grid.isBlocky && touchesSphere(grid, extents) ? TOUCHING : UNKNOWN;
+            return isSphere && !grid.isBlocky && touchesSphere(grid, extents, _under) ? TOUCHING : UNKNOWN;
         }
 
         // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
@@ -78,7 +79,7 @@ package starlogo.ground
             var halfX:Number = extents.halfX * Tolerances.OUTER + tolerance;
             var halfY:Number = extents.halfY * Tolerances.OUTER + tolerance;
             var halfZ:Number = extents.halfZ * Tolerances.OUTER + tolerance;
-            grid.pyramid.findAround(_under.x, _under.y, halfX, halfY, _around);
+            grid.pyramid.findAround(extents.x, extents.y, halfX, halfY, _around);
             if (extents.z - halfZ > _around.greatest)
             {
                 return true;
@@ -89,16 +90,17 @@ package starlogo.ground
             return !grid.isBlocky && above > height;
         }
 
-        // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane under its middle.
-        private function touchesSphere(grid:HeightGrid, extents:GroundBox):Boolean
+        // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane of the triangle under its
+        // middle.
+        private function touchesSphere(grid:HeightGrid, extents:GroundBox, under:GroundPoint):Boolean
         {
             var width:Number = grid.cellWidth;
-            grid.findFall(_under);
-            var step:Number = extents.halfX / Math.sqrt(_under.fallX * _under.fallX + _under.fallY * _under.fallY + width * width);
-            _under.x -= step * _under.fallX;
-            _under.y -= step * _under.fallY;
-            grid.findHeight(_under);
-            return _under.height >= extents.z - step * width;
+            grid.findFall(under);
+            var step:Number = extents.halfX / Math.sqrt(under.fallX * under.fallX + under.fallY * under.fallY + width * width);
+            _near.x = under.x - step * under.fallX;
+            _near.y = under.y - step * under.fallY;
+            grid.findHeight(_near);
+            return _near.height >= extents.z - step * width;
         }
     }
 }

@@ -66,7 +66,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pairs.isUnder(0) || _pairs.reachesUnder())
+                if (_pairs.findWhere() != PieceTrianglePairs.ABOVE)
                 {
                     return true;
                 }
@@ -106,6 +106,7 @@ package starlogo.ground
                     kernel.plane.turnContact(kernel.shape, _sweep, out);
                 }
                 _sweep.latest = _touch.latest;
+                _pairs.leaveOutLater(_sweep.latest);
             }
             motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)

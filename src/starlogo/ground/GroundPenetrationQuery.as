@@ -81,7 +81,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (!_pairs.isUnder(0) && _pairs.reachesUnder())
+                if (_pairs.findWhere() == PieceTrianglePairs.REACHES_UNDER)
                 {
                     return true;
                 }

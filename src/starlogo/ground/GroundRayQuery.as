@@ -1,6 +1,5 @@
 package starlogo.ground
 {
-    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.ray.Ray;
@@ -29,11 +28,6 @@ package starlogo.ground
         // Bounds of all heights, and a size that no triangle between them has.
         private var _whole:HeightRange = new HeightRange();
         private var _largest:Number = 0;
-
-        public function GroundRayQuery()
-        {
-            _search.motion = new RelativeMotion();
-        }
 
         /**
          * Finds where a ray first meets the ground.

@@ -22,10 +22,10 @@ package starlogo.ground
         public var box:GroundBox = new GroundBox();
 
         /**
-         * The box's motion; RelativeMotion.NONE if it stands. Of its times, the latest counts. It is a limit: it may become earlier during the search. The
+         * The box's motion: the vector is 0 if the box stands. Of its times, the latest counts. It is a limit: it may become earlier during the search. The
          * corners of the triangles that are still found do not depend on it.
          */
-        public var motion:RelativeMotion = RelativeMotion.NONE;
+        public var motion:RelativeMotion = new RelativeMotion();
 
         /** The shape that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
         public var shape:ConvexShape = null;

@@ -1,6 +1,7 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.convex.TrianglePlane;
     import starlogo.geometry.Tolerances;
@@ -11,10 +12,11 @@ package starlogo.ground
      */
     internal final class NearTriangles
     {
-        // Boxes are so much larger than they were, for rounding: as a multiple of Tolerances.ROUNDING and of all lengths.
+        // Boxes are so much larger than they were, for rounding: as a multiple of Tolerances.ROUNDING and of all lengths. For a triangle they are larger by
+        // the same multiple of its margin.
         private static const WIDER:Number = 10;
 
-        /** What is looked for, all but the box. It is set before a search begins. */
+        /** What is looked for. Set the ground, the origin, the motion and the limits before boxes begin. Then only the limits may be narrowed. */
         public var search:GroundSearch = new GroundSearch();
 
         /** The triangle that <code>next()</code> has found. Read only. */
@@ -25,7 +27,8 @@ package starlogo.ground
 
         private var _source:GroundTriangles = new GroundTriangles();
 
-        // The triangles so far, and the next of them. If they are not kept, the first one is overwritten.
+        // The triangles so far, and the next of them. If they are not kept, the first one is overwritten. The list grows during the first searches,
+        // up to the triangles of few cells, and its records are used again: later frames allocate nothing.
         private var _found:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
         private var _count:int = 0;
         private var _next:int = 0;
@@ -52,9 +55,10 @@ package starlogo.ground
         /**
          * Begins with a box.
          *
+         * @param shape the shape that is tested, if it is in the box; null for none
          * @param boxesLeft how many boxes come after this one and those inside of it
          */
-        public function begin(box:GroundBox, boxesLeft:int):void
+        public function begin(box:GroundBox, shape:ConvexShape, boxesLeft:int):void
         {
             _next = 0;
             if (!_areKept || boxesLeft < _boxesLeft)
@@ -64,6 +68,7 @@ package starlogo.ground
                 _count = 0;
                 _boxesLeft = boxesLeft;
                 search.box.copyFrom(box);
+                search.shape = shape;
                 findMore();
             }
             _around.x = box.x + _more.x;
@@ -78,8 +83,10 @@ package starlogo.ground
         {
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
+            var grid:HeightGrid = search.grid;
+            var toFirst:Number = Math.abs(grid.x - search.origin.x) + Math.abs(grid.y - search.origin.y);
             var wider:Number = WIDER * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + Math.abs(motion.x) + Math.abs(motion.y)
-                    + Math.abs(motion.z) + box.halfX + box.halfY + box.halfZ + search.grid.cellWidth);
+                    + Math.abs(motion.z) + box.halfX + box.halfY + box.halfZ + grid.cellWidth + toFirst);
             _more.x = motion.latest * motion.x / 2;
             _more.y = motion.latest * motion.y / 2;
             _more.z = motion.latest * motion.z / 2;
@@ -134,7 +141,7 @@ package starlogo.ground
         {
             var box:GroundBox = _around;
             var near:GroundTriangle = triangle;
-            var far:Number = search.maxDistance;
+            var far:Number = search.maxDistance + WIDER * near.margin;
             var x:Number = box.x;
             var y:Number = box.y;
             var z:Number = box.z;

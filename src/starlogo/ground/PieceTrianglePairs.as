@@ -19,6 +19,15 @@ package starlogo.ground
      */
     internal final class PieceTrianglePairs
     {
+        /** Where a piece is: a point of it is under the ground. */
+        public static const UNDER:int = 0;
+
+        /** Where a piece is: that point is not under the ground, but another one is. */
+        public static const REACHES_UNDER:int = 1;
+
+        /** Where a piece is: both points are above the ground. Only triangles decide whether the piece touches it. */
+        public static const ABOVE:int = 2;
+
         /** The pieces. A query may move the model before it begins. */
         public var pieces:ModelPieces = new ModelPieces();
 
@@ -26,10 +35,10 @@ package starlogo.ground
         private var _triangles:NearTriangles = new NearTriangles();
         private var _search:GroundSearch = _triangles.search;
 
-        // The place of the current piece's point, and the ground there.
+        // A place under the piece, and the ground there.
         private var _ground:GroundPoint = new GroundPoint();
 
-        // The direction out of the ground below the current piece, and how far the piece reaches against it.
+        // The direction out of the ground below the current piece, and how far the piece reaches against it; -Infinity if that is not known.
         private var _out:Vector3D = new Vector3D();
         private var _lowest:Number = 0;
 
@@ -70,16 +79,23 @@ package starlogo.ground
         /**
          * Begins.
          *
-         * @param motion of the pieces from where they are: triangles count that they may meet until its latest time. This may become earlier meanwhile
+         * @param motion of the pieces from where they are: triangles count that they may meet until its latest time. The motion is copied
          * @param maxDistance triangles count that are at most this far away
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
             _triangles.stop();
             pieces.begin();
-            _search.motion = motion;
+            _search.motion.copyVector(motion);
+            _search.motion.latest = motion.latest;
             _search.maxDistance = maxDistance;
             _triangles.leastDepth = 0;
+        }
+
+        /** From now on only triangles count that the pieces may meet until this time. */
+        public function leaveOutLater(time:Number):void
+        {
+            _search.motion.latest = time;
         }
 
         /** From now on only triangles count that are at most this far away. */
@@ -112,8 +128,8 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _search.shape = pieces.shapeInBox;
-                _triangles.begin(pieces.box, pieces.nodesLeft);
+                _lowest = -Infinity;
+                _triangles.begin(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
                 if (!pieces.isAbovePieces || !_triangles.next())
                 {
                     return true;
@@ -145,14 +161,18 @@ package starlogo.ground
         }
 
         /**
-         * Whether the piece reaches under the ground, as far as one more of its points knows: the lowest one above the slope below the other point. Ask
-         * <code>isUnder()</code> before. Nearly all pieces that reach under the ground do so there.
+         * Finds where the piece is, as far as two of its points know: UNDER, REACHES_UNDER or ABOVE. The second point is the lowest one above the slope
+         * below the first. Nearly all pieces that reach under the ground do so there.
          */
-        public function reachesUnder():Boolean
+        public function findWhere():int
         {
+            if (isUnder(0))
+            {
+                return UNDER;
+            }
             if (pieces.isAbovePieces)
             {
-                return false;
+                return ABOVE;
             }
             var shape:ConvexShape = kernel.shape;
             grid.findDirectionOut(_ground, _out);
@@ -164,10 +184,13 @@ package starlogo.ground
             _ground.x = x + origin.x;
             _ground.y = y + origin.y;
             grid.findHeight(_ground);
-            return _ground.height >= z + origin.z;
+            return _ground.height >= z + origin.z ? REACHES_UNDER : ABOVE;
         }
 
-        /** Whether the triangle is clearly below all of the piece, along the direction out of the ground. Ask <code>reachesUnder()</code> before. */
+        /**
+         * Whether the triangle is clearly below all of the piece, along the direction out of the ground. This direction is known after
+         * <code>findWhere()</code>; before, the answer is false.
+         */
         public function isBelowPiece():Boolean
         {
             var p:Vector.<Number> = triangle.corners;

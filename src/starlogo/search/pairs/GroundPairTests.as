@@ -121,18 +121,15 @@ package starlogo.search.pairs
             queryOf(a, b).penetration.findLift(out);
         }
 
-        /**
-         * The deepest point of the contact, half of the depth behind its point, has to get out.
-         *
-         * @inheritDoc
-         */
-        public function leastExit(a:Body, b:Body, contact:ContactPoint, maxLength:Number):Number
+        /** A contact that leads straight up may be the lift, whose deepest point need not be of the body. @inheritDoc */
+        public function isOfFirst(a:Body, b:Body, contact:ContactPoint):Boolean
         {
-            // a contact that leads straight up may be the lift, whose deepest point need not be of the body
-            if (contact.normalZ == 1 && !queryOf(a, b).penetration.isOnSurface())
-            {
-                return 0;
-            }
+            return contact.normalZ != 1 || queryOf(a, b).penetration.isOnSurface();
+        }
+
+        /** The deepest point is half of the depth behind the contact's point. @inheritDoc */
+        public function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number
+        {
             var back:Number = contact.depth / 2;
             return gridOf(b).leastExit(contact.x - back * contact.normalX, contact.y - back * contact.normalY, contact.z - back * contact.normalZ, maxLength);
         }

@@ -131,8 +131,14 @@ package starlogo.search.pairs
             RelativePose.moveContactToWorld(out, a.placement, RelativeMotion.NONE);
         }
 
+        /** It is not known. @inheritDoc */
+        public function isOfFirst(a:Body, b:Body, contact:ContactPoint):Boolean
+        {
+            return false;
+        }
+
         /** No bound is known. @inheritDoc */
-        public function leastExit(a:Body, b:Body, contact:ContactPoint, maxLength:Number):Number
+        public function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number
         {
             return 0;
         }

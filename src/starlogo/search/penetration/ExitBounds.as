@@ -15,12 +15,18 @@ package starlogo.search.penetration
         function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void;
 
         /**
-         * A lower bound for the lengths of the exits from a body; 0 if none is known. Exits that are longer than <code>maxLength</code> do not count.
+         * Whether the deepest point of a contact is known to be of the first body. Then this point has to get out of the second one.
          *
-         * @param a the first body of the contact, where it was found
+         * @param a the first body, where the contact was found
          * @param b the second body
          * @param contact of parts of the two
          */
-        function leastExit(a:Body, b:Body, contact:ContactPoint, maxLength:Number):Number;
+        function isOfFirst(a:Body, b:Body, contact:ContactPoint):Boolean;
+
+        /**
+         * A lower bound for the lengths of the exits of a contact's deepest point from a body; 0 if none is known. Exits that are longer than
+         * <code>maxLength</code> do not count.
+         */
+        function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number;
     }
 }

@@ -42,7 +42,7 @@ package starlogo.search.penetration
             _pair = pair;
             _bounds = bounds;
             _directions = new DirectionSearch(pair);
-            _pushOut = new PushOut(pair, _directions);
+            _pushOut = new PushOut(pair, bounds, _directions);
             _placesAbove = placesAbove;
         }
 
@@ -95,14 +95,14 @@ package starlogo.search.penetration
                 return true;
             }
             _pair.putBack();
-            // a point of the body that was deep where a push ended is deeper where the push began
-            return areExitsLong(_first, depth) || _pushOut.blockedEnd > 0 && areExitsLong(_pushOut.lastBlock, depth);
+            // a point of the body that is deep where a push ended also has to get out from where the push began
+            return _bounds.isOfFirst(_pair.first, _pair.second, _first) && areExitsLong(_first, depth) || _pushOut.hasBlock && areExitsLong(_pushOut.lastBlock, depth);
         }
 
-        // Whether a contact shows that each exit is at least a share of a depth.
+        // Whether a contact whose deepest point is of the first body shows that each exit is at least a share of a depth.
         private function areExitsLong(contact:ContactPoint, depth:Number):Boolean
         {
-            return _bounds.leastExit(_pair.first, _pair.second, contact, depth) >= LEAST_SHARE * depth;
+            return _bounds.leastExit(_pair.second, contact, depth) >= LEAST_SHARE * depth;
         }
 
         // Tries the shortest way out of covers of the two. It is taken if there is no push.

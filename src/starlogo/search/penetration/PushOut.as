@@ -26,7 +26,10 @@ package starlogo.search.penetration
         /** The end of the numbers of <code>blockedPlaces</code>. Read only. */
         public var blockedEnd:int = 0;
 
-        /** The contact at the end of the last of these pushes, but with its place where the body was at the beginning. Read only. */
+        /** Whether one of these pushes ended at a contact whose deepest point is known to be of the body. Read only. */
+        public var hasBlock:Boolean = false;
+
+        /** The last such contact, but with its place where the body was at the beginning. Read only. */
         public var lastBlock:ContactPoint = new ContactPoint();
 
         // The number of contacts so far; those that decide about the push and the one after it, with depths from where the body was at the beginning;
@@ -39,6 +42,7 @@ package starlogo.search.penetration
         private var _next:ContactPoint = new ContactPoint();
 
         private var _pair:DisplacedPair;
+        private var _bounds:ExitBounds;
         private var _directions:DirectionSearch;
 
         // The displacement that is tried.
@@ -46,11 +50,13 @@ package starlogo.search.penetration
 
         /**
          * @param pair has begun when a method is called
+         * @param bounds of such pairs
          * @param directions shortens pushes that are longer than needed
          */
-        public function PushOut(pair:DisplacedPair, directions:DirectionSearch)
+        public function PushOut(pair:DisplacedPair, bounds:ExitBounds, directions:DirectionSearch)
         {
             _pair = pair;
+            _bounds = bounds;
             _directions = directions;
         }
 
@@ -58,6 +64,7 @@ package starlogo.search.penetration
         public function begin():void
         {
             blockedEnd = 0;
+            hasBlock = false;
         }
 
         /**
@@ -101,10 +108,14 @@ package starlogo.search.penetration
             blockedPlaces[blockedEnd++] = _push.displacement.x;
             blockedPlaces[blockedEnd++] = _push.displacement.y;
             _pair.findContactOfParts(_next);
-            lastBlock.copyFrom(_next);
-            lastBlock.x -= _tried.distance * _tried.x;
-            lastBlock.y -= _tried.distance * _tried.y;
-            lastBlock.z -= _tried.distance * _tried.z;
+            if (_bounds.isOfFirst(_pair.first, _pair.second, _next))
+            {
+                hasBlock = true;
+                lastBlock.copyFrom(_next);
+                lastBlock.x -= _tried.distance * _tried.x;
+                lastBlock.y -= _tried.distance * _tried.y;
+                lastBlock.z -= _tried.distance * _tried.z;
+            }
             // the body is a little farther than the push
             _next.depth += (_tried.distance - _push.length) * (_next.normalX * _tried.x + _next.normalY * _tried.y + _next.normalZ * _tried.z);
             add(_next);

@@ -256,7 +256,7 @@ package starlogo.solid
         {
             _firstMesh.readTriangle(slot, _cornersOfFirst);
             _kernel.setTriangle(_cornersOfFirst);
-            return _kernel.stayApart(_motion, _outerTolerance);
+            return _kernel.plane.findEntry(_kernel.shape, _outerTolerance, _motion) > _motion.latest;
         }
 
         // The squared distance of the extents of a triangle of the first model from those of the current triangle. Both are prepared, because each

@@ -33,7 +33,7 @@ package starlogo.convex
             _cores.setShapes(a, b);
             _cores.limitToTouching();
             _distance.find(_cores, _witness);
-            return _witness.isWithin(_cores.maxDistance);
+            return _witness.isWithinLimit(_cores);
         }
 
         /** Finds the distance and the closest points of two shapes. */

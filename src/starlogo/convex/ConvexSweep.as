@@ -61,7 +61,7 @@ package starlogo.convex
             var witness:CoreWitness = _witness;
             var step:AdvancementStep = _step;
             var radii:Number = cores.first.radius + cores.second.radius;
-            step.isTouching = witness.isWithin(cores.maxDistance);
+            step.isTouching = witness.isWithinLimit(cores);
             if (!step.isTouching && !(witness.separation > radii))
             {
                 refine(cores);

@@ -25,12 +25,14 @@ package starlogo.convex
         public var separation:Number = 0;
 
         /**
-         * Whether the cores are at most this far apart. A search may end at the first separation that is greater. The distance may be less than that
-         * by rounding, so both count.
+         * Whether the cores are no farther apart than they may be. A search may end at the first separation that is greater. The distance may be less
+         * than that by rounding, so both count.
+         *
+         * @param cores the pair that this is about
          */
-        public function isWithin(distance:Number):Boolean
+        public function isWithinLimit(cores:CorePair):Boolean
         {
-            return this.distance <= distance && !(separation > distance);
+            return distance <= cores.maxDistance && !(separation > cores.maxDistance);
         }
 
         /** Sets the unit vector, and how far the cores are apart along it. */

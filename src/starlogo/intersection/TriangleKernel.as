@@ -85,16 +85,12 @@ package starlogo.intersection
          * Whether the plane shows that the shape stays apart from the triangle until the motion's latest time. Ask this first: it is quick.
          *
          * @param motion of the shape; its start must be 0
-         * @param margin how far from the plane the shape's core may be if it touches the triangle, with all that is rounded; -1 to find it
          */
-        public function stayApart(motion:RelativeMotion, margin:Number = -1):Boolean
+        public function stayApart(motion:RelativeMotion):Boolean
         {
-            if (margin < 0)
-            {
-                var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(plane.offset)
-                    + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-                margin = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
-            }
+            var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(plane.offset)
+                + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
+            var margin:Number = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
             return plane.findEntry(shape, margin, motion) > motion.latest;
         }
 

@@ -256,7 +256,7 @@ package starlogo.solid
         // Whether the current triangle of the second node stays on one side of the plane of the first model's.
         private function stayApart():Boolean
         {
-            return _kernel.stayApart(_motion, _outerTolerance);
+            return _kernel.plane.findEntry(_kernel.shape, _outerTolerance, _motion) > _motion.latest;
         }
 
         // The squared distance of the extents of a triangle of the first model from those of the current triangle. Both are prepared, because each

@@ -72,7 +72,7 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            addPairs(row, others, _motions.areSwept ? keepSwept(row, others, count, level.slack) : keepTouching(row, others, count, level));
+            addPairs(row, others, _motions.areSwept ? keepSwept(row, others, count, level) : keepTouching(row, others, count, level));
         }
 
         /**
@@ -100,9 +100,9 @@ package starlogo.search
         }
 
         // Keeps the rows that touch a row on their motions, and moves them to the beginning of the list.
-        private function keepSwept(row:int, others:Vector.<int>, count:int, slack:Number):int
+        private function keepSwept(row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
-            return _motions.keepTouching(row, others, count, slack, _times);
+            return _motions.keepTouching(row, others, count, level, _times);
         }
 
         // Keeps the rows that touch a row, and moves them to the beginning of the list.

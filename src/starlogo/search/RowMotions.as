@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.convex.ContactPoint;
@@ -22,8 +23,8 @@ package starlogo.search
      */
     internal final class RowMotions
     {
-        /** In place of the slack of a level: the extents of a row say nothing, so they rule no pair out. */
-        internal static const NO_EXTENTS:Number = Infinity;
+        /** In place of a level: the extents of a row say nothing. Its slack is infinite, so it rules no pair out. */
+        internal static const NO_EXTENTS:BinLevel = new BinLevel(0, Infinity);
 
         /** Whether an agent of the search sweeps. If none does, the motions do not count. */
         internal var areSwept:Boolean = false;
@@ -159,11 +160,12 @@ package starlogo.search
         /**
          * Keeps the rows that touch a row on their motions, and moves them to the beginning of the list.
          *
-         * @param slack how far apart the extents of two rows that touch may be; NO_EXTENTS for the ground and the edges
+         * @param level has the slack of the rows' extents; NO_EXTENTS for the ground and the edges. It is no Number, because V8 would make an object
+         *     for each row
          * @param times receives the times of the touches
          * @return the number of rows that it keeps
          */
-        public function keepTouching(row:int, others:Vector.<int>, count:int, slack:Number, times:Vector.<Number>):int
+        public function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
         {
             var ranks:Vector.<int> = _table.list.ranks;
             var rank:int = ranks[row];
@@ -173,7 +175,7 @@ package starlogo.search
                 var other:int = others[i];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = rank < ranks[other];
-                findTime(isFirst ? row : other, isFirst ? other : row, slack, _motion);
+                findTime(isFirst ? row : other, isFirst ? other : row, level, _motion);
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
@@ -186,12 +188,12 @@ package starlogo.search
 
         // Finds the time at which two rows first touch, from 0 to 1, or RelativeMotion.NEVER. If neither of the two sweeps, they are tested where they are
         // now. The motion receives the motion of the first relative to the second, with the time.
-        private function findTime(a:int, b:int, slack:Number, motion:RelativeMotion):void
+        private function findTime(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
         {
             beginMotion(a, b, motion);
             if (!eitherSweeps(a, b))
             {
-                motion.time = _table.extents.areNear(a, b, slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
+                motion.time = _table.extents.areNear(a, b, level.slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
             }
             else if (motion.isStill)
             {
@@ -199,7 +201,7 @@ package starlogo.search
             }
             else
             {
-                sweep(a, b, slack, motion);
+                sweep(a, b, level, motion);
             }
         }
 
@@ -268,10 +270,10 @@ package starlogo.search
             return _sweeps[a] || _sweeps[b];
         }
 
-        private function sweep(a:int, b:int, slack:Number, motion:RelativeMotion):void
+        private function sweep(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
         {
             var areSpheres:Boolean = _table.shapes[a].form == BoundingStructure.SPHERE && _table.shapes[b].form == BoundingStructure.SPHERE;
-            if (!areSpheres && !overlapOnMotions(_table.extents, slack, a, b))
+            if (!areSpheres && !overlapOnMotions(_table.extents, level.slack, a, b))
             {
                 return;
             }

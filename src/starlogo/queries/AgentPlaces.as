@@ -65,7 +65,7 @@ package starlogo.queries
          */
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
-            var at:Placement = _seen.placeOf(agent);
+            var at:Placement = _seen.placementOf(agent);
             return count(agent, at.x, at.y, at.z, radius, filter);
         }
 
@@ -164,7 +164,7 @@ package starlogo.queries
 
         private function findNear(agent:Agent, radius:Number, wanted:int, filter:AgentFilter, degrees:Number = 360):Collector
         {
-            var at:Placement = _seen.placeOf(agent);
+            var at:Placement = _seen.placementOf(agent);
             return find(agent, at.x, at.y, at.z, radius, wanted, filter, degrees);
         }
 
@@ -180,7 +180,7 @@ package starlogo.queries
                 degrees:Number = 360):Collector
         {
             requireNotNegative("radius", radius);
-            var found:Collector = _seen.ask(wanted, radius * radius, asker, filter);
+            var found:Collector = _seen.beginSearch(wanted, radius * radius, asker, filter);
             var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
             var search:NearSearch = _searches.current;
             search.find(found, _seen.treeOfPlaces(), x, y, z, cone);
@@ -190,7 +190,7 @@ package starlogo.queries
         private function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
         {
             requireNotNegative("radius", radius);
-            var found:Collector = _seen.ask(Collector.ALL, radius * radius, asker, filter);
+            var found:Collector = _seen.beginSearch(Collector.ALL, radius * radius, asker, filter);
             var search:NearSearch = _searches.current;
             return search.count(found, _seen.treeOfPlaces(), x, y, z);
         }

@@ -190,7 +190,7 @@ package starlogo.queries
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
-            var at:Placement = _seen.placeOf(agent);
+            var at:Placement = _seen.placementOf(agent);
             var body:Body = _seen.bodyOf(agent);
             if (body.shape == null)
             {
@@ -217,7 +217,7 @@ package starlogo.queries
             _ray.aim(origin, direction);
             requireNotNegative("maxDistance", maxDistance);
             _ray.to = maxDistance;
-            var found:Collector = _seen.ask(wanted, maxDistance, null, filter);
+            var found:Collector = _seen.beginSearch(wanted, maxDistance, null, filter);
             _search.begin(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
             return found;

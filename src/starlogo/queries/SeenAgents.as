@@ -9,6 +9,7 @@ package starlogo.queries
     import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.collision.QuerySource;
     import starlogo.data.requireGiven;
@@ -155,7 +156,7 @@ package starlogo.queries
         }
 
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
-        engine function ask(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
+        engine function beginSearch(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
             var collector:Collector = _collectors.current;
             collector.begin(table, wanted, limit, asker, filter);
@@ -209,8 +210,8 @@ package starlogo.queries
             }
         }
 
-        /** @private Where an agent is now. Throws an error if the agent is not placed. */
-        engine function placeOf(agent:Agent):Placement
+        /** @private Where an agent is now, and how it is turned. Throws an error if the agent is not placed. */
+        engine function placementOf(agent:Agent):Placement
         {
             requirePlaced(agent);
             return agent.placement;
@@ -251,7 +252,7 @@ package starlogo.queries
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */
         engine function treeOfPlaces():RowTree
         {
-            return build(_places, table.places);
+            return build(_places, table.places, null);
         }
 
         /**
@@ -261,10 +262,10 @@ package starlogo.queries
         engine function treeOfExtents():RowTree
         {
             table.refreshWorld();
-            return build(_extents, table.extents);
+            return build(_extents, table.extents, table.extents);
         }
 
-        private function build(tree:RowTree, points:Points):RowTree
+        private function build(tree:RowTree, points:Points, sizes:Extents):RowTree
         {
             if (!_isRead)
             {
@@ -273,7 +274,7 @@ package starlogo.queries
             }
             if (tree.isStale)
             {
-                tree.build(table.list.rows.numbers, table.list.rows.count, points);
+                tree.build(table.list.rows.numbers, table.list.rows.count, points, sizes);
             }
             tree.learnBreeds(table.list.agents);
             return tree;

@@ -78,7 +78,7 @@ package starlogo.queries
         private function find(asker:Agent, body:Body, wanted:int, filter:AgentFilter):Collector
         {
             var table:AgentTable = _seen.table;
-            var found:Collector = _seen.ask(wanted, Infinity, asker, filter);
+            var found:Collector = _seen.beginSearch(wanted, Infinity, asker, filter);
             if (body.shape == null)
             {
                 return found;

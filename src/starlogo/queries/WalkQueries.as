@@ -90,7 +90,7 @@ package starlogo.queries
         // Finds what the motion and the options mean for the agent. No platform carries it yet.
         private function readOptions(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
         {
-            var size:Number = _seen.placeOf(agent).size;
+            var size:Number = _seen.placementOf(agent).size;
             requireMotion(dx, dy, 0, agent);
             var whole:Number = Math.sqrt(dx * dx + dy * dy);
             out.agent = agent;

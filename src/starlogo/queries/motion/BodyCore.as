@@ -124,7 +124,7 @@ package starlogo.queries.motion
         {
             var inset:Number = _inset;
             setInset(_mostInset);
-            if (touches(row, place))
+            if (coreTouches(row, place))
             {
                 setInset(inset);
                 return false;
@@ -134,7 +134,7 @@ package starlogo.queries.motion
                 inset = Math.min(NARROWER * inset, _mostInset);
                 setInset(inset);
             }
-            while (inset < _mostInset && touches(row, place));
+            while (inset < _mostInset && coreTouches(row, place));
             return true;
         }
 
@@ -177,7 +177,7 @@ package starlogo.queries.motion
         }
 
         /** Whether the core touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
-        public function touches(row:int, place:Vector3D):Boolean
+        public function coreTouches(row:int, place:Vector3D):Boolean
         {
             return bodyTouches(row, place) && body.narrowPhase.areTouching(at(place), body.bodyOf(row));
         }

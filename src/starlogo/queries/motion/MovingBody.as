@@ -133,7 +133,7 @@ package starlogo.queries.motion
          */
         public function collectRowsAlong(dx:Number, dy:Number, dz:Number, asker:Agent, filter:AgentFilter):void
         {
-            var found:Collector = _seen.ask(Collector.ALL, 1, asker, filter);
+            var found:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
             rows.count = 0;
             if (hasShape)
             {
@@ -154,7 +154,7 @@ package starlogo.queries.motion
          */
         public function collectRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
         {
-            var found:Collector = _seen.ask(Collector.ALL, 1, asker, filter);
+            var found:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
             rows.count = 0;
             if (hasShape)
             {

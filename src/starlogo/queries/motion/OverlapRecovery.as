@@ -151,7 +151,7 @@ package starlogo.queries.motion
             while (i < obstacles.count)
             {
                 var row:int = obstacles.numbers[i];
-                var isOverlapped:Boolean = start.core.touches(row, start.place);
+                var isOverlapped:Boolean = start.core.coreTouches(row, start.place);
                 if (isOverlapped && (body.passesAt(row, start.place) || (findOverlap(body, row, start.place, alsoShallow, _contact) && addPlane(row, start, _contact))))
                 {
                     obstacles.remove(row);
@@ -194,7 +194,7 @@ package starlogo.queries.motion
         // the core overlaps the row.
         private function findLift(core:BodyCore, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
-            if (!core.touches(row, place))
+            if (!core.coreTouches(row, place))
             {
                 return false;
             }
@@ -209,7 +209,7 @@ package starlogo.queries.motion
         {
             var body:MovingBody = core.body;
             // mostly it is known faster that the core touches the row than how deep the overlap is
-            if (!findTouchingPlace(core, row, place, _touching) || body.passesAt(row, _touching) || (!core.isFlat && core.touches(row, place)))
+            if (!findTouchingPlace(core, row, place, _touching) || body.passesAt(row, _touching) || (!core.isFlat && core.coreTouches(row, place)))
             {
                 return false;
             }
@@ -241,7 +241,7 @@ package starlogo.queries.motion
         private static function measureOverlap(core:BodyCore, row:int, place:Vector3D, out:ContactPoint):Boolean
         {
             var body:MovingBody = core.body;
-            if (body.isOneWay(row) || !core.touches(row, place))
+            if (body.isOneWay(row) || !core.coreTouches(row, place))
             {
                 return false;
             }

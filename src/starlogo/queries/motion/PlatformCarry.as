@@ -54,7 +54,7 @@ package starlogo.queries.motion
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.turn = findMotion(link, _seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && _seen.ask(1, 0, walk.agent, walk.options.filter).admits(row))
+                if ((walk.turn != 0 || walk.carry.length > 0) && _seen.beginSearch(1, 0, walk.agent, walk.options.filter).endWithRow(row))
                 {
                     walk.platform = row;
                     return;

@@ -63,7 +63,7 @@ package starlogo.queries.motion
          */
         public function findTouches(body:MovingBody, motion:Vector3D, wanted:int, hits:Hits, first:MotionResult):Collector
         {
-            var found:Collector = _seen.ask(wanted, Infinity, null, null);
+            var found:Collector = _seen.beginSearch(wanted, Infinity, null, null);
             _common.place.copyFrom(body.from);
             _common.lifted.clear();
             if (addTouches(body, motion, found, hits, first))
@@ -72,7 +72,7 @@ package starlogo.queries.motion
                 _sweep.startMotion(body, body.rows, body.from, motion, _common);
                 if (!_common.place.equals(body.from))
                 {
-                    found = _seen.ask(wanted, Infinity, null, null);
+                    found = _seen.beginSearch(wanted, Infinity, null, null);
                     addTouches(body, motion, found, hits, first);
                 }
             }

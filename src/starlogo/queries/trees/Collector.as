@@ -7,13 +7,14 @@ package starlogo.queries.trees
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
     /**
      * Collects the rows that answer a question: the rows with the smallest keys, as many as are wanted. A key is a distance, a squared distance
-     * or a time. Rows with the same key are in the order of the list. The limit is the largest key that still counts. It shrinks when enough
-     * rows are found, so the search visits less.
+     * or a time. Rows with the same key are in the order of the list. The limit is the largest key of a row that is
+     * still wanted. It shrinks when enough rows are found, so the search visits less.
      *
      * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. Motions and casts of shapes call it for all rows
@@ -26,10 +27,10 @@ package starlogo.queries.trees
         /** A value of <code>wanted</code>: all rows. */
         public static const ALL:int = int.MAX_VALUE;
 
-        /** The rows that count. */
+        /** The rows that the filter admits. */
         public var filter:RowFilter = new RowFilter();
 
-        /** The largest key that still counts. It is less than 0 if no more rows are wanted. */
+        /** The largest key of a row that is still wanted. It is less than 0 if no more rows are wanted. */
         public var limit:Number = Infinity;
 
         /** The number of rows that are wanted, or ALL. */
@@ -47,6 +48,9 @@ package starlogo.queries.trees
         // The number of rows that accepts has admitted, in order.
         private var _admitted:int = 0;
 
+        // Whether the row of the ground has not been taken yet.
+        private var _isGroundLeft:Boolean = false;
+
         /** @param seen the agents that the question is about */
         public function Collector(seen:SeenAgents)
         {
@@ -59,7 +63,7 @@ package starlogo.queries.trees
          * @param table has the rows
          * @param wanted how many of the rows with the smallest keys are wanted, or ALL
          * @param limit the largest key
-         * @param asker the agent that asks, which does not count; or null
+         * @param asker the agent that asks, which is left out; or null
          * @param agentFilter the agents that count; null for all
          */
         public function begin(table:AgentTable, wanted:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
@@ -70,6 +74,7 @@ package starlogo.queries.trees
             this.limit = wanted == 0 ? -1 : limit;
             _dropAt = filter.accepts == null ? wanted : ALL;
             _rows.count = _admitted = 0;
+            _isGroundLeft = true;
         }
 
         /** Whether the search can end, because one row is wanted, which may be any, and is found. */
@@ -78,34 +83,42 @@ package starlogo.queries.trees
             return wanted == 1 && filter.accepts == null && _rows.count > 0;
         }
 
-        /** Ends without a search. Returns whether a row counts. */
-        public function admits(row:int):Boolean
+        /** Ends without a search, with this row if the filter admits it. Its <code>accepts</code> is called. Returns whether the row is the answer. */
+        public function endWithRow(row:int):Boolean
         {
-            if (filter.mayCount(row))
+            if (filter.mayAdmit(row))
             {
                 add(row, 0);
             }
             return end() > 0;
         }
 
-        /** The next row of a search that counts and has a shape, or -1. Without a ground, the ground's row has none. */
+        /** The next row of a search that the filter may admit and that has a shape; -1 if there are no more. The last one is the row of the ground. */
         public function nextOf(search:SweptBoxSearch):int
         {
             for (var row:int = search.next(filter.breeds, limit); row >= 0; row = search.next(filter.breeds, limit))
             {
                 if (row != filter.askerRow && _table.shapes[row] != null)
                 {
-                    if (filter.mayCount(row))
+                    if (filter.mayAdmit(row))
                     {
                         return row;
                     }
                     search.tree.passOver(1);
                 }
             }
-            return -1;
+            return _isGroundLeft ? takeGround() : -1;
         }
 
-        /** Ends with all rows of a search that count and have a shape, in the order of the list. They are added to <code>out</code>. */
+        // The row of the ground, which is in no tree, because it is near every row; -1 if there is no ground or the filter excludes it.
+        private function takeGround():int
+        {
+            var row:int = ListedAgents.GROUND_ROW;
+            _isGroundLeft = false;
+            return row != filter.askerRow && _table.shapes[row] != null && filter.mayAdmit(row) ? row : -1;
+        }
+
+        /** Ends with all rows of a search that the filter admits and that have a shape, in the order of the list. They are added to <code>out</code>. */
         public function listRows(search:SweptBoxSearch, out:IntList):void
         {
             for (var row:int = nextOf(search); row >= 0; row = nextOf(search))
@@ -119,7 +132,7 @@ package starlogo.queries.trees
             }
         }
 
-        /** Takes a row that counts. This may lower the limit. */
+        /** Adds a row that the question has found. This may lower the limit. */
         public function add(row:int, key:Number):void
         {
             // _rows.add() written out: it would be one call more for each row

@@ -69,8 +69,8 @@ package starlogo.queries.trees
         }
 
         /**
-         * Counts the rows near a place. If all rows count, a node that is wholly within the limit is counted without a look at its rows. The rows are
-         * collected only if the filter's <code>accepts</code> has to be asked.
+         * Counts the rows near a place. If the filter excludes none, a node that is wholly within the limit is counted without a look at its rows. The
+         * rows are collected only if the filter's <code>accepts</code> has to be asked.
          *
          * @param tree a tree of places
          * @param x the place
@@ -81,14 +81,14 @@ package starlogo.queries.trees
         {
             setTo(found, tree, x, y, z);
             var asks:Boolean = found.filter.accepts != null;
-            var countsNodes:Boolean = !asks && !found.filter.excludes;
+            var countsWholeNodes:Boolean = !asks && !found.filter.excludes;
             var counted:int = 0;
             var waiting:int = enqueue(RowTree.ROOT, 0);
             while (waiting > 0)
             {
                 waiting--;
                 var node:int = _nodes[waiting];
-                if (countsNodes && isWithin(node))
+                if (countsWholeNodes && isWithin(node))
                 {
                     counted += tree.countIn(node, found.filter.askerRow);
                 }
@@ -201,7 +201,8 @@ package starlogo.queries.trees
             return waiting + 1;
         }
 
-        // Finds the rows of a leaf that count and are within the limit, and gives them to the collector if it needs them. Returns how many they are.
+        // Finds the rows of a leaf that the filter may admit and that are within the limit, and gives them to the collector if it needs them. Returns
+        // how many they are.
         private function visit(leaf:int, cone:Cone, collects:Boolean):int
         {
             var found:Collector = _found;
@@ -233,7 +234,7 @@ package starlogo.queries.trees
                 {
                     continue;
                 }
-                if (!filter.mayCount(row))
+                if (!filter.mayAdmit(row))
                 {
                     passedOver++;
                     continue;

@@ -9,8 +9,8 @@ package starlogo.queries.trees
     use namespace engine;
 
     /**
-     * The rows that count in a question: those of the agents that an AgentFilter admits. The agent that asks does not count either; the searches
-     * leave out <code>askerRow</code> themselves. The filter is asked about each breed once a question, when a row of the breed is met. Its
+     * The rows of the agents that an AgentFilter admits. The agent that asks is never in its own answer; the searches leave out
+     * <code>askerRow</code> themselves. The filter is asked about each breed once a question, when a row of the breed is met. Its
      * <code>accepts</code> is asked last, by the Collector.
      *
      * @private
@@ -20,20 +20,20 @@ package starlogo.queries.trees
         /** The filter's <code>accepts</code>; null if there is none. */
         public var accepts:Function = null;
 
-        /** Whether breeds or agents are excluded. If not, <code>mayCount()</code> is true for all rows. */
+        /** Whether breeds or agents are excluded. If not, <code>mayAdmit()</code> is true for all rows. */
         public var excludes:Boolean = false;
 
-        /** The set of the breeds that may count, see RowTree. */
+        /** The set of the breeds that the filter may admit, see RowTree. */
         public var breeds:int = RowTree.ALL_BREEDS;
 
-        /** The row of the agent that asks, which does not count; or -1. */
+        /** The row of the agent that asks, which is left out; or -1. */
         public var askerRow:int = -1;
 
         private var _listed:ListedAgents;
         private var _filter:AgentFilter;
 
         // The number of the question, from 1 on. By row: the last question that excepted it. By the number of a breed: the last question that met
-        // it, less than 0 if the breed did not count.
+        // it, less than 0 if the filter excluded the breed.
         private var _question:int = 0;
         private var _exceptMarks:Vector.<int> = new Vector.<int>();
         private var _breedMarks:Vector.<int> = new Vector.<int>();
@@ -92,8 +92,8 @@ package starlogo.queries.trees
             return found;
         }
 
-        /** Whether a row's agent counts, as far as its breed and the filter's <code>except</code> say: <code>accepts</code> is not called. */
-        public function mayCount(row:int):Boolean
+        /** Whether the filter may admit a row: by its breed and the filter's <code>except</code>. <code>accepts</code> is not called. */
+        public function mayAdmit(row:int):Boolean
         {
             return !excludes || (_exceptMarks[row] != _question && admitsBreedOf(_listed.agents[row]));
         }
@@ -110,12 +110,12 @@ package starlogo.queries.trees
             {
                 return known > 0;
             }
-            var counts:Boolean = _filter.admitsBreed(agent.breed);
-            _breedMarks[breed] = counts ? _question : -_question;
-            return counts;
+            var admits:Boolean = _filter.admitsBreed(agent.breed);
+            _breedMarks[breed] = admits ? _question : -_question;
+            return admits;
         }
 
-        // Marks the rows of agents that do not count.
+        // Marks the rows of agents that are excepted.
         private function markExcepted(agents:Vector.<Agent>):void
         {
             if (_exceptMarks.length < _listed.agents.length)

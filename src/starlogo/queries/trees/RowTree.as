@@ -18,7 +18,7 @@ package starlogo.queries.trees
      * in the order of the leaves. RowDivision brings them into that order.</p>
      *
      * <p>A search for a rare breed can skip nodes without it. The nodes learn which breeds they have when searches have passed over as many rows
-     * that do not count as the tree has, and again when an agent has got another breed.</p>
+     * that filters exclude as the tree has, and again when an agent has got another breed.</p>
      *
      * @private
      */
@@ -60,7 +60,7 @@ package starlogo.queries.trees
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        // How many rows that do not count searches have tested since the nodes learned their breeds. A test reads it.
+        // How many rows that filters exclude searches have tested since the nodes learned their breeds. A test reads it.
         engine var passedOver:int = 0;
 
         // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
@@ -80,18 +80,19 @@ package starlogo.queries.trees
         /**
          * Builds the tree again. It keeps the columns, because <code>move()</code> reads them later.
          *
-         * @param rows the rows that the tree has
-         * @param count how many of them count
-         * @param points by row: the middle of its box. Unless they are Extents, the rows are places
+         * @param rows a list of rows
+         * @param count how many rows the tree has: the first ones of the list
+         * @param points by row: the middle of its box
+         * @param sizes by row: half of its box's lengths; null for a tree of places
          */
-        public function build(rows:Vector.<int>, count:int, points:Points):void
+        public function build(rows:Vector.<int>, count:int, points:Points, sizes:Extents = null):void
         {
             _movesLeft = MOVES * count;
             passedOver = 0;
             _breedsAsOf = -1;
             this.count = count;
             _points = points;
-            _sizes = points as Extents;
+            _sizes = sizes;
             firstLeaf = 1;
             while (firstLeaf * LEAF_SIZE < count)
             {
@@ -127,10 +128,10 @@ package starlogo.queries.trees
             return 1 << breed % BREED_BITS;
         }
 
-        /** Counts rows that a filter does not let through, by their breeds or otherwise. */
-        public function passOver(rows:int):void
+        /** Counts rows that a filter excludes, by their breeds or otherwise. */
+        public function passOver(number:int):void
         {
-            passedOver += rows;
+            passedOver += number;
         }
 
         /** Lets the nodes learn their breeds, if searches have passed over so many rows that this takes no longer. */
@@ -177,7 +178,7 @@ package starlogo.queries.trees
             return firstLeaf + int(((_slots[row] + 1) * firstLeaf - 1) / count);
         }
 
-        /** The number of rows in a node, without a row that does not count; -1 if all count. */
+        /** The number of rows in a node, without one row, which may be -1 for none. */
         public function countIn(node:int, except:int):int
         {
             var last:int = node;

@@ -3,7 +3,6 @@ package starlogo.queries.trees
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.search.Body;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -18,9 +17,6 @@ package starlogo.queries.trees
         /** The tree of the present search. Read only. */
         public var tree:RowTree = null;
 
-        // How much of the motion is searched, as a multiple of its vector.
-        private var _limit:Number = 1;
-
         private var _moves:Boolean = false;
 
         // The way by axis, if the box moves; the box where the way begins; and the box around the whole way. The boxes are like those of a RowTree.
@@ -32,12 +28,6 @@ package starlogo.queries.trees
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
-
-        // Whether the row of the ground, which every box meets, has not been returned yet.
-        private var _isGroundLeft:Boolean = false;
-
-        // Where on the way the box meets the box that was tested last.
-        private var _entry:Number = 0;
 
         // The slots of the current leaf whose boxes overlap the box around the way; the next of them; and their number.
         private var _slots:Vector.<int> = new Vector.<int>();
@@ -71,7 +61,6 @@ package starlogo.queries.trees
             _nodes[0] = RowTree.ROOT;
             _entries[0] = 0;
             _waiting = tree.count > 0 ? 1 : 0;
-            _isGroundLeft = true;
         }
 
         /**
@@ -136,21 +125,20 @@ package starlogo.queries.trees
         }
 
         /**
-         * The next row, or -1 if there are no more. The last one is the row of the ground, also if there is none.
+         * The next row, or -1 if there are no more.
          *
          * @param breeds the breeds that count, a set of RowTree. Nodes without them are skipped, but single rows may have others
          * @param limit if the box moves: how much of the motion is still searched, as a multiple of its vector. It may become less during the search
          */
         public function next(breeds:int, limit:Number):int
         {
-            _limit = limit;
             while (_next < _end || _waiting > 0)
             {
                 if (_next < _end)
                 {
                     var slot:int = _slots[_next];
                     _next++;
-                    if (!_moves || findEntry(tree.rowBoxes, RowTree.PER_BOX * slot))
+                    if (!_moves || entryOf(tree.rowBoxes, RowTree.PER_BOX * slot, limit) >= 0)
                     {
                         return tree.rows[slot];
                     }
@@ -159,19 +147,14 @@ package starlogo.queries.trees
                 _waiting--;
                 if (!_moves || _entries[_waiting] <= limit)
                 {
-                    visit(_nodes[_waiting], breeds);
+                    visit(_nodes[_waiting], breeds, limit);
                 }
-            }
-            if (_isGroundLeft)
-            {
-                _isGroundLeft = false;
-                return ListedAgents.GROUND_ROW;
             }
             return -1;
         }
 
         // Finds the rows of a leaf, or puts the children of a node on the waiting list.
-        private function visit(node:int, breeds:int):void
+        private function visit(node:int, breeds:int, limit:Number):void
         {
             if (!tree.mayHave(node, breeds))
             {
@@ -187,7 +170,7 @@ package starlogo.queries.trees
             _waiting = findOverlapping(tree.nodeBoxes, node << 1, (node << 1) + 2, _nodes, first);
             if (_moves)
             {
-                keepOnWay(first);
+                keepOnWay(first, limit);
             }
         }
 
@@ -235,14 +218,15 @@ package starlogo.queries.trees
         }
 
         // Of the last two nodes on the waiting list, it keeps only nodes that the box meets on its way. The nearer one will be visited next.
-        private function keepOnWay(first:int):void
+        private function keepOnWay(first:int, limit:Number):void
         {
             var kept:int = first;
             for (var i:int = first; i < _waiting; i++)
             {
-                if (findEntry(tree.nodeBoxes, RowTree.PER_BOX * _nodes[i]))
+                var entry:Number = entryOf(tree.nodeBoxes, RowTree.PER_BOX * _nodes[i], limit);
+                if (entry >= 0)
                 {
-                    _entries[kept] = _entry;
+                    _entries[kept] = entry;
                     _nodes[kept] = _nodes[i];
                     kept++;
                 }
@@ -254,18 +238,18 @@ package starlogo.queries.trees
                 var nearer:int = _nodes[first];
                 _nodes[first] = _nodes[second];
                 _nodes[second] = nearer;
-                var entry:Number = _entries[first];
+                var nearerEntry:Number = _entries[first];
                 _entries[first] = _entries[second];
-                _entries[second] = entry;
+                _entries[second] = nearerEntry;
             }
         }
 
-        // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986), which
-        // _entry receives. Returns whether it is within the limit.
-        private function findEntry(boxes:Vector.<Number>, box:int):Boolean
+        // Where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986); -1 if it does not meet it
+        // within the limit.
+        private function entryOf(boxes:Vector.<Number>, box:int, limit:Number):Number
         {
             var enters:Number = 0;
-            var leaves:Number = _limit;
+            var leaves:Number = limit;
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var along:Number = _along[axis];
@@ -291,8 +275,7 @@ package starlogo.queries.trees
                     leaves = far;
                 }
             }
-            _entry = enters;
-            return enters <= leaves;
+            return enters <= leaves ? enters : -1;
         }
     }
 }

@@ -35,7 +35,7 @@ package starlogo.queries.trees
             for (var world:int = 0; world < 120; world++)
             {
                 makeWorld(world);
-                _tree.build(_rows, _rows.length, _sizes);
+                _tree.build(_rows, _rows.length, _sizes, _sizes);
                 for (var i:int = 0; i < 30; i++)
                 {
                     var count:int = assertWay("world " + world + ", " + i, world, i % 3 == 0 ? 0 : _random.logBetween(0.01, 100), i % 3 < 2);
@@ -109,7 +109,7 @@ package starlogo.queries.trees
             assertTrue(_rows.length + " rows are not worn by one move", !_tree.isStale || wasStale || _rows.length < 60);
             if (_tree.isStale)
             {
-                _tree.build(_rows, _rows.length, _sizes);
+                _tree.build(_rows, _rows.length, _sizes, _sizes);
             }
         }
 
@@ -126,7 +126,7 @@ package starlogo.queries.trees
             }
             var times:Vector.<int> = new Vector.<int>(_sizes.x.length);
             var met:int = 0;
-            for (var row:int = _way.next(RowTree.ALL_BREEDS, limit); row != ListedAgents.GROUND_ROW; row = _way.next(RowTree.ALL_BREEDS, limit))
+            for (var row:int = _way.next(RowTree.ALL_BREEDS, limit); row >= 0; row = _way.next(RowTree.ALL_BREEDS, limit))
             {
                 times[row]++;
                 met++;

@@ -17,6 +17,9 @@ package starlogo.queries.trees
         /** The tree of the present search. Read only. */
         public var tree:RowTree = null;
 
+        // How much of the motion is searched, as a multiple of its vector.
+        private var _limit:Number = 1;
+
         private var _moves:Boolean = false;
 
         // The way by axis, if the box moves; the box where the way begins; and the box around the whole way. The boxes are like those of a RowTree.
@@ -28,6 +31,9 @@ package starlogo.queries.trees
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
+
+        // Where on the way the box meets the box that was tested last.
+        private var _entry:Number = 0;
 
         // The slots of the current leaf whose boxes overlap the box around the way; the next of them; and their number.
         private var _slots:Vector.<int> = new Vector.<int>();
@@ -132,13 +138,14 @@ package starlogo.queries.trees
          */
         public function next(breeds:int, limit:Number):int
         {
+            _limit = limit;
             while (_next < _end || _waiting > 0)
             {
                 if (_next < _end)
                 {
                     var slot:int = _slots[_next];
                     _next++;
-                    if (!_moves || entryOf(tree.rowBoxes, RowTree.PER_BOX * slot, limit) >= 0)
+                    if (!_moves || findEntry(tree.rowBoxes, RowTree.PER_BOX * slot))
                     {
                         return tree.rows[slot];
                     }
@@ -147,14 +154,14 @@ package starlogo.queries.trees
                 _waiting--;
                 if (!_moves || _entries[_waiting] <= limit)
                 {
-                    visit(_nodes[_waiting], breeds, limit);
+                    visit(_nodes[_waiting], breeds);
                 }
             }
             return -1;
         }
 
         // Finds the rows of a leaf, or puts the children of a node on the waiting list.
-        private function visit(node:int, breeds:int, limit:Number):void
+        private function visit(node:int, breeds:int):void
         {
             if (!tree.mayHave(node, breeds))
             {
@@ -170,7 +177,7 @@ package starlogo.queries.trees
             _waiting = findOverlapping(tree.nodeBoxes, node << 1, (node << 1) + 2, _nodes, first);
             if (_moves)
             {
-                keepOnWay(first, limit);
+                keepOnWay(first);
             }
         }
 
@@ -218,15 +225,14 @@ package starlogo.queries.trees
         }
 
         // Of the last two nodes on the waiting list, it keeps only nodes that the box meets on its way. The nearer one will be visited next.
-        private function keepOnWay(first:int, limit:Number):void
+        private function keepOnWay(first:int):void
         {
             var kept:int = first;
             for (var i:int = first; i < _waiting; i++)
             {
-                var entry:Number = entryOf(tree.nodeBoxes, RowTree.PER_BOX * _nodes[i], limit);
-                if (entry >= 0)
+                if (findEntry(tree.nodeBoxes, RowTree.PER_BOX * _nodes[i]))
                 {
-                    _entries[kept] = entry;
+                    _entries[kept] = _entry;
                     _nodes[kept] = _nodes[i];
                     kept++;
                 }
@@ -238,18 +244,18 @@ package starlogo.queries.trees
                 var nearer:int = _nodes[first];
                 _nodes[first] = _nodes[second];
                 _nodes[second] = nearer;
-                var nearerEntry:Number = _entries[first];
+                var entry:Number = _entries[first];
                 _entries[first] = _entries[second];
-                _entries[second] = nearerEntry;
+                _entries[second] = entry;
             }
         }
 
-        // Where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986); -1 if it does not meet it
-        // within the limit.
-        private function entryOf(boxes:Vector.<Number>, box:int, limit:Number):Number
+        // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986), which
+        // _entry receives. Returns whether it is within _limit. V8 would box both if they were passed.
+        private function findEntry(boxes:Vector.<Number>, box:int):Boolean
         {
             var enters:Number = 0;
-            var leaves:Number = limit;
+            var leaves:Number = _limit;
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var along:Number = _along[axis];
@@ -275,7 +281,8 @@ package starlogo.queries.trees
                     leaves = far;
                 }
             }
-            return enters <= leaves ? enters : -1;
+            _entry = enters;
+            return enters <= leaves;
         }
     }
 }

@@ -83,11 +83,16 @@ package starlogo.ground
             return _holders > 0;
         }
 
-        /** Notes that one more frame needs the ground as it is, or that one needs it no longer. */
-        public function hold(isNeeded:Boolean):void
+        /** Notes that one more frame needs the ground as it is. */
+        public function hold():void
         {
-            var change:int = isNeeded ? 1 : -1;
-            _holders += change;
+            _holders++;
+        }
+
+        /** Notes that a frame that held the ground needs it no longer. */
+        public function release():void
+        {
+            _holders--;
         }
 
         /** Returns a copy that no frame holds. An earlier copy is used again. */

@@ -8,10 +8,10 @@ package starlogo.away3d
     import starlogo.terrain.TerrainSurface;
 
     /**
-     * Draws the surface of a terrain in an Away3D scene, slopes or columns. The parent must be the land, as for an Away3dAgentBinding's
+     * Draws the surface of a terrain in an Away3D scene, slopes or blocks. The parent must be the land, as for an Away3dAgentBinding's
      * object, and the mesh must not be moved in it.
      *
-     * <p>Slopes have smooth normals, and columns have flat ones. Where the grid ends, walls go down to its lowest height. A texture lies over
+     * <p>Slopes have smooth normals, and blocks have flat ones. Where the grid ends, walls go down to its lowest height. A texture lies over
      * the whole grid, seen from above: the top of the picture has the greatest y.</p>
      *
      * <listing version="3.0">
@@ -50,7 +50,7 @@ package starlogo.away3d
         }
 
         /**
-         * Follows the terrain: its heights, and whether it is columns. If nothing has changed, it does nothing.
+         * Follows the terrain: its heights, and whether it is blocks. If nothing has changed, it does nothing.
          *
          * @return whether something has changed
          */

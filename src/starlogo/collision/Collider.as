@@ -6,6 +6,7 @@ package starlogo.collision
     import starlogo.convex.RelativeMotion;
     import starlogo.data.requireGiven;
     import starlogo.engine;
+    import starlogo.ground.HeightGrid;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
@@ -236,21 +237,23 @@ package starlogo.collision
             {
                 takeContactsFromFrame();
             }
-            if ((phase == HANDLING) != areHandlersRunning)
+            var grid:HeightGrid = (phase == HANDLING) == areHandlersRunning ? null : groundGrid();
+            if (grid != null && phase == HANDLING)
             {
-                holdGround(phase == HANDLING);
+                grid.hold();
+            }
+            else if (grid != null)
+            {
+                grid.release();
             }
             _phase = phase;
         }
 
-        // Holds the ground as the frame has read it, or lets go of it. The edges do not change.
-        private function holdGround(isHeld:Boolean):void
+        // The ground as the frame has read it; null if there is none. The edges do not change.
+        private function groundGrid():HeightGrid
         {
             var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
-            if (ground != null)
-            {
-                ground.grid.hold(isHeld);
-            }
+            return ground == null ? null : ground.grid;
         }
 
         /** @private */

@@ -124,7 +124,7 @@ package starlogo.debug
         }
 
         /**
-         * The edges of the ground's triangles in a rectangle, as a TerrainSurface has them: of slopes, tops of columns and walls. An edge that
+         * The edges of the ground's triangles in a rectangle, as a TerrainSurface has them: of slopes, tops of blocks and walls. An edge that
          * several triangles share appears once.
          *
          * @param terrain the ground as it is now

@@ -1,7 +1,7 @@
 package starlogo.ground
 {
     /**
-     * The triangles of a cell of the ground: two on top, and two on each side where a wall stands. A wall stands where a column is higher than its
+     * The triangles of a cell of the ground: two on top, and two on each side where a wall stands. A wall stands where a block is higher than its
      * neighbour, at the terrain's borders and around holes. A hole has no triangles.
      */
     internal final class CellTriangles
@@ -75,7 +75,7 @@ package starlogo.ground
             }
         }
 
-        // Reads the heights of the corners. All corners of a column have one height.
+        // Reads the heights of the corners. All corners of a block have one height.
         private function readTops(at:int):void
         {
             var grid:HeightGrid = _path.search.grid;
@@ -126,7 +126,7 @@ package starlogo.ground
         }
 
         // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
-        // no wall near the box. A wall begins at the top of the lower column. Walls are cut a cell's width above the box and, if the search has no floor,
+        // no wall near the box. A wall begins at the top of the lower block. Walls are cut a cell's width above the box and, if the search has no floor,
         // below it, because long triangles have larger rounding errors.
         private function writeWall(side:int, isUpper:Boolean, corners:Vector.<Number>):Boolean
         {

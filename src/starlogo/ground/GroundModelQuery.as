@@ -172,7 +172,8 @@ package starlogo.ground
         private function boundDistance(out:ClosestPoints):void
         {
             var origin:Placement = _pairs.origin;
-            var box:GroundBox = _pairs.pieces.wholeBox();
+            var box:GroundBox = _pairs.pieces.box;
+            _pairs.pieces.fitBoxToWhole();
             _nearest.x = box.x + origin.x;
             _nearest.y = box.y + origin.y;
             _pairs.grid.findNearest(_nearest);

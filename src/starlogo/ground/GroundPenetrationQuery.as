@@ -64,7 +64,8 @@ package starlogo.ground
         public function findLift(out:ContactPoint):void
         {
             var origin:Placement = _pairs.origin;
-            var box:GroundBox = _pairs.pieces.wholeBox();
+            var box:GroundBox = _pairs.pieces.box;
+            _pairs.pieces.fitBoxToWhole();
             var low:Number = box.z - box.halfZ;
             _pairs.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
             out.setNormal(0, 0, 1);

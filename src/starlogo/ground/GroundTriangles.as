@@ -6,7 +6,7 @@ package starlogo.ground
      * Finds the triangles of the ground's surface that a box may meet, one after the other: the source of triangles for all tests of the
      * ground, and for drawing it. If the box moves, they come nearly in the order in which it meets them.
      *
-     * <p>The surface consists of the cells' tops and of upright walls. A wall between two columns goes down to the top of the lower one, every other
+     * <p>The surface consists of the cells' tops and of upright walls. A wall between two blocks goes down to the top of the lower one, every other
      * wall to the search's floor. Tall walls are cut above the box, and below it if the search has no floor.</p>
      *
      * <p>A stack has the squares that are still to be visited. If the box comes to the heights of a square, its smaller squares take its
@@ -63,7 +63,7 @@ package starlogo.ground
             _top = 0;
         }
 
-        // Puts squares of a level on the stack if the box may pass over them in the current passage. Only a block counts, with a first column and row
+        // Puts squares of a level on the stack if the box may pass over them in the current passage. Only a rectangle counts, with a first column and row
         // and so many columns and rows. The nearest square is put last, and visited first.
         private function addSquares(level:int, firstColumn:int, firstRow:int, most:int):void
         {

@@ -5,7 +5,7 @@ package starlogo.ground
 
     /**
      * The surface of the ground in a snapshot. The bytes are: the number of columns; the number of rows; the width of a cell; its place; whether
-     * the surface is columns; then the heights; then the holes, a bit for each, as numbers of 32 bits. After a number of 0 comes the count of numbers
+     * the surface is blocks; then the heights; then the holes, a bit for each, as numbers of 32 bits. After a number of 0 comes the count of numbers
      * that are 0 from there on, and only the first of them is written.
      */
     internal final class HeightBytes

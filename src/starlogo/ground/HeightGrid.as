@@ -29,14 +29,14 @@ package starlogo.ground
         public var x:Number;
         public var y:Number;
 
-        /** Whether the surface is upright columns; otherwise it is slopes. */
+        /** Whether the surface is upright blocks; otherwise it is slopes. */
         public var isBlocky:Boolean = false;
 
         /** The heights, row by row. */
         public var heights:Vector.<Number>;
 
         /**
-         * A bit for each cell: whether it is a hole. 32 cells are one number, in the order of the heights. The cell of a height is the column
+         * A bit for each cell: whether it is a hole. 32 cells are one number, in the order of the heights. The cell of a height is the block
          * around it, or the slopes between it and the next heights along x and y. Null if there is no hole.
          */
         public var holes:Vector.<int> = null;
@@ -83,11 +83,16 @@ package starlogo.ground
             return _holders > 0;
         }
 
-        /** Notes that one more frame needs the ground as it is, or that one needs it no longer. */
-        public function hold(isNeeded:Boolean):void
+        /** Notes that one more frame needs the ground as it is. */
+        public function hold():void
         {
-            var change:int = isNeeded ? 1 : -1;
-            _holders += change;
+            _holders++;
+        }
+
+        /** Notes that a frame that held the ground needs it no longer. */
+        public function release():void
+        {
+            _holders--;
         }
 
         /** Returns a copy that no frame holds. An earlier copy is used again. */
@@ -171,7 +176,7 @@ package starlogo.ground
             holes[at >> 5] = isHole ? holes[at >> 5] | bit : holes[at >> 5] & ~bit;
         }
 
-        /** The height at a place; NaN outside and over holes. Where columns meet, it is the height of the highest. */
+        /** The height at a place; NaN outside and over holes. Where blocks meet, it is the height of the highest. */
         public function heightAt(atX:Number, atY:Number):Number
         {
             _point.x = atX;
@@ -183,7 +188,7 @@ package starlogo.ground
         /** Finds the height at a point's x and y, and on slopes its triangle. */
         public function findHeight(at:GroundPoint):void
         {
-            // Slopes are between heights. Columns begin half a cell before their heights.
+            // Slopes are between heights. Blocks begin half a cell before their heights.
             if (!isWithin(at.x, at.y, isBlocky ? cellWidth / 2 : 0))
             {
                 at.height = NaN;
@@ -198,10 +203,10 @@ package starlogo.ground
             }
         }
 
-        // Finds the height of the highest column at a point. At most four columns meet there.
+        // Finds the height of the highest block at a point. At most four blocks meet there.
         private function findTop(at:GroundPoint):void
         {
-            // rounding can lead beyond the last column
+            // rounding can lead beyond the last block
             var toX:Number = Math.min((at.x - x) / cellWidth + 0.5, columns);
             var toY:Number = Math.min((at.y - y) / cellWidth + 0.5, rows);
             at.height = highestOf(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1));
@@ -236,7 +241,7 @@ package starlogo.ground
             at.height = (1 - more) * heights[corner] + (more - less) * heights[at.side] + less * heights[int(corner + columns + 1)];
         }
 
-        // The height of the highest column of a range that is no hole; NaN if all are holes.
+        // The height of the highest block of a range that is no hole; NaN if all are holes.
         private function highestOf(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):Number
         {
             var highest:Number = NaN;
@@ -279,7 +284,7 @@ package starlogo.ground
             at.fallY = isRight ? side - far : near - side;
         }
 
-        /** Finds the direction out of the ground at a point whose height is known: a unit vector. It is up from columns, and where there is no ground. */
+        /** Finds the direction out of the ground at a point whose height is known: a unit vector. It is up from blocks, and where there is no ground. */
         public function findDirectionOut(at:GroundPoint, out:Vector3D):void
         {
             out.setTo(0, 0, 1);

@@ -141,13 +141,13 @@ package starlogo.ground
             var grid:HeightGrid = _grid;
             var toX:Number = (x - grid.x) / grid.cellWidth;
             var toY:Number = (y - grid.y) / grid.cellWidth;
-            // Columns begin half a cell before their heights. A column that only touches the rectangle does not count.
+            // Blocks begin half a cell before their heights. A block that only touches the rectangle does not count.
             var border:Number = grid.isBlocky ? 0.5 : 0;
             var minX:Number = Math.floor(toX - halfX / grid.cellWidth + border);
             var minY:Number = Math.floor(toY - halfY / grid.cellWidth + border);
             var maxX:Number = Math.ceil(toX + halfX / grid.cellWidth - border);
             var maxY:Number = Math.ceil(toY + halfY / grid.cellWidth - border);
-            // Rounding can leave nothing of a small rectangle between two columns. Then the least is the greater one, and both count.
+            // Rounding can leave nothing of a small rectangle between two blocks. Then the least is the greater one, and both count.
             var firstColumn:int = Math.max(0, Math.min(minX, maxX));
             var firstRow:int = Math.max(0, Math.min(minY, maxY));
             var lastColumn:int = Math.min(grid.columns - 1, Math.max(minX, maxX));

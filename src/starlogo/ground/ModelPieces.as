@@ -19,8 +19,8 @@ package starlogo.ground
      * Goes through the convex pieces of a placed model, one after the other. A structure is one piece. The pieces of a tree are its nodes at the depth
      * limit, or its triangles.
      *
-     * <p>Before the pieces of a tree come the nodes above them. Only after <code>divide()</code> does <code>next()</code> go on to what is below such
-     * a node.</p>
+     * <p>Before the pieces of a tree come the nodes above them, which are divisible. Only after <code>divide()</code> does <code>next()</code> go on to
+     * what is below such a node.</p>
      */
     internal final class ModelPieces
     {
@@ -39,8 +39,8 @@ package starlogo.ground
         /** The kernel's shape if the box is around it, null otherwise. Read only. */
         public var shapeInBox:ConvexShape = null;
 
-        /** Whether a node above the pieces is current. Then the kernel has another shape. Read only. */
-        public var isAbovePieces:Boolean = false;
+        /** Whether the current one is a node above the pieces. Then the kernel has another shape. Read only. */
+        public var isDivisible:Boolean = false;
 
         /** A point of the current piece or node. Read only. */
         public var point:Vector3D = new Vector3D();
@@ -55,14 +55,18 @@ package starlogo.ground
         private var _placement:Placement = new Placement();
         private var _margin:Number = 0;
 
-        // What comes next: a range of the tree's triangles, then nodes from the last one on. The current node still stands after the last one.
+        // What comes next: a range of the tree's triangles, then nodes from the last one on.
         private var _first:int = 0;
         private var _end:int = 0;
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _nodeCount:int = 0;
 
-        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+        // The node that is current, or was before its triangles.
+        private var _currentNode:int = 0;
+
+        // The middle and the half lengths of a box, relative to the model's place.
+        private var _middleAndHalves:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** Sets the model, as <code>GroundModelQuery.setTo()</code> takes it. The origin is the place of the placement. */
         public function setTo(tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
@@ -117,7 +121,8 @@ package starlogo.ground
                 _tree.mesh.readTriangle(_first, _corners);
                 kernel.setShapeToTriangle(_corners, _placement);
                 _first++;
-                takeShape(null);
+                takeShape();
+                shapeInBox = null;
                 return true;
             }
             if (_nodeCount == 0)
@@ -125,7 +130,8 @@ package starlogo.ground
                 return false;
             }
             _nodeCount--;
-            enter(_nodes[_nodeCount]);
+            _currentNode = _nodes[_nodeCount];
+            enter(_currentNode);
             return true;
         }
 
@@ -133,7 +139,7 @@ package starlogo.ground
         public function divide():void
         {
             var tree:BoxTree = _tree.boxTree;
-            var node:int = _nodes[_nodeCount];
+            var node:int = _currentNode;
             var left:int = tree.left[node];
             if (left == 0)
             {
@@ -155,11 +161,10 @@ package starlogo.ground
             return _placement.r20 * boxes[at] + _placement.r21 * boxes[int(at + 1)] + _placement.r22 * boxes[int(at + 2)];
         }
 
-        /** Puts the box around the whole model, until the next piece. Returns the box. */
-        public function wholeBox():GroundBox
+        /** Puts the box around the whole model, until the next piece. */
+        public function fitBoxToWhole():void
         {
             fitBoxTo(_structure);
-            return box;
         }
 
         // Makes a node current.
@@ -172,8 +177,8 @@ package starlogo.ground
             }
             var tree:BoxTree = _tree.boxTree;
             var nodeBox:Box = tree.boxOf(node);
-            isAbovePieces = _depth == BoxTree.EXACT || tree.endsUpToDepth[node] < _depth;
-            if (!isAbovePieces)
+            isDivisible = _depth == BoxTree.EXACT || tree.endsUpToDepth[node] < _depth;
+            if (!isDivisible)
             {
                 takeStructure(nodeBox);
                 return;
@@ -190,15 +195,15 @@ package starlogo.ground
         {
             kernel.setStructure(structure, _placement);
             fitBoxTo(structure);
-            takeShape(kernel.shape);
+            takeShape();
+            shapeInBox = kernel.shape;
         }
 
-        // Makes the kernel's new shape the piece. The argument is this shape if the box is around it, null otherwise.
-        private function takeShape(inBox:ConvexShape):void
+        // Makes the kernel's new shape the piece.
+        private function takeShape():void
         {
             var shape:ConvexShape = kernel.shape;
-            isAbovePieces = false;
-            shapeInBox = inBox;
+            isDivisible = false;
             margin = shape.margin += _margin;
             point.x = shape.x;
             point.y = shape.y;
@@ -208,13 +213,13 @@ package starlogo.ground
         // Puts the box around a structure of the model.
         private function fitBoxTo(structure:BoundingStructure):void
         {
-            structure.boxAroundInto(_placement, _extents);
-            box.x = _extents[0] + _placement.x;
-            box.y = _extents[1] + _placement.y;
-            box.z = _extents[2] + _placement.z;
-            box.halfX = _extents[3] + _margin;
-            box.halfY = _extents[4] + _margin;
-            box.halfZ = _extents[5] + _margin;
+            structure.boxAroundInto(_placement, _middleAndHalves);
+            box.x = _middleAndHalves[0] + _placement.x;
+            box.y = _middleAndHalves[1] + _placement.y;
+            box.z = _middleAndHalves[2] + _placement.z;
+            box.halfX = _middleAndHalves[3] + _margin;
+            box.halfY = _middleAndHalves[4] + _margin;
+            box.halfZ = _middleAndHalves[5] + _margin;
         }
     }
 }

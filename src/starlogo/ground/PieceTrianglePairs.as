@@ -130,7 +130,7 @@ package starlogo.ground
             {
                 _lowest = -Infinity;
                 _triangles.begin(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
-                if (!pieces.isAbovePieces || !_triangles.next())
+                if (!pieces.isDivisible || !_triangles.next())
                 {
                     return true;
                 }
@@ -170,7 +170,7 @@ package starlogo.ground
             {
                 return UNDER;
             }
-            if (pieces.isAbovePieces)
+            if (pieces.isDivisible)
             {
                 return ABOVE;
             }

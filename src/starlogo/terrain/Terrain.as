@@ -19,11 +19,11 @@ package starlogo.terrain
     /**
      * The ground of a game: a grid of heights. Below the heights the ground is solid, however deep. Outside of the grid there is nothing.
      *
-     * <p>The heights make one of two surfaces: slopes or columns. With slopes, each cell between four heights is two triangles. The diagonal
+     * <p>The heights make one of two surfaces: slopes or blocks. With slopes, each cell between four heights is two triangles. The diagonal
      * between them goes from the corner with the least x and y to the corner with the greatest x and y. With <code>isBlocky</code>, each height
-     * is the top of an upright square column around it, one cell wide. The surface belongs to the ground.</p>
+     * is the top of an upright square block around it, one cell wide. The surface belongs to the ground.</p>
      *
-     * <p>A cell or a column may be a hole. Nothing is there, as outside of the grid, however deep. The ground beside it ends in upright walls.</p>
+     * <p>A cell or a block may be a hole. Nothing is there, as outside of the grid, however deep. The ground beside it ends in upright walls.</p>
      *
      * <p>Heights may change at any time. Frames and questions that begin later see the change. The cost is in proportion to the heights that
      * change, but the first change that handlers make in a frame copies all heights. The memory is 9 bytes for each height, and twice as much once a
@@ -103,7 +103,7 @@ package starlogo.terrain
             return worldAgent.surface.grid;
         }
 
-        /** Whether the surface is upright columns; otherwise it is slopes. May be changed at any time. */
+        /** Whether the surface is upright blocks; otherwise it is slopes. May be changed at any time. */
         public function get isBlocky():Boolean
         {
             return grid.isBlocky;
@@ -216,8 +216,8 @@ package starlogo.terrain
         /**
          * Makes a part of the ground a hole, or fills it. Agents fall through holes, and rays pass. A hole keeps its heights.
          *
-         * @param column which part: with columns, the column of this height. With slopes, the cell between this height and the next ones along
-         *     x and y. The last height along x or y has no such cell; then nothing is seen of the hole until the surface is columns
+         * @param column which part: with blocks, the one around this height. With slopes, the cell between this height and the next ones along
+         *     x and y. The last height along x or y has no such cell; then nothing is seen of the hole until the surface is blocks
          * @throws RangeError if there is no such height; columns and rows count from 0 on
          */
         public function setHole(column:int, row:int, isHole:Boolean):void
@@ -231,7 +231,7 @@ package starlogo.terrain
         }
 
         /**
-         * Makes the part of the ground at a place a hole, or fills it: the column there, or with slopes the cell. See <code>setHole()</code>.
+         * Makes the part of the ground at a place a hole, or fills it: the block there, or with slopes the cell. See <code>setHole()</code>.
          *
          * @throws RangeError if the place is outside of the terrain
          */
@@ -258,7 +258,7 @@ package starlogo.terrain
          * narrow that no height is inside its border changes nothing.
          *
          * @param width from border to border, more than 0
-         * @throws RangeError if a number is not finite, the hill is wholly outside of the columns that the heights have with isBlocky, or a height
+         * @throws RangeError if a number is not finite, the hill is wholly outside of the blocks that the heights have with isBlocky, or a height
          *     would be too large
          */
         public function raiseMound(x:Number, y:Number, width:Number, height:Number):void
@@ -298,7 +298,7 @@ package starlogo.terrain
 
         /**
          * Raises the height that is nearest to a place. The place may be up to half a cell beyond the outermost heights, because with isBlocky their
-         * columns reach as far.
+         * blocks reach as far.
          *
          * @param height by how much; may be negative
          * @throws RangeError if the place is farther outside, or the height would be too large
@@ -318,7 +318,7 @@ package starlogo.terrain
         }
 
         /**
-         * How high the ground is at a place. At a border between columns it is the height of the higher column. The border of a hole belongs to
+         * How high the ground is at a place. At a border between blocks it is the height of the higher block. The border of a hole belongs to
          * the ground beside it.
          *
          * @return NaN outside of the terrain and over a hole
@@ -332,7 +332,7 @@ package starlogo.terrain
 
         /**
          * The direction that points out of the ground at a place, of length 1. At a border between triangles it is the direction of one of
-         * them. On columns it is straight up.
+         * them. On blocks it is straight up.
          *
          * @param out takes it; made if null
          * @return out, or the new one; null outside of the terrain and over a hole
@@ -375,7 +375,7 @@ package starlogo.terrain
             return heightAt(agent.x, agent.y) > agent.z;
         }
 
-        // The height whose column is at a place, or whose cell is, by its index in heights. Columns begin half a cell before their heights.
+        // The height whose block is at a place, or whose cell is, by its index in heights. Blocks begin half a cell before their heights.
         private function indexAt(what:String, x:Number, y:Number, isColumn:Boolean):int
         {
             requireInWorld(what + "'s place", x, y, 0);

@@ -11,8 +11,8 @@ package starlogo.terrain
     use namespace engine;
 
     /**
-     * The surface of a terrain as triangles, for drawing: those that agents are tested with. Slopes have smooth normals, and columns have flat
-     * ones. Upright walls stand between columns. Where the grid ends, and around holes, walls go down to the lowest height.
+     * The surface of a terrain as triangles, for drawing: those that agents are tested with. Slopes have smooth normals, and blocks have flat
+     * ones. Upright walls stand between blocks. Where the grid ends, and around holes, walls go down to the lowest height.
      *
      * <p>Each triangle has three vertices of its own.</p>
      */
@@ -35,7 +35,7 @@ package starlogo.terrain
 
         /**
          * Begins without triangles. <code>update()</code> makes them. With a rectangle, the surface has only the cells of slopes that are
-         * between heights in the rectangle, or the columns whose middles are in it.
+         * between heights in the rectangle, or the blocks whose middles are in it.
          *
          * @param terrain the ground
          * @param minX the rectangle's least x; the rectangle may reach beyond the ground
@@ -59,7 +59,7 @@ package starlogo.terrain
             var firstRow:int = within(Math.ceil((minY - grid.y) / grid.cellWidth), 0, grid.rows);
             var last:int = within(Math.floor((maxX - grid.x) / grid.cellWidth), -1, grid.columns - 1);
             var lastRow:int = within(Math.floor((maxY - grid.y) / grid.cellWidth), -1, grid.rows - 1);
-            // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the columns of these
+            // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the blocks of these
             // heights and over the cells between them, and over no other.
             var box:GroundBox = _search.box;
             box.x = grid.x + (first + last) / 2 * grid.cellWidth;

@@ -248,6 +248,30 @@ package starlogo.terrain
             _wrong.assertNone();
         }
 
+        /** Far from the origin, a way's end is rounded: the cube touches there, and is free only a little farther. */
+        [Test]
+        public function aWayWhoseEndIsRoundedIsNotMadeLonger():void
+        {
+            var heights:Array = [
+                -0.3765466789575822, -0.059178768082359, -0.18374599448161177, 0.025764929841973316, 0.0687861799507834,
+                0.2233287221014848, -1.9213747528118854, 0.2572243936521508, -0.4238421648560109, 0.19795956715025342,
+                -0.06338050019051633, -0.11396604255496201, -0.5911391316965156, -1.0391070329074437, -0.42562281171691385,
+                -1.497642655407294, -0.08450604186060628, -1.341737764766687, -0.6665624671288846, -1.7899438532659069,
+                0.18805683770237014, -1.5111336465425516, -0.8926847081514224, -0.956715430357044, -1.8703961658238129
+            ];
+            var terrain:Terrain = new Terrain(5, 5, 1, (1 << 20) - 2, (1 << 20) - 2);
+            for (var at:int = 0; at < 25; at++)
+            {
+                terrain.setHeight(at % 5, at / 5, heights[at]);
+            }
+            var cube:Agent = agentAt("cube", 1048574.9740708366, 1048574.1624817813, -1.430840389533949);
+            cube.size = 0.7851325586887385;
+            cube.heading = 135.82101350264946;
+            cube.roll = 40;
+            check("triangles", EachCollider.make("triangles", _land), cube, terrain);
+            _wrong.assertNone();
+        }
+
         /**
          * A rod along a slope may be wholly under the ground. Then its first contact lifts it, from the bottom of the box around it. The middle of the
          * bottom is far from the rod, and much deeper.

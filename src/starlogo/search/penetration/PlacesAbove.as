@@ -37,6 +37,9 @@ package starlogo.search.penetration
         private var _place:Vector3D = new Vector3D();
         private var _tried:Displacement = new Displacement();
 
+        // The displacement along the shortest way at which the body was found free: a little beyond the way's end.
+        private var _free:Displacement = new Displacement();
+
         // A sweep, and the contact at its end.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _met:ContactPoint = new ContactPoint();
@@ -75,7 +78,8 @@ package starlogo.search.penetration
             }
             if (_shortest.depth < out.depth)
             {
-                directions.findAlong(_shortest, out);
+                // the body may touch between the way's end and the place where it is free
+                directions.shorten(_free, out);
             }
         }
 
@@ -124,6 +128,8 @@ package starlogo.search.penetration
             }
             _shortest.setNormal(_tried.x, _tried.y, _tried.z);
             _shortest.depth = length;
+            _free.setDirection(_tried.x, _tried.y, _tried.z);
+            _free.distance = _tried.distance;
             return true;
         }
 

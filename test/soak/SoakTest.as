@@ -11,8 +11,8 @@ package soak
         private static const CHECK_EVERY:int = 20;
 
         // Whatever changes an answer, an order or a bit of a contact changes both hashes. Then write them anew: they are the same for each machine.
-        private static const HASH:String = "6c170564";
-        private static const HASH_OF_THE_FIRST:String = "c7be5604";
+        private static const HASH:String = "22613b71";
+        private static const HASH_OF_THE_FIRST:String = "f167df98";
         private static const FRAMES_HASHED:int = 200;
         private static const FIRST_FRAMES:int = 48;
 

@@ -106,7 +106,7 @@ package starlogo.ground
                     kernel.plane.turnContact(kernel.shape, _sweep, out);
                 }
                 _sweep.latest = _touch.latest;
-                _pairs.leaveOutLater(_sweep.latest);
+                _pairs.leaveOutLater(_sweep);
             }
             motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)

@@ -136,6 +136,13 @@ package starlogo.ground
             return atX >= x - border && atY >= y - border && atX <= x + (columns - 1) * cellWidth + border && atY <= y + (rows - 1) * cellWidth + border;
         }
 
+        // Whether a point is not outside of the ground, as seen from above. Slopes are between heights. Blocks begin half a cell before their heights.
+        private function isInside(at:GroundPoint):Boolean
+        {
+            var border:Number = isBlocky ? cellWidth / 2 : 0;
+            return at.x >= x - border && at.y >= y - border && at.x <= x + (columns - 1) * cellWidth + border && at.y <= y + (rows - 1) * cellWidth + border;
+        }
+
         /** Whether the cell of a height is a hole. */
         public function isHole(at:int):Boolean
         {
@@ -188,8 +195,7 @@ package starlogo.ground
         /** Finds the height at a point's x and y, and on slopes its triangle. */
         public function findHeight(at:GroundPoint):void
         {
-            // Slopes are between heights. Blocks begin half a cell before their heights.
-            if (!isWithin(at.x, at.y, isBlocky ? cellWidth / 2 : 0))
+            if (!isInside(at))
             {
                 at.height = NaN;
             }
@@ -209,7 +215,7 @@ package starlogo.ground
             // rounding can lead beyond the last block
             var toX:Number = Math.min((at.x - x) / cellWidth + 0.5, columns);
             var toY:Number = Math.min((at.y - y) / cellWidth + 0.5, rows);
-            at.height = highestOf(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1));
+            findHighest(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1), at);
         }
 
         // Finds the height of the slope at a point, and its triangle.
@@ -241,8 +247,8 @@ package starlogo.ground
             at.height = (1 - more) * heights[corner] + (more - less) * heights[at.side] + less * heights[int(corner + columns + 1)];
         }
 
-        // The height of the highest block of a range that is no hole; NaN if all are holes.
-        private function highestOf(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):Number
+        // Finds the height of the highest block of a range that is no hole; NaN if all are holes.
+        private function findHighest(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:GroundPoint):void
         {
             var highest:Number = NaN;
             for (var row:int = firstRow; row <= lastRow; row++)
@@ -255,7 +261,7 @@ package starlogo.ground
                     }
                 }
             }
-            return highest;
+            out.height = highest;
         }
 
         // The cell beside a hole to which a place at the hole's border belongs, or -1. The place is at the border to the cell before the hole
@@ -287,12 +293,15 @@ package starlogo.ground
         /** Finds the direction out of the ground at a point whose height is known: a unit vector. It is up from blocks, and where there is no ground. */
         public function findDirectionOut(at:GroundPoint, out:Vector3D):void
         {
-            out.setTo(0, 0, 1);
+            out.x = out.y = 0;
+            out.z = 1;
             if (!isBlocky && !isNaN(at.height))
             {
                 findFall(at);
-                out.setTo(at.fallX, at.fallY, cellWidth);
-                out.normalize();
+                var length:Number = Math.sqrt(at.fallX * at.fallX + at.fallY * at.fallY + cellWidth * cellWidth);
+                out.x = at.fallX / length;
+                out.y = at.fallY / length;
+                out.z = cellWidth / length;
             }
         }
 

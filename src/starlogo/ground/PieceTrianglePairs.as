@@ -92,10 +92,10 @@ package starlogo.ground
             _triangles.leastDepth = 0;
         }
 
-        /** From now on only triangles count that the pieces may meet until this time. */
-        public function leaveOutLater(time:Number):void
+        /** From now on only triangles count that the pieces may meet until a motion's latest time. */
+        public function leaveOutLater(motion:RelativeMotion):void
         {
-            _search.motion.latest = time;
+            _search.motion.latest = motion.latest;
         }
 
         /** From now on only triangles count that are at most this far away. */

@@ -75,7 +75,7 @@ package starlogo.search
         {
             if (isLikeLast(input))
             {
-                _cells.begin(_motions.extents, members, _table.list.agents.length);
+                _cells.begin(_motions.areSwept ? _motions.extents : _table.extents, members, _table.list.agents.length);
                 return true;
             }
             _interests = input.interests;

@@ -114,7 +114,7 @@ package starlogo.search
                 _motions.begin(table.list.rows);
             }
             _tests.begin(input, _pairs);
-            _bins.findPairs(_motions.extents, members, _tests);
+            _bins.findPairs(_motions.areSwept ? _motions.extents : table.extents, members, _tests);
             for (var worldRow:int = ListedAgents.GROUND_ROW; worldRow <= ListedAgents.EDGES_ROW; worldRow++)
             {
                 _tests.testWithWorldAgent(worldRow, members);

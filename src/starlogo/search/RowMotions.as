@@ -35,14 +35,14 @@ package starlogo.search
         /** By row: whether the agent has come without a motion: it is new, has jumped, or has the shape of another model. */
         internal var haveJumped:Vector.<Boolean> = new Vector.<Boolean>();
 
+        /** By row: the extents of the whole motion, if an agent of the search sweeps. Read only. */
+        internal var extents:Extents = new Extents();
+
         /** The rows whose motions the search before has noted. */
         internal var previouslyChanged:IntList = new IntList();
 
         /** The number of pairs that the search has tested along their motions. Read only. */
         internal var sweptPairs:int = 0;
-
-        // By row: the extents of the whole motion.
-        private var _extents:Extents = new Extents();
 
         // The rows whose motions this search has noted.
         private var _changed:IntList = new IntList();
@@ -70,12 +70,6 @@ package starlogo.search
             _narrowPhase = narrowPhase;
         }
 
-        /** The extents of the rows in the search: those of their whole motions if an agent sweeps, otherwise where they are. */
-        public function get extents():Extents
-        {
-            return areSwept ? _extents : _table.extents;
-        }
-
         /**
          * Notes the motions of the rows that have changed. Call it in each search once an agent has swept, after the table has found the rows, and
          * before it reads their places.
@@ -86,7 +80,7 @@ package starlogo.search
             {
                 _sweeps.length = haveJumped.length = _table.list.agents.length;
                 motions.grow(_sweeps.length);
-                _extents.grow(_sweeps.length);
+                extents.grow(_sweeps.length);
             }
             var before:IntList = previouslyChanged;
             previouslyChanged = _changed;
@@ -146,15 +140,15 @@ package starlogo.search
             var motionZ:Number = motions.z[row];
             var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
             var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-            _extents.x[row] = standing.x[row] - motionX / 2;
-            _extents.y[row] = standing.y[row] - motionY / 2;
-            _extents.z[row] = standing.z[row] - motionZ / 2;
-            _extents.halfX[row] = halfX;
-            _extents.halfY[row] = halfY;
-            _extents.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
-            _extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
-            _extents.offset[row] = standing.offset[row];
-            _extents.assignLevel(row);
+            extents.x[row] = standing.x[row] - motionX / 2;
+            extents.y[row] = standing.y[row] - motionY / 2;
+            extents.z[row] = standing.z[row] - motionZ / 2;
+            extents.halfX[row] = halfX;
+            extents.halfY[row] = halfY;
+            extents.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
+            extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+            extents.offset[row] = standing.offset[row];
+            extents.assignLevel(row);
         }
 
         /**

@@ -23,7 +23,7 @@ package starlogo.search
      */
     internal final class RowMotions
     {
-        /** In place of a level: the extents of a row say nothing. Its slack is infinite, so it rules no pair out. */
+        /** In place of a level: the extents of a row say nothing, so they rule no pair out. */
         internal static const NO_EXTENTS:BinLevel = new BinLevel(0, Infinity);
 
         /** Whether an agent of the search sweeps. If none does, the motions do not count. */
@@ -187,7 +187,8 @@ package starlogo.search
             beginMotion(a, b, motion);
             if (!eitherSweeps(a, b))
             {
-                motion.time = _table.extents.areNear(a, b, level.slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
+                var isNear:Boolean = level == NO_EXTENTS || _table.extents.areNear(a, b, level.slack);
+                motion.time = isNear && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
             }
             else if (motion.isStill)
             {
@@ -267,7 +268,7 @@ package starlogo.search
         private function sweep(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
         {
             var areSpheres:Boolean = _table.shapes[a].form == BoundingStructure.SPHERE && _table.shapes[b].form == BoundingStructure.SPHERE;
-            if (!areSpheres && !overlapOnMotions(_table.extents, level.slack, a, b))
+            if (level != NO_EXTENTS && !areSpheres && !overlapOnMotions(_table.extents, level, a, b))
             {
                 return;
             }
@@ -283,10 +284,10 @@ package starlogo.search
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.
-        private function overlapOnMotions(standing:Extents, slack:Number, a:int, b:int):Boolean
+        private function overlapOnMotions(standing:Extents, level:BinLevel, a:int, b:int):Boolean
         {
             _interval.begin(1);
-            _axisMotion.margin = slack;
+            _axisMotion.margin = level.slack;
             return narrow(standing.x, standing.halfX, motions.x, a, b) && narrow(standing.y, standing.halfY, motions.y, a, b)
                 && narrow(standing.z, standing.halfZ, motions.z, a, b);
         }

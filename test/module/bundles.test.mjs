@@ -84,7 +84,7 @@ test("a game loads the questions that it asks", () => {
 		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 33.8],
 		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 42],
 		[["Agent", "Collision", "BinCollider", "AgentQueries"], 75.2],
-		[[...level, "AgentRays"], 45],
+		[[...level, "AgentRays"], 45.3],
 		[[...level, "AgentWalks"], 77.6],
 		[[...level, "AgentRays", "AgentWalks"], 79.2],
 	];

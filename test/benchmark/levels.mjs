@@ -6,7 +6,7 @@
  */
 import { readFileSync } from "node:fs";
 import { engine } from "./games.mjs";
-import { RAPIER, b3, crashcat } from "./peers.mjs";
+import { RAPIER, b3, box3dWorldOf, crashcat } from "./peers.mjs";
 import { makeBvh } from "./rays.mjs";
 
 const { Agent, AgentQueries, Capsule, CombinationCollider, Footing, GltfModel, GreatLand, Model, RayHit, ShapeHit, Sphere, Vector3D, WalkOptions } = engine;
@@ -217,10 +217,8 @@ const POINT = [0, 0, 0];
 const SEGMENT = [0, 0, -CORE, 0, 0, CORE];
 
 /** Box3D's casts end at a slop before the touch, as crashcat's casts of capsules do: a few of them differ in the third digit. */
-function inBox3d({ vertices, triangles }) {
-	const world = b3.b3CreateWorld(b3.b3DefaultWorldDef());
-	const mesh = b3.b3CreateMesh(new Float32Array(vertices), new Uint32Array(triangles));
-	b3.b3CreateMeshShape(b3.b3CreateBody(world, b3.b3DefaultBodyDef()), b3.b3DefaultShapeDef(), mesh, { x: 1, y: 1, z: 1 });
+function inBox3d(level) {
+	const world = box3dWorldOf(level);
 	const filter = b3.b3DefaultQueryFilter();
 	const vector = ([x, y, z]) => ({ x, y, z });
 	let nearest = 1;

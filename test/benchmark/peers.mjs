@@ -194,11 +194,17 @@ export function makeCrashcatMesh(model) {
 	};
 }
 
+/** A world of Box3D with a mesh alone. */
+export function box3dWorldOf({ vertices, triangles }) {
+	const world = b3.b3CreateWorld(b3.b3DefaultWorldDef());
+	const mesh = b3.b3CreateMesh(new Float32Array(vertices), new Uint32Array(triangles));
+	b3.b3CreateMeshShape(b3.b3CreateBody(world, b3.b3DefaultBodyDef()), b3.b3DefaultShapeDef(), mesh, { x: 1, y: 1, z: 1 });
+	return world;
+}
+
 /** A mesh alone in a world of Box3D: the distance to the first hit of a ray, or Infinity. Its triangles are hit from the front alone. */
 export function makeBox3dMesh(model) {
-	const world = b3.b3CreateWorld(b3.b3DefaultWorldDef());
-	const mesh = b3.b3CreateMesh(new Float32Array(model.vertices), new Uint32Array(model.triangles));
-	b3.b3CreateMeshShape(b3.b3CreateBody(world, b3.b3DefaultBodyDef()), b3.b3DefaultShapeDef(), mesh, { x: 1, y: 1, z: 1 });
+	const world = box3dWorldOf(model);
 	const filter = b3.b3DefaultQueryFilter();
 	const way = { x: 0, y: 0, z: 0 };
 	return (origin, direction, length) => {

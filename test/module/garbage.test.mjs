@@ -27,8 +27,8 @@ for (const [name, bytes] of Object.entries(measured.frames)) {
 	});
 }
 
-// A Number for two agents in five: those that the tests of triangles pass, if V8 has not compiled them into their caller.
-const MOST_OF_A_SWEEP = 64 * 1024;
+// A Number for one agent in five.
+const MOST_OF_A_SWEEP = 32 * 1024;
 
 for (const [name, bytes] of Object.entries(measured.sweeps)) {
 	test(`agents that sweep over the ground make no garbage: ${name}`, () => {

@@ -298,24 +298,24 @@ function drawnTriangles({ index, attributes, drawRange, groups }, material) {
 	const total = index ? index.count : attributes.position.count;
 	const hasGroups = Array.isArray(material);
 	const drawn = hasGroups ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total, materialIndex: 0 }];
-	const all = index ? index.array : Uint32Array.from({ length: total }, (_, i) => i);
-	const ranges = drawn.map(({ start, count }) => {
+	const all = index ? index.array : new Uint32Array(total).map((_, i) => i);
+	const ranges = drawn.map(({ start, count, materialIndex }) => {
 		const first = Math.max(start, drawRange.start);
 		const length = Math.max(0, Math.min(total, start + count, drawRange.start + drawRange.count) - first);
-		return { first, end: first + length - (length % 3) };
+		return { first, end: first + length - (length % 3), own: hasGroups ? material[materialIndex] : material };
 	});
-	const materials = drawn.map(({ materialIndex }) => (hasGroups ? material[materialIndex] : material));
 	// one range needs no copy
 	if (ranges.length === 1) {
-		const corners = rangeOf(all, ranges[0].first, ranges[0].end);
-		return { corners, runs: [{ material: materials[0], count: corners.length / 3 }] };
+		const [{ first, end, own }] = ranges;
+		const corners = rangeOf(all, first, end);
+		return { corners, runs: [{ material: own, count: corners.length / 3 }] };
 	}
 	const corners = [];
 	const taken = new Uint8Array(total);
-	const runs = ranges.map(({ first, end }, i) => {
+	const runs = ranges.map(({ first, end, own }) => {
 		const before = corners.length;
 		takeCorners(all, first, end, taken, corners);
-		return { material: materials[i], count: (corners.length - before) / 3 };
+		return { material: own, count: (corners.length - before) / 3 };
 	});
 	return { corners, runs };
 }

@@ -284,7 +284,9 @@ package starlogo.bounding
         /** @private */
         override engine function shapeInto(out:ConvexShape):void
         {
-            out.setHull(center, points, topology.faces, topology.edges, _extent);
+            // a field, because V8 would make an object for an argument
+            out.extent = _extent;
+            out.setHull(center, points, topology.faces, topology.edges, _extent >= 0);
             _extent = out.extent;
             out.radius = radius;
         }

@@ -233,16 +233,16 @@ package starlogo.collision
          */
         override engine function enterPhase(phase:int):void
         {
+            var grid:HeightGrid = groundGrid();
             if (phase == HANDLING)
             {
                 takeContactsFromFrame();
             }
-            var grid:HeightGrid = (phase == HANDLING) == areHandlersRunning ? null : groundGrid();
-            if (grid != null && phase == HANDLING)
+            if (grid != null && phase == HANDLING && !areHandlersRunning)
             {
                 grid.hold();
             }
-            else if (grid != null)
+            if (grid != null && phase != HANDLING && areHandlersRunning)
             {
                 grid.release();
             }

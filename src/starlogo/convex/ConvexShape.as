@@ -163,23 +163,19 @@ package starlogo.convex
          *
          * @param faces three points of each face, counter-clockwise as seen from outside, as indices of their first numbers
          * @param edges of each edge both ends, and one more point of each of its two faces
-         * @param extent the extent that an earlier call found for the same points; -1 to find it, which takes long beside a test
+         * @param isExtentKnown whether <code>extent</code> has what an earlier call found for the same points. To find it takes long beside a test
          */
-        public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>, extent:Number = -1):void
+        public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>, isExtentKnown:Boolean = false):void
         {
             setOrigin(center);
             begin(HULL, points.length, faces, edges);
             this.points = points;
-            if (extent < 0)
+            if (!isExtentKnown)
             {
                 setExtent();
             }
-            else
-            {
-                this.extent = extent;
-            }
             // half of the extent counts as a radius: see Touching
-            margin = (Tolerances.TOUCHING - 1) * this.extent / 2;
+            margin = (Tolerances.TOUCHING - 1) * extent / 2;
         }
 
         /**

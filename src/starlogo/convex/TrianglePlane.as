@@ -89,21 +89,51 @@ package starlogo.convex
          */
         public function findEntry(shape:ConvexShape, margin:Number, motion:RelativeMotion):Number
         {
-            var across:Vector3D = normal;
-            shape.project(across, _ofShape);
-            var place:Number = across.x * shape.x + across.y * shape.y + across.z * shape.z;
-            var speed:Number = across.x * motion.x + across.y * motion.y + across.z * motion.z;
-            var above:Number = place - greatest + _ofShape.least - margin;
+            measure(shape);
+            var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
+            var above:Number = _ofShape.least - margin;
             if (above > 0)
             {
                 return speed < 0 ? above / -speed : RelativeMotion.NEVER;
             }
-            var below:Number = -(place - least + _ofShape.greatest + margin);
+            var below:Number = -(_ofShape.greatest + margin);
             if (below > 0)
             {
                 return speed > 0 ? below / speed : RelativeMotion.NEVER;
             }
             return 0;
+        }
+
+        /**
+         * Whether a moving shape stays apart from the triangle until the motion's latest time, as far as the plane knows: findEntry() with the margin that
+         * covers all that is rounded. It takes and returns no Number, because V8 would make objects for them.
+         *
+         * @param motion its vector and its latest time; nothing else of it counts
+         */
+        public function keepsApart(shape:ConvexShape, motion:RelativeMotion):Boolean
+        {
+            measure(shape);
+            var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
+                + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
+            var margin:Number = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
+            var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
+            var above:Number = _ofShape.least - margin;
+            if (above > 0)
+            {
+                return !(speed < 0) || above / -speed > motion.latest;
+            }
+            var below:Number = -(_ofShape.greatest + margin);
+            return below > 0 && (!(speed > 0) || below / speed > motion.latest);
+        }
+
+        // Measures a shape's core along the normal. All of it is at least _ofShape.least in front of the triangle, and at least -_ofShape.greatest behind.
+        private function measure(shape:ConvexShape):void
+        {
+            var across:Vector3D = normal;
+            shape.project(across, _ofShape);
+            var place:Number = across.x * shape.x + across.y * shape.y + across.z * shape.z;
+            _ofShape.least = place - greatest + _ofShape.least;
+            _ofShape.greatest = place - least + _ofShape.greatest;
         }
 
         /**

@@ -25,9 +25,8 @@ package starlogo.ground
         /** No answer. Only a test of the agent's shape decides. */
         public static const UNKNOWN:int = 2;
 
-        // The place under the agent's middle, another place near it, and bounds of the heights: of all, then of those around it.
+        // The place under the agent's middle, and bounds of the heights: of all, then of those around it.
         private var _under:GroundPoint = new GroundPoint();
-        private var _near:GroundPoint = new GroundPoint();
         private var _around:HeightRange = new HeightRange();
 
         /**
@@ -69,7 +68,7 @@ package starlogo.ground
             {
                 return APART;
             }
-            return isSphere && !grid.isBlocky && touchesSphere(grid, extents, _under) ? TOUCHING : UNKNOWN;
+            return isSphere && !grid.isBlocky && touchesSphere(grid, extents) ? TOUCHING : UNKNOWN;
         }
 
         // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
@@ -91,16 +90,16 @@ package starlogo.ground
         }
 
         // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane of the triangle under its
-        // middle.
-        private function touchesSphere(grid:HeightGrid, extents:GroundBox, under:GroundPoint):Boolean
+        // middle. That place is moved there.
+        private function touchesSphere(grid:HeightGrid, extents:GroundBox):Boolean
         {
             var width:Number = grid.cellWidth;
-            grid.findFall(under);
-            var step:Number = extents.halfX / Math.sqrt(under.fallX * under.fallX + under.fallY * under.fallY + width * width);
-            _near.x = under.x - step * under.fallX;
-            _near.y = under.y - step * under.fallY;
-            grid.findHeight(_near);
-            return _near.height >= extents.z - step * width;
+            grid.findFall(_under);
+            var step:Number = extents.halfX / Math.sqrt(_under.fallX * _under.fallX + _under.fallY * _under.fallY + width * width);
+            _under.x -= step * _under.fallX;
+            _under.y -= step * _under.fallY;
+            grid.findHeight(_under);
+            return _under.height >= extents.z - step * width;
         }
     }
 }

@@ -62,20 +62,12 @@ package starlogo.ground
         // Whether the two touch where the model is. areTouchingAt() is short so that V8 inlines it and allocates no object for the time.
         private function areTouching():Boolean
         {
-            var kernel:TriangleKernel = _pairs.kernel;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pairs.findWhere() != PieceTrianglePairs.ABOVE)
+                if (_pairs.findWhere() != PieceTrianglePairs.ABOVE || _pairs.touchesTriangle())
                 {
                     return true;
-                }
-                while (_pairs.nextTriangle())
-                {
-                    if (!_pairs.isBelowPiece() && !kernel.stayApart(RelativeMotion.NONE) && kernel.areTouching())
-                    {
-                        return true;
-                    }
                 }
             }
             return false;

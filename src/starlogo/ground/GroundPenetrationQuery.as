@@ -82,16 +82,9 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pairs.findWhere() == PieceTrianglePairs.REACHES_UNDER)
+                if (_pairs.findWhere() == PieceTrianglePairs.REACHES_UNDER || _pairs.touchesTriangle())
                 {
                     return true;
-                }
-                while (_pairs.nextTriangle())
-                {
-                    if (!_kernel.stayApart(RelativeMotion.NONE) && _kernel.areTouching())
-                    {
-                        return true;
-                    }
                 }
             }
             return false;

@@ -293,6 +293,7 @@ package starlogo.ground
         /** Finds the direction out of the ground at a point whose height is known: a unit vector. It is up from blocks, and where there is no ground. */
         public function findDirectionOut(at:GroundPoint, out:Vector3D):void
         {
+            // not setTo, because a game in JavaScript may give any object with x, y and z; and V8 would make objects for the Numbers
             out.x = out.y = 0;
             out.z = 1;
             if (!isBlocky && !isNaN(at.height))

@@ -147,9 +147,9 @@ package starlogo.ground
                 _end = tree.end[node];
                 return;
             }
-            var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
-            _nodes[int(_nodeCount + 1)] = isLeftLower ? left : left + 1;
-            _nodes[_nodeCount] = isLeftLower ? left + 1 : left;
+            var lower:int = heightOf(left) < heightOf(left + 1) ? left : left + 1;
+            _nodes[_nodeCount] = 2 * left + 1 - lower;
+            _nodes[int(_nodeCount + 1)] = lower;
             _nodeCount += 2;
         }
 

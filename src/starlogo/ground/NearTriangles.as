@@ -100,10 +100,11 @@ package starlogo.ground
         {
             while (_next < _count || find())
             {
-                triangle = _found[_next];
+                var found:GroundTriangle = _found[_next];
                 _next++;
-                if (isNear())
+                if (isNear(found))
                 {
+                    triangle = found;
                     return true;
                 }
             }
@@ -137,10 +138,9 @@ package starlogo.ground
         }
 
         // Whether the box comes near the triangle and its cell, and is not all in front of the triangle's plane.
-        private function isNear():Boolean
+        private function isNear(near:GroundTriangle):Boolean
         {
             var box:GroundBox = _around;
-            var near:GroundTriangle = triangle;
             var far:Number = search.maxDistance + WIDER * near.margin;
             var x:Number = box.x;
             var y:Number = box.y;
@@ -161,9 +161,9 @@ package starlogo.ground
             var alongY:Number = across.y;
             var alongZ:Number = across.z;
             // the corner that is farthest behind the plane
-            x += alongX > 0 ? -halfX : halfX;
-            y += alongY > 0 ? -halfY : halfY;
-            z += alongZ > 0 ? -halfZ : halfZ;
+            x = alongX > 0 ? x - halfX : x + halfX;
+            y = alongY > 0 ? y - halfY : y + halfY;
+            z = alongZ > 0 ? z - halfZ : z + halfZ;
             // a flat triangle has no plane
             return !(alongX * x + alongY * y + alongZ * z - plane.greatest > far - leastDepth);
         }

@@ -151,6 +151,19 @@ package starlogo.ground
             return true;
         }
 
+        /** Whether the piece touches a triangle near it. It is quicker after <code>findWhere()</code>. */
+        public function touchesTriangle():Boolean
+        {
+            while (nextTriangle())
+            {
+                if (!isBelowPiece() && !kernel.stayApart(RelativeMotion.NONE) && kernel.areTouching())
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
         /** Whether a point of the piece is at least this deep under the ground. */
         public function isUnder(depth:Number):Boolean
         {

@@ -9,7 +9,6 @@ package starlogo.intersection
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
@@ -88,10 +87,7 @@ package starlogo.intersection
          */
         public function stayApart(motion:RelativeMotion):Boolean
         {
-            var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(plane.offset)
-                + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-            var margin:Number = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
-            return plane.findEntry(shape, margin, motion) > motion.latest;
+            return plane.keepsApart(shape, motion);
         }
 
         /** Whether the shape touches the triangle. */

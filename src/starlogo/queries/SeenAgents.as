@@ -162,7 +162,7 @@ package starlogo.queries
         engine function beginSearch(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
             var collector:Collector = _collectors.current;
-            collector.begin(table, wanted, limit, asker, filter);
+            collector.begin(wanted, limit, asker, filter);
             return collector;
         }
 

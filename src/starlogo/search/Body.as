@@ -111,7 +111,7 @@ package starlogo.search
                 requireInWorld("half of a structure's length", sExtents[3], sExtents[4], sExtents[5]);
                 requireInWorld("a structure's middle", sExtents[0], sExtents[1], sExtents[2]);
             }
-            takeShape(centred(inWorld, sExtents[0], sExtents[1], sExtents[2]));
+            takeShape(centred(inWorld));
             placement.x = sExtents[0];
             placement.y = sExtents[1];
             placement.z = sExtents[2];
@@ -123,8 +123,8 @@ package starlogo.search
             _isPlaced = false;
         }
 
-        // A shape of a structure with this middle, which is moved to the origin. The placement is upright afterwards.
-        private function centred(structure:BoundingStructure, middleX:Number, middleY:Number, middleZ:Number):ModelShape
+        // A shape of a structure whose middle sExtents has. The middle is moved to the origin. The placement is upright afterwards.
+        private function centred(structure:BoundingStructure):ModelShape
         {
             _ownShapes ||= new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
             var own:ModelShape = _ownShapes[structure.kind];
@@ -134,9 +134,9 @@ package starlogo.search
                 own.isUpright = true;
             }
             placement.copyFrom(UPRIGHT);
-            placement.x = -middleX;
-            placement.y = -middleY;
-            placement.z = -middleZ;
+            placement.x = -sExtents[0];
+            placement.y = -sExtents[1];
+            placement.z = -sExtents[2];
             own.setStructure(structure.place(placement, own.structure));
             return own;
         }
@@ -144,7 +144,11 @@ package starlogo.search
         /** Becomes the same as another body. While the other's model is loading, the shape is null, and only the place counts. */
         public function copyFrom(other:Body):void
         {
-            shape = other.shape;
+            // see takeShape(); the shape may be null here
+            if (shape !== other.shape)
+            {
+                shape = other.shape;
+            }
             form = other.form;
             rank = other.rank;
             depthLimit = other.depthLimit;

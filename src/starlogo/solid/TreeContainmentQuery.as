@@ -43,32 +43,26 @@ package starlogo.solid
             var treeB:BoxTree = pair.b.boxTree;
             var pose:Placement = pair.pose.placement;
             var size:Number = pose.size;
-            if (insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose, _point))
+            var isInA:Boolean = insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius
+                && findPartInside(treeA, insideA, insideB, pose, _point);
+            if (!isInA)
             {
-                writePoint(_point, pair.placementA, out);
-                return true;
+                if (!insideB.hasClosedShell || insideA.leastPartExtent > 2 * treeB.radius * size)
+                {
+                    return false;
+                }
+                Placement.invert(pose, _inverse);
+                if (!findPartInside(treeB, insideB, insideA, _inverse, _point))
+                {
+                    return false;
+                }
             }
-            if (!insideB.hasClosedShell || insideA.leastPartExtent > 2 * treeB.radius * size)
-            {
-                return false;
-            }
-            Placement.invert(pose, _inverse);
-            if (!findPartInside(treeB, insideB, insideA, _inverse, _point))
-            {
-                return false;
-            }
-            writePoint(_point, pair.placementB, out);
-            return true;
-        }
-
-        // Writes a point in the space of a model that has a placement.
-        private static function writePoint(point:Vector3D, placement:Placement, out:ClosestPoints):void
-        {
             if (out != null)
             {
-                out.setPoint(point);
-                out.placePoints(placement);
+                out.setPoint(_point);
+                out.placePoints(isInA ? pair.placementA : pair.placementB);
             }
+            return true;
         }
 
         // Finds a point of a part of the inner model that is inside of the outer one. Returns whether there is such a point. The pose is that of the

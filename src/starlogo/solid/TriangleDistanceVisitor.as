@@ -56,6 +56,11 @@ package starlogo.solid
             limit = out.distance = Infinity;
             _search.setExtents(_extents, 0);
             _search.findNear(model.boxTree, BoxTree.EXACT, this);
+            if (_slot >= 0)
+            {
+                // the model's point first
+                out.swap();
+            }
             return _slot;
         }
 
@@ -71,8 +76,6 @@ package starlogo.solid
                     _mesh.readTriangle(i, _corners);
                     if (_kernel.findCloser(_corners, _nearest))
                     {
-                        // the model's point first
-                        _nearest.swap();
                         limit = _nearest.distance;
                         _slot = i;
                     }

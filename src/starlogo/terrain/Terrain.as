@@ -350,17 +350,7 @@ package starlogo.terrain
                 return null;
             }
             var normal:Vector3D = out || new Vector3D();
-            // not setTo, because a game in JavaScript may give any object with x, y and z
-            normal.x = normal.y = 0;
-            normal.z = 1;
-            if (!isBlocky)
-            {
-                grid.findFall(at);
-                var length:Number = Math.sqrt(at.fallX * at.fallX + at.fallY * at.fallY + cellWidth * cellWidth);
-                normal.x = at.fallX / length;
-                normal.y = at.fallY / length;
-                normal.z = cellWidth / length;
-            }
+            grid.findDirectionOut(at, normal);
             return normal;
         }
 

@@ -22,8 +22,7 @@ package starlogo.queries
         private var _wrong:Complaints = new Complaints();
         private var _world:QuestionWorld;
 
-        // By question: its answer in this world without filters, asked by an agent of the list, and by a guest.
-        private var _answers:Object;
+        // By question: its answer in this world without filters, asked by a guest.
         private var _guestAnswers:Object;
 
         // By question: how often its accepts was called.
@@ -42,18 +41,17 @@ package starlogo.queries
                 {
                     _guestAnswers[inner] = askAsGuest(inner, null);
                 }
-                _answers = {};
                 for each (var outer:String in OUTER)
                 {
                     _world.begin(names, seed);
-                    _answers[outer] = _world.ask(outer);
+                    var expected:String = _world.ask(outer);
                     var first:int = _random.integer(0, INNER.length - 1);
                     for (var i:int = Effort.choose(6, INNER.length); i > 0; i--)
                     {
                         inner = INNER[(first + i) % INNER.length];
                         _world.begin(names, seed);
                         _world.filter = asking(outer, inner);
-                        _wrong.addIf(_world.ask(outer) != _answers[outer], outer + " asks " + inner, names + ", " + seed);
+                        _wrong.addIf(_world.ask(outer) != expected, outer + " asks " + inner, names + ", " + seed);
                         _world.filter = null;
                     }
                 }

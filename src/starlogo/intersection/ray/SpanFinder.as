@@ -143,13 +143,13 @@ package starlogo.intersection.ray
             {
                 out.copyNear(BALL);
             }
-            var isInFarBall:Boolean = !isFarOnSide && findInBall(ray, farShare > 1 ? end : start, radius, BALL);
+            var isInFarBall:Boolean = !isFarOnSide && (isNearOnSide || isInNearBall) && findInBall(ray, farShare > 1 ? end : start, radius, BALL);
             if (isInFarBall)
             {
                 out.copyFar(BALL);
             }
             // A line through the side meets the ball too that it passes at its other end. If rounding says no, that is at the rim: the cylinder's end stays.
-            return isNearOnSide || isFarOnSide || (isInNearBall && isInFarBall);
+            return isNearOnSide || isFarOnSide || isInFarBall;
         }
 
         /**

@@ -33,8 +33,8 @@ package starlogo.models.collada
             var parts:Array = TARGET.exec(target);
             channel.refuseIf(parts == null, "expected a target like \"node/translate.X\", but found \"" + shortened(target) + "\"");
             var sids:Array = parts[2].split("/").slice(1);
-            element = elementAt(channel, parts[1], sids);
             // a dot may also be in a sid
+            element = sids.length == 0 || channel.hasSid(sids[sids.length - 1]) ? elementAt(channel, parts[1], sids) : null;
             var ending:Array = element != null || sids.length == 0 ? null : WITH_MEMBER.exec(sids.pop());
             if (ending != null)
             {

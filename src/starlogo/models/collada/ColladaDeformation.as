@@ -124,7 +124,7 @@ package starlogo.models.collada
         {
             var geometry:ColladaElement = morph.elementWith("geometry", id);
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
-            return _scene.document.meshOf(geometry);
+            return _scene.document.meshOf(geometry, true);
         }
 
         private function mix(target:Vector.<Number>, base:Vector.<Number>, weight:Number):void

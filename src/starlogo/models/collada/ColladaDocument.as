@@ -41,10 +41,12 @@ package starlogo.models.collada
             return xml.root;
         }
 
-        /** The mesh of a geometry, which may be in the scene many times. */
-        internal function meshOf(geometry:ColladaElement):ColladaMesh
+        /** The mesh of a geometry, which may be in the scene many times. Whether all of its points are kept counts only before it is read. */
+        internal function meshOf(geometry:ColladaElement, keepsPoints:Boolean):ColladaMesh
         {
-            return _meshes[geometry.index] ||= new ColladaMesh(geometry);
+            var mesh:ColladaMesh = _meshes[geometry.index] ||= new ColladaMesh(geometry);
+            mesh.keepsPoints ||= keepsPoints;
+            return mesh;
         }
 
         /** The skin of an element, which may be in the scene many times. */

@@ -34,8 +34,8 @@ package starlogo.models.collada
         // the key is "@" and the name, which differs from every property that each Object has
         private var _attributes:Object = {};
 
-        // The first element of each name and id in the document, by name, "#" and id. All elements share it. The "#" keeps a key different from
-        // every property of an Object.
+        // The first element of each name and id in the document, by name, "#" and id; and of each sid, by "#" and the sid. All elements share it. The
+        // "#" keeps a key different from every property of an Object.
         private var _elements:Object;
 
         // The first child of each name, and of each name and label. It is made when it is first needed. The "<" keeps a key different from every
@@ -77,6 +77,13 @@ package starlogo.models.collada
             {
                 _elements[name + "#" + id] ||= this;
             }
+            _elements["#" + attribute("sid")] ||= this;
+        }
+
+        /** Whether an element of the document has a sid. */
+        public function hasSid(sid:String):Boolean
+        {
+            return "#" + sid in _elements;
         }
 
         /** The element of the document with a name and an id; null if there is none. */

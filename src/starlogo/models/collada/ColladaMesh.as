@@ -14,7 +14,10 @@ package starlogo.models.collada
         /** When all is read: the points that its triangles use, or all points if it has none. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
-        /** When all is read: all points, for skins and morphs. */
+        /** Whether all points are kept. Skins and morphs set it before the first step. */
+        public var keepsPoints:Boolean = false;
+
+        /** When all is read: all points, if they are kept. */
         public var points:Vector.<Number> = null;
 
         /** When all is read: three point indices for each triangle. */
@@ -46,7 +49,7 @@ package starlogo.models.collada
             _filter = new VertexFilter(vertices, triangles);
             begin(readingPoints).call(function():void
                 {
-                    points = vertices.slice();
+                    points = keepsPoints ? vertices.slice() : null;
                 }).add(_filter);
         }
 

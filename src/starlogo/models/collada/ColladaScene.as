@@ -112,7 +112,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, _document.meshOf(geometry), new AffineTransform()));
+                    instances.push(new ColladaInstance(geometry, _document.meshOf(geometry, !isAtRest), new AffineTransform()));
                 }
             }
         }
@@ -143,7 +143,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaInstance(element, _document.meshOf(element.target("url", ["geometry"])), _place.transform));
+                    instances.push(new ColladaInstance(element, _document.meshOf(element.target("url", ["geometry"]), !isAtRest), _place.transform));
                     break;
                 case "instance_controller":
                     addController(element);
@@ -183,7 +183,7 @@ package starlogo.models.collada
                         " controllers follow one another, or they refer to each other in a circle");
                 deformers.push(deformer);
             }
-            var mesh:ColladaMesh = _document.meshOf(target);
+            var mesh:ColladaMesh = _document.meshOf(target, true);
             instances.push(new ColladaInstance(element, mesh, _place.transform, new ColladaDeformation(this, element, _place, mesh, deformers)));
         }
     }

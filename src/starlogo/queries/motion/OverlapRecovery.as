@@ -124,9 +124,12 @@ package starlogo.queries.motion
                     {
                         isFree = false;
                         canPush = _contact.depth < Infinity && !areOpposite(_contact, _last);
-                        _contact.push(place, _contact.depth);
-                        _last.copyFrom(_contact);
-                        if (lifted != null)
+                        if (canPush)
+                        {
+                            _contact.push(place, _contact.depth);
+                            _last.copyFrom(_contact);
+                        }
+                        if (canPush && lifted != null)
                         {
                             lifted.add(_contact, row);
                         }

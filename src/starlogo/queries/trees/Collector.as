@@ -60,16 +60,15 @@ package starlogo.queries.trees
         /**
          * Begins a search.
          *
-         * @param table has the rows
          * @param wanted how many of the rows with the smallest keys are wanted, or ALL
          * @param limit the largest key
          * @param asker the agent that asks, which is left out; or null
          * @param agentFilter the agents that count; null for all
          */
-        public function begin(table:AgentTable, wanted:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
+        public function begin(wanted:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
         {
-            _table = table;
-            filter.begin(table.list, asker, agentFilter);
+            _table = _seen.table;
+            filter.begin(_table.list, asker, agentFilter);
             this.wanted = wanted;
             this.limit = wanted == 0 ? -1 : limit;
             _dropAt = filter.accepts == null ? wanted : ALL;

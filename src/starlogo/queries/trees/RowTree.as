@@ -85,7 +85,7 @@ package starlogo.queries.trees
          * @param points by row: the middle of its box
          * @param sizes by row: half of its box's lengths; null for a tree of places
          */
-        public function build(rows:Vector.<int>, count:int, points:Points, sizes:Extents = null):void
+        public function build(rows:Vector.<int>, count:int, points:Points, sizes:Extents):void
         {
             _movesLeft = MOVES * count;
             passedOver = 0;

@@ -31,9 +31,9 @@ package starlogo.search.penetration
         private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
         private var _target:ShortestExit = new ShortestExit();
 
-        // The shortest way out so far, the place above which one is looked for, and the displacement that is tried. The place is a field, because V8
+        // The length of the shortest way out so far, the place above which one is looked for, and the displacement that is tried. The place is a field, because V8
         // would allocate objects for Numbers that are passed.
-        private var _shortest:ContactPoint = new ContactPoint();
+        private var _shortest:Number = 0;
         private var _place:Vector3D = new Vector3D();
         private var _tried:Displacement = new Displacement();
 
@@ -61,7 +61,7 @@ package starlogo.search.penetration
         {
             var x:Number = 1;
             var y:Number = 0;
-            _shortest.copyFrom(out);
+            _shortest = out.depth;
             for (var push:int = 0; push < pushOut.blockedEnd; push += 2)
             {
                 _place.setTo(pushOut.blockedPlaces[push], pushOut.blockedPlaces[int(push + 1)], 0);
@@ -69,14 +69,14 @@ package starlogo.search.penetration
             }
             for (var i:int = 0; i < PLACES; i++)
             {
-                var along:Number = _shortest.depth * Math.sqrt((i + 0.5) / PLACES);
+                var along:Number = _shortest * Math.sqrt((i + 0.5) / PLACES);
                 _place.setTo(along * x, along * y, 0);
                 tryAbovePlace();
                 var before:Number = x;
                 x = TURN_X * x - TURN_Y * y;
                 y = TURN_Y * before + TURN_X * y;
             }
-            if (_shortest.depth < out.depth)
+            if (_shortest < out.depth)
             {
                 // the body may touch between the way's end and the place where it is free
                 directions.shorten(_free, out);
@@ -92,7 +92,7 @@ package starlogo.search.penetration
             var fartherFactor:Number = along > 0 ? 1 + _pair.room / along : 1;
             var fartherX:Number = _place.x * fartherFactor;
             var fartherY:Number = _place.y * fartherFactor;
-            var highSquared:Number = _shortest.depth * _shortest.depth - (fartherX * fartherX + fartherY * fartherY);
+            var highSquared:Number = _shortest * _shortest - (fartherX * fartherX + fartherY * fartherY);
             if (!(highSquared > 0))
             {
                 return;
@@ -116,7 +116,7 @@ package starlogo.search.penetration
         private function takeIfFree(x:Number, y:Number, z:Number, beyond:Number):Boolean
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
-            if (!(length > 0 && length < _shortest.depth))
+            if (!(length > 0 && length < _shortest))
             {
                 return false;
             }
@@ -126,8 +126,7 @@ package starlogo.search.penetration
             {
                 return false;
             }
-            _shortest.setNormal(_tried.x, _tried.y, _tried.z);
-            _shortest.depth = length;
+            _shortest = length;
             _free.setDirection(_tried.x, _tried.y, _tried.z);
             _free.distance = _tried.distance;
             return true;
@@ -140,22 +139,22 @@ package starlogo.search.penetration
             var before:Number;
             do
             {
-                before = _shortest.depth;
+                before = _shortest;
                 slideBack();
             }
-            while (_shortest.depth < DirectionSearch.GAIN * before);
+            while (_shortest < DirectionSearch.GAIN * before);
         }
 
         // Slides the first body from the end of the shortest way back towards its own place. What it meets are planes that it slides along. Takes the way
         // to where it ends, if the body is free as far beyond as after a push, because it may have slid into a gap.
         private function slideBack():void
         {
-            var x:Number = _shortest.depth * _shortest.normalX;
-            var y:Number = _shortest.depth * _shortest.normalY;
-            var z:Number = _shortest.depth * _shortest.normalZ;
+            var x:Number = _shortest * _free.x;
+            var y:Number = _shortest * _free.y;
+            var z:Number = _shortest * _free.z;
             _planes.begin();
             _planes.solve(1, 0, _target);
-            for (var i:int = 0; i < MOST_PLANES && _target.length < _shortest.depth; i++)
+            for (var i:int = 0; i < MOST_PLANES && _target.length < _shortest; i++)
             {
                 _tried.setDirection(_target.displacement.x, _target.displacement.y, _target.displacement.z);
                 _tried.distance = 1;

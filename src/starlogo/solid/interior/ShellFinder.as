@@ -83,10 +83,11 @@ package starlogo.solid.interior
                     continue;
                 }
                 var expected:int = _edges.beginOf(edge) == _edges.beginOf(partner) ? -own : own;
-                var found:int = signedShells[int(partner / 3)];
+                var neighbour:int = partner / 3;
+                var found:int = signedShells[neighbour];
                 if (found == 0)
                 {
-                    addTriangle(partner / 3, expected);
+                    addTriangle(neighbour, expected);
                 }
                 else if (found != expected)
                 {

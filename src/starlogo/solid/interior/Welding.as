@@ -88,13 +88,9 @@ package starlogo.solid.interior
             var nearest:int = nearestOf(own, vertex, -1);
             var beside:int = (besideX == cellX ? 0 : 1) | (besideY == cellY ? 0 : 2) | (besideZ == cellZ ? 0 : 4);
             // all cells that are beside the own one in some of these directions
-            for (var i:int = beside; i > 0; i--)
+            for (var i:int = beside; i > 0; i = (i - 1) & beside)
             {
-                if ((i & beside) == i)
-                {
-                    nearest = nearestOf(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex,
-                            nearest);
-                }
+                nearest = nearestOf(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex, nearest);
             }
             if (nearest >= 0)
             {

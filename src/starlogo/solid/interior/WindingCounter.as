@@ -126,7 +126,8 @@ package starlogo.solid.interior
         private function isAround(shell:int):Boolean
         {
             var state:int = surface.shellStates[shell];
-            return state == SurfaceTopology.TWO_SIDED && _windings[shell] != 0 && !surface.boundsCavity(shell) || state == SurfaceTopology.ONE_SIDED && (_windings[shell] & 1) != 0;
+            return state == SurfaceTopology.TWO_SIDED && _windings[shell] != 0 && !surface.boundsCavity(shell)
+                || state == SurfaceTopology.ONE_SIDED && (_windings[shell] & 1) != 0;
         }
 
         // Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, away from where most
@@ -215,7 +216,8 @@ package starlogo.solid.interior
                     _isCrossed[shell] = true;
                     _crossed[_crossedCount++] = shell;
                 }
-                _windings[shell] += surface.isReversed(triangle) ? -crossing : crossing;
+                var turns:int = surface.isReversed(triangle) ? -crossing : crossing;
+                _windings[shell] += turns;
             }
         }
 

@@ -7,6 +7,7 @@ import { fixed, plain, texts } from "../shared/language.js";
 import { said as asSaid } from "./actions.js";
 import { Being } from "./being.js";
 import { Hiding, isMoving } from "./hiding.js";
+import { Land } from "./land.js";
 import { nameOf } from "./panel.js";
 import { breedsThatKeysTurn } from "./program.js";
 import { HALF_WIDTH } from "./moves.js";
@@ -16,7 +17,7 @@ const words = texts.play;
 const STRUCTURES = { color: LINES.tested };
 const CHOSEN = { color: LINES.chosen };
 /** The view of stages on the ground. */
-export const STAGE = { eye: [-3, -18.5, 8.7], target: [0, 0, 0], ground: 2 * HALF_WIDTH, isLand: true };
+export const STAGE = { eye: [-3, -18.5, 8.7], target: [0, 0, 0], ground: 2 * HALF_WIDTH, Land };
 /** The length of a flash and of a mark, in frames, and the share of white in a flash. Agents keep their colour in it. */
 const [FLASH, MARK, BRIGHT] = [9, 45, 0.2];
 const MOST_SAID = 40;

@@ -9,7 +9,6 @@ import { ThreeWireframe } from "starlogo-collision/three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { h, isDark, onThemeChange } from "./dom.js";
 import { fit, look } from "./fit.js";
-import { Land } from "./land.js";
 import { Marks } from "./marks.js";
 import { Signs } from "./signs.js";
 import { GROUNDS } from "./colours.js";
@@ -36,24 +35,24 @@ export class Stage {
 
 	/**
 	 * @param {HTMLElement} host contains the stage
-	 * @param {{label: string, eye: number[], target?: number[], ground?: number, cell?: number, isLand?: boolean, fov?: number}} view its label,
-	 * the direction of the camera, the width of the ground and of its cells, and whether there is a land with a sky; the camera is so far away
-	 * that everything fits. With fov, the angle of the camera in degrees, the view moves it by lookFrom
+	 * @param {{label: string, eye: number[], target?: number[], ground?: number, cell?: number, Land?: typeof import("../play/land.js").Land, fov?: number}} view
+	 * its label, the direction of the camera, the width of the ground and of its cells, and the class of the surroundings, if there are any; the
+	 * camera is so far away that everything fits. With fov, the angle of the camera in degrees, the view moves it by lookFrom
 	 */
-	constructor(host, { label, eye, target = [0, 0, 0], ground = 0, cell = 1, isLand = false, fov = 0 }) {
+	constructor(host, { label, eye, target = [0, 0, 0], ground = 0, cell = 1, Land = null, fov = 0 }) {
 		this.host = host;
 		this.fov = fov;
 		this.ground = ground;
 		this.cell = cell;
 		try {
-			this.renderer = new WebGLRenderer({ antialias: !isDrawnSlowly(), powerPreference: isLand ? "high-performance" : "low-power" });
+			this.renderer = new WebGLRenderer({ antialias: !isDrawnSlowly(), powerPreference: Land ? "high-performance" : "low-power" });
 		} catch {
 			this.renderer = null;
 			host.append(h("p.notice", { role: "status" }, texts.noWebGL));
 			return;
 		}
 		this.scene = new Scene();
-		this.camera = new PerspectiveCamera(40, 1, isLand ? 0.1 : 0.05, 1000);
+		this.camera = new PerspectiveCamera(40, 1, Land ? 0.1 : 0.05, 1000);
 		this.camera.up.set(0, 0, 1);
 		this.camera.position.set(...eye);
 		this.canvas = this.renderer.domElement;
@@ -74,7 +73,7 @@ export class Stage {
 		this.scene.add(this.ambient, this.sun, this.actors);
 		this.marks = new Marks(this.scene);
 		this.signs = new Signs(this.scene);
-		if (isLand) this.#makeLand();
+		if (Land) this.#makeLand(Land);
 		this.controls.update();
 		this.observer = new ResizeObserver(() => this.#fit());
 		this.observer.observe(host);
@@ -83,7 +82,7 @@ export class Stage {
 		this.#fit();
 	}
 
-	#makeLand() {
+	#makeLand(Land) {
 		const { controls } = this;
 		this.land = new Land(this.scene, this.ground, this.cell);
 		this.home = { from: this.camera.position.clone().sub(controls.target), target: controls.target.clone() };

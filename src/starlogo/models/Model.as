@@ -232,13 +232,17 @@ package starlogo.models
         }
 
         /**
-         * Ends what addListener began.
+         * Ends what addListener began. A listener that is unknown is ignored.
          *
          * @private
          */
         engine final function removeListener(listener:Function):void
         {
-            _listeners.splice(_listeners.indexOf(listener), 1);
+            var index:int = _listeners.indexOf(listener);
+            if (index >= 0)
+            {
+                _listeners.splice(index, 1);
+            }
         }
 
         private function get triangleCount():int

@@ -165,6 +165,22 @@ package starlogo.models
             assertTrue(land.boundingStructures.hull("pyramid").volume > 1.5 * hull);
         }
 
+        [Test]
+        public function removingAnUnknownListenerLeavesTheOthers():void
+        {
+            var model:Model = new Model("pyramid", CORNERS, FACES);
+            var calls:int = 0;
+            model.addListener(function():void
+                {
+                    calls++;
+                });
+            model.removeListener(function():void
+                {
+                });
+            model.pose(CORNERS);
+            assertEquals(1, calls);
+        }
+
         /** A cooked model's stored results are those of its first vertices. */
         [Test]
         public function aPosedModelForgetsItsCookedFile():void

@@ -23,11 +23,12 @@ package starlogo.solid.interior
 
         /**
          * For each part of the surface, the vertices with the smallest and largest x, y and z. A part is connected. So a
-         * part that does not touch another surface is inside or outside of it as a whole, and one of its points decides.
+         * part that does not touch another surface is inside or outside of it as a whole, and one of its points decides. Of parts that overlap there
+         * is one: it stands for the others.
          */
         public var partPoints:Vector.<Number>;
 
-        /** The extent of the smallest part: the longest of its three extents. */
+        /** The extent of the smallest of these parts: the longest of its three extents. */
         public var leastPartExtent:Number;
 
         /**

@@ -1,18 +1,23 @@
 package starlogo.solid.interior
 {
+    import starlogo.data.fixedInts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
      * Prepares a model for exact tests, in steps: which vertices are at the same place; the surface that the triangles make; the outermost points of its
-     * parts. A surface that is known already is not found again. A SurfaceBuilder takes most of the time.
+     * parts; which parts overlap. A surface that is known already is not found again. A SurfaceBuilder takes most of the time.
      *
      * @private
      */
     public final class InteriorBuilder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
+        private static const PARTS_PER_STEP:int = 50;
+
+        // After so many windings of shells for each triangle, the parts that are left stand for themselves. The answers are the same.
+        private static const WINDINGS_PER_TRIANGLE:int = 20;
 
         /** The surface that the triangles make, when no step is left. */
         public var surface:SurfaceTopology;
@@ -28,6 +33,11 @@ package starlogo.solid.interior
         private var _windingCounter:WindingCounter;
         private var _parts:OutermostPoints;
 
+        // For each shell, its part. The sets of parts that overlap, and how many windings were counted to find them.
+        private var _partOf:Vector.<int>;
+        private var _overlapping:DisjointSets;
+        private var _windingCount:int = 0;
+
         /**
          * @param mesh the triangles
          * @param knownSurface the surface if it is known; otherwise null
@@ -41,7 +51,8 @@ package starlogo.solid.interior
                 _welding = new Welding(mesh.vertices);
                 add(_welding);
             }
-            begin(findSurface).call(beginParts).slices(mesh.tree.itemCount, TRIANGLES_PER_STEP, addToParts).call(conclude);
+            begin(findSurface).call(beginParts).slices(mesh.tree.itemCount, TRIANGLES_PER_STEP, addToParts);
+            call(beginOverlaps);
         }
 
         private function findSurface():Steps
@@ -55,18 +66,55 @@ package starlogo.solid.interior
         private function beginParts():void
         {
             _parts = new OutermostPoints(_mesh, surface.partCount);
+            _partOf = fixedInts(surface.shellStates.length);
+            _overlapping = new DisjointSets(surface.partCount);
         }
 
         private function addToParts(first:int, end:int):void
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                _parts.add(surface.parts[_mesh.tree.items[slot]], slot);
+                var triangle:int = _mesh.tree.items[slot];
+                var shell:int = surface.shellOf(triangle);
+                if (shell >= 0)
+                {
+                    _partOf[shell] = surface.parts[triangle];
+                }
+                _parts.add(surface.parts[triangle], slot);
+            }
+        }
+
+        // A figure often consists of shells that overlap. Another model contains all of them or none, unless it is inside one of them. So one part
+        // stands for all those that it overlaps, and each pair of models needs fewer points.
+        private function beginOverlaps():void
+        {
+            if (surface.hasClosedShell)
+            {
+                slices(surface.partCount, PARTS_PER_STEP, findOverlaps);
+            }
+            call(conclude);
+        }
+
+        private function findOverlaps(first:int, end:int):void
+        {
+            var around:Vector.<int> = new Vector.<int>();
+            for (var part:int = first; part < end && _windingCount < WINDINGS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
+            {
+                var start:int = _parts.startOf(part);
+                for (var at:int = start; at < start + OutermostPoints.STRIDE; at += 3)
+                {
+                    _windingCount += _windingCounter.findAround(_parts.points[at], _parts.points[at + 1], _parts.points[at + 2], around);
+                    for each (var shell:int in around)
+                    {
+                        _overlapping.join(_partOf[shell], part);
+                    }
+                }
             }
         }
 
         private function conclude():void
         {
+            _parts.keepRepresentatives(_overlapping);
             interior = new Interior(_windingCounter, _parts);
         }
     }

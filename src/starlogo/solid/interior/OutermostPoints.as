@@ -43,6 +43,30 @@ package starlogo.solid.interior
             }
         }
 
+        /** Where a group's points begin. It must have triangles. */
+        public function startOf(group:int):int
+        {
+            return _starts[group];
+        }
+
+        /**
+         * Forgets the points of groups that others stand for. Nothing may be asked about one group afterwards.
+         *
+         * @param sets of groups; the representative of a set stands for all of it
+         */
+        public function keepRepresentatives(sets:DisjointSets):void
+        {
+            var kept:Vector.<Number> = new Vector.<Number>();
+            for (var group:int = 0; group < _starts.length; group++)
+            {
+                for (var i:int = 0; i < STRIDE && sets.rootOf(group) == group; i++)
+                {
+                    kept.push(points[_starts[group] + i]);
+                }
+            }
+            points = kept;
+        }
+
         /** The longest of a group's three extents. It must have triangles. */
         public function extentOf(group:int):Number
         {

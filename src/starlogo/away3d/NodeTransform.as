@@ -5,7 +5,7 @@ package starlogo.away3d
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.AffineTransform;
+    import starlogo.models.AffineTransform;
 
     use namespace engine;
 

@@ -1,7 +1,7 @@
 package starlogo.away3d
 {
     import away3d.core.base.ISubGeometry;
-    import starlogo.geometry.AffineTransform;
+    import starlogo.models.AffineTransform;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;

@@ -5,7 +5,7 @@ package starlogo.away3d
     import away3d.core.base.ISubGeometry;
     import away3d.entities.Mesh;
     import flash.utils.getQualifiedClassName;
-    import starlogo.geometry.AffineTransform;
+    import starlogo.models.AffineTransform;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.Model;
     import starlogo.models.ModelData;

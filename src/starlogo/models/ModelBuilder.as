@@ -2,7 +2,6 @@ package starlogo.models
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.VertexData;
     import starlogo.steps.StepSequence;

@@ -2,7 +2,6 @@ package starlogo.models
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
     import starlogo.models.text.Decimal;
 

@@ -3,7 +3,6 @@ package starlogo.models
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.geometry.AffineTransform;
 
     use namespace engine;
 

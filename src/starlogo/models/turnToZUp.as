@@ -1,6 +1,5 @@
 package starlogo.models
 {
-    import starlogo.geometry.AffineTransform;
 
     /**
      * The turn that makes an axis point up along z. If y is up, the file's -z becomes y. If x is up, -y becomes x and -z becomes y. (The

@@ -29,6 +29,7 @@ package starlogo.solid
         // the plane at a small angle, of the square root of twice this fraction.
         private static const PROBE_GAP:Number = 1e-6;
 
+        // The corners of both triangles, in the first model's space.
         private var _cornersOfFirst:Vector.<Number> = new Vector.<Number>(9, true);
         private var _cornersOfSecond:Vector.<Number> = new Vector.<Number>(9, true);
 
@@ -67,7 +68,8 @@ package starlogo.solid
             var plane:TrianglePlane;
             pair.a.mesh.readTriangle(best.a, _cornersOfFirst);
             pair.b.mesh.readTriangle(best.b, _cornersOfSecond);
-            _kernel.setShapeToTriangle(_cornersOfSecond, placement);
+            Placement.placePoints(placement, _cornersOfSecond, 0, 9, _cornersOfSecond);
+            _kernel.shape.setTriangle(_cornersOfSecond, 0);
             _kernel.setTriangle(_cornersOfFirst);
             _kernel.findContact(motion, out);
             Placement.invert(placement, _toSecond.placement);
@@ -77,7 +79,6 @@ package starlogo.solid
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
             }
-            Placement.placePoints(placement, _cornersOfSecond, 0, 9, _cornersOfSecond);
             _kernel.setTriangle(_cornersOfSecond);
             _kernel.shape.setTriangle(_cornersOfFirst, 0);
             _reversed.setReversed(motion);

@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.geometry.AffineTransform;
+    import starlogo.models.AffineTransform;
     import starlogo.models.shortened;
     import starlogo.steps.StepSequence;
 

@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.geometry.AffineTransform;
+    import starlogo.models.AffineTransform;
     import starlogo.steps.StepSequence;
 
     /**

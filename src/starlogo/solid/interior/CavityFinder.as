@@ -24,6 +24,13 @@ package starlogo.solid.interior
         // How much larger a shell has to be to have the other one inside, as a fraction.
         private static const LARGER:Number = 1e-9;
 
+        // A point near a corner of a triangle is the sum of these shares: of each corner, and of that one once more.
+        private static const SHARE_OF_EACH:Number = 0.01;
+        private static const SHARE_OF_NEAREST:Number = 0.97;
+
+        // In place of the number of a corner: the middle of the triangle.
+        private static const MIDDLE:int = 3;
+
         private var _windingCounter:WindingCounter;
         private var _surface:SurfaceTopology;
         private var _mesh:TriangleMesh;
@@ -136,7 +143,7 @@ package starlogo.solid.interior
                 {
                     continue;
                 }
-                for (var corner:int = 3; corner >= 0 && isUndecided(_shells[index]); corner--)
+                for (var corner:int = MIDDLE; corner >= 0 && isUndecided(_shells[index]); corner--)
                 {
                     findEnclosing(index, slot, corner);
                     keepEnclosing(index);
@@ -151,17 +158,17 @@ package starlogo.solid.interior
         }
 
         // Finds the shells that enclose a point of a triangle of a shell. The triangle is the one that was taken. The point is near a corner, or in the
-        // middle for corner 3, and a little inside of the shell.
+        // middle, and a little inside of the shell.
         private function findEnclosing(index:int, slot:int, corner:int):void
         {
             var inwards:Number = INWARDS * _extremes.extentOf(index);
             inwards = _surface.isReversed(_items[slot]) == _shells[index].volume > 0 ? inwards : -inwards;
-            var share:Number = corner == 3 ? 1 / 3 : 0.01;
+            var share:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
             {
                 point[axis] += share * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
-                    + (corner == 3 ? 0 : 0.97 * _corners[3 * corner + axis]);
+                    + (corner == MIDDLE ? 0 : SHARE_OF_NEAREST * _corners[3 * corner + axis]);
             }
             _windingCount += _windingCounter.findAround(point[0], point[1], point[2], _enclosingPoint);
         }

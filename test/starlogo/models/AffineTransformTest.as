@@ -1,10 +1,10 @@
-package starlogo.geometry
+package starlogo.models
 {
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import starlogo.engine;
-    import starlogo.models.ModelTransform;
+    import starlogo.geometry.Placement;
 
     use namespace engine;
 

@@ -1,5 +1,6 @@
-package starlogo.geometry
+package starlogo.models
 {
+    import starlogo.geometry.Placement;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

@@ -202,6 +202,19 @@ package starlogo.queries
             }
         }
 
+        // The walk itself is shorter than the way to the wall.
+        [Test]
+        public function whatIsCarriedFarStopsAtAWall():void
+        {
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                _wall.moveTo(1.5, 0, 0);
+                carryOnce(2);
+                assertTrue(name + ": " + _walker.x, Math.abs(_walker.x - 0.75) < NEAR && _footing.stands);
+            }
+        }
+
         // A box that a platform turns beside a wall gets pushed away from the wall in the same walk.
         [Test]
         public function aPlatformTurnsNothingIntoAWall():void

@@ -1,8 +1,8 @@
 package starlogo.away3d
 {
     import away3d.core.base.ISubGeometry;
-    import starlogo.models.AffineTransform;
     import starlogo.geometry.vertices.PointTable;
+    import starlogo.models.AffineTransform;
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;

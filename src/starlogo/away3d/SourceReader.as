@@ -5,8 +5,8 @@ package starlogo.away3d
     import away3d.core.base.ISubGeometry;
     import away3d.entities.Mesh;
     import flash.utils.getQualifiedClassName;
-    import starlogo.models.AffineTransform;
     import starlogo.geometry.vertices.PointTable;
+    import starlogo.models.AffineTransform;
     import starlogo.models.Model;
     import starlogo.models.ModelData;
     import starlogo.models.ModelError;

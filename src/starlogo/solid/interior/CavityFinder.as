@@ -13,10 +13,6 @@ package starlogo.solid.interior
         private static const VOLUMES_PER_STEP:int = 1000;
         private static const TRIANGLES_PER_STEP:int = 25;
 
-        // After so many windings of shells for each triangle, one point decides about each shell. Only models with very many nested shells reach
-        // this limit.
-        private static const WINDINGS_PER_TRIANGLE:int = 20;
-
         // How far inside of its shell a point is tested, as a fraction of the shell's extent. Smaller: rounding decides where shells touch.
         // Larger: it may be outside of a thin shell.
         private static const INWARDS:Number = 1e-7;
@@ -151,10 +147,10 @@ package starlogo.solid.interior
             }
         }
 
-        // Whether more points decide about a shell.
+        // Whether more points decide about a shell. One point decides if too many windings are counted, as in models with very many nested shells.
         private function isUndecided(shell:ClosedShell):Boolean
         {
-            return shell.enclosing == null || shell.enclosing.length > 0 && _windingCount < WINDINGS_PER_TRIANGLE * _items.length;
+            return shell.enclosing == null || shell.enclosing.length > 0 && _windingCount < WindingCounter.MOST_FOR_EACH_TRIANGLE * _items.length;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell. The triangle is the one that was taken. The point is near a corner, or in the

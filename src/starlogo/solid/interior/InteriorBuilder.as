@@ -16,9 +16,6 @@ package starlogo.solid.interior
         private static const TRIANGLES_PER_STEP:int = 400;
         private static const PARTS_PER_STEP:int = 50;
 
-        // After so many windings of shells for each triangle, the parts that are left stand for themselves. The answers are the same.
-        private static const WINDINGS_PER_TRIANGLE:int = 20;
-
         /** The surface that the triangles make, when no step is left. */
         public var surface:SurfaceTopology;
 
@@ -51,8 +48,7 @@ package starlogo.solid.interior
                 _welding = new Welding(mesh.vertices);
                 add(_welding);
             }
-            begin(findSurface).call(beginParts).slices(mesh.tree.itemCount, TRIANGLES_PER_STEP, addToParts);
-            call(beginOverlaps);
+            begin(findSurface).call(beginParts).slices(mesh.tree.itemCount, TRIANGLES_PER_STEP, addToParts).call(beginOverlaps);
         }
 
         private function findSurface():Steps
@@ -95,10 +91,11 @@ package starlogo.solid.interior
             call(conclude);
         }
 
+        // If too many windings are counted, the parts that are left stand for themselves. The answers are the same.
         private function findOverlaps(first:int, end:int):void
         {
             var around:Vector.<int> = new Vector.<int>();
-            for (var part:int = first; part < end && _windingCount < WINDINGS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
+            for (var part:int = first; part < end && _windingCount < WindingCounter.MOST_FOR_EACH_TRIANGLE * _mesh.tree.itemCount; part++)
             {
                 var start:int = _parts.startOf(part);
                 for (var at:int = start; at < start + OutermostPoints.STRIDE; at += 3)

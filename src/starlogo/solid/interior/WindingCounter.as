@@ -15,6 +15,9 @@ package starlogo.solid.interior
      */
     public final class WindingCounter extends NodeVisitor
     {
+        /** How many windings of shells are counted for each triangle at most, while a surface is explored: in nested shells a point has many. */
+        internal static const MOST_FOR_EACH_TRIANGLE:int = 20;
+
         // This many triangles, or up to twice as many, say where most of them are.
         private static const SAMPLES:int = 1000;
 

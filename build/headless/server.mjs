@@ -39,6 +39,8 @@ export async function serve(page, folders, { port = 0, host = '127.0.0.1', heade
 		};
 		tryNext(handlers);
 	});
+	// no idle connection is closed: one that a busy client of this process uses again at that moment would be reset
+	server.keepAliveTimeout = 0;
 	await new Promise((resolve, reject) => {
 		server.once('error', reject);
 		server.listen(port, host, resolve);

@@ -7,10 +7,12 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.steps.StepSequence;
     import support.AgentChanges;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
+    import support.FrameByFrame;
     import support.SolidModels;
     import support.assertThrows;
 
@@ -66,26 +68,33 @@ package starlogo.collision
             _compared = _deep = _passing = _different = 0;
         }
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function stayWhateverAgentsDo():void
         {
-            for each (var traits:Array in CHANGES)
-            {
-                // who sweeps or is of another breed touches as before
-                assertContactsStay(traits.join(), function(agents:Array):void
-                    {
-                        for each (var trait:String in traits)
-                        {
-                            change(trait, agents);
-                        }
-                    }, traits.length > 0 && traits[0] != "sweeps");
-            }
-            assertContactsStay("all at once", function(agents:Array):void
+            var work:StepSequence = new StepSequence().slices(CHANGES.length, 1, function(first:int, end:int):void
                 {
-                    for (var k:int = _random.integer(2, 8); k > 0; k--)
-                    {
-                        change(_random.pick(_random.pick(CHANGES.slice(1))), agents);
-                    }
+                    var traits:Array = CHANGES[first];
+                    // who sweeps or is of another breed touches as before
+                    assertContactsStay(traits.join(), function(agents:Array):void
+                        {
+                            for each (var trait:String in traits)
+                            {
+                                change(trait, agents);
+                            }
+                        }, traits.length > 0 && traits[0] != "sweeps");
+                });
+            work.call(function():void
+                {
+                    assertContactsStay("all at once", function(agents:Array):void
+                        {
+                            for (var k:int = _random.integer(2, 8); k > 0; k--)
+                            {
+                                change(_random.pick(_random.pick(CHANGES.slice(1))), agents);
+                            }
+                        });
+                });
+            FrameByFrame.run(this, work, 1, function():void
+                {
                 });
         }
 

@@ -73,12 +73,6 @@ package starlogo.queries.trees
             _isGroundLeft = true;
         }
 
-        /** Whether the search can end, because one row is wanted, which may be any, and is found. */
-        public function get canEnd():Boolean
-        {
-            return wanted == 1 && filter.accepts == null && _rows.count > 0;
-        }
-
         /** The next row of a search that the filter may admit and that has a shape; -1 if there are no more. The last one is the row of the ground. */
         public function nextOf(search:SweptBoxSearch):int
         {
@@ -110,20 +104,6 @@ package starlogo.queries.trees
             return row != filter.askerRow && _seen.table.shapes[row] != null;
         }
 
-        /** Ends with all rows of a search that the filter admits and that have a shape, in the order of the list. They are added to <code>out</code>. */
-        public function listRows(search:SweptBoxSearch, out:IntList):void
-        {
-            for (var row:int = nextOf(search); row >= 0; row = nextOf(search))
-            {
-                add(row, 0);
-            }
-            var count:int = end();
-            for (var i:int = 0; i < count; i++)
-            {
-                out.add(rowAt(i));
-            }
-        }
-
         /** Adds a row that the question has found. This may lower the limit. */
         public function add(row:int, key:Number):void
         {
@@ -141,11 +121,10 @@ package starlogo.queries.trees
             }
         }
 
-        // Sorts the rows, and keeps those that are wanted.
-        private function sort():void
+        /** Whether the search can end, because one row is wanted, which may be any, and is found. */
+        public function get canEnd():Boolean
         {
-            _rows.sortFirst(_rows.count, _seen.table.list.ranks);
-            _rows.count = Math.min(_rows.count, wanted);
+            return wanted == 1 && filter.accepts == null && _rows.count > 0;
         }
 
         /**
@@ -175,6 +154,25 @@ package starlogo.queries.trees
             _rows.count = kept;
         }
 
+        // Brings the rows whose keys are smaller than a bound to the front, behind the admitted ones. Returns where they end.
+        private function bringForward(bound:Number):int
+        {
+            var end:int = _admitted;
+            for (var i:int = end; i < _rows.count; i++)
+            {
+                var key:Number = _rows.keys[i];
+                if (key < bound)
+                {
+                    var row:int = _rows.numbers[i];
+                    move(end, i);
+                    _rows.numbers[end] = row;
+                    _rows.keys[end] = key;
+                    end++;
+                }
+            }
+            return end;
+        }
+
         // Calls accepts for the rows behind the admitted ones, up to an index, until enough are admitted. They come first then.
         private function admitTo(end:int):void
         {
@@ -197,6 +195,12 @@ package starlogo.queries.trees
             }
         }
 
+        private function move(from:int, to:int):void
+        {
+            _rows.numbers[to] = _rows.numbers[from];
+            _rows.keys[to] = _rows.keys[from];
+        }
+
         /** Ends the search, and sorts the rows of the answer. Returns how many they are. */
         public function end():int
         {
@@ -209,6 +213,13 @@ package starlogo.queries.trees
                 askBelow(Infinity);
             }
             return _rows.count;
+        }
+
+        // Sorts the rows, and keeps those that are wanted.
+        private function sort():void
+        {
+            _rows.sortFirst(_rows.count, _seen.table.list.ranks);
+            _rows.count = Math.min(_rows.count, wanted);
         }
 
         /** A row of the answer. */
@@ -251,29 +262,18 @@ package starlogo.queries.trees
             return listed;
         }
 
-        // Brings the rows whose keys are smaller than a bound to the front, behind the admitted ones. Returns where they end.
-        private function bringForward(bound:Number):int
+        /** Ends with all rows of a search that the filter admits and that have a shape, in the order of the list. They are added to <code>out</code>. */
+        public function listRows(search:SweptBoxSearch, out:IntList):void
         {
-            var end:int = _admitted;
-            for (var i:int = end; i < _rows.count; i++)
+            for (var row:int = nextOf(search); row >= 0; row = nextOf(search))
             {
-                var key:Number = _rows.keys[i];
-                if (key < bound)
-                {
-                    var row:int = _rows.numbers[i];
-                    move(end, i);
-                    _rows.numbers[end] = row;
-                    _rows.keys[end] = key;
-                    end++;
-                }
+                add(row, 0);
             }
-            return end;
-        }
-
-        private function move(from:int, to:int):void
-        {
-            _rows.numbers[to] = _rows.numbers[from];
-            _rows.keys[to] = _rows.keys[from];
+            var count:int = end();
+            for (var i:int = 0; i < count; i++)
+            {
+                out.add(rowAt(i));
+            }
         }
     }
 }

@@ -145,7 +145,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override protected function separateApart(a:Body, b:Body, out:ContactPoint):void
+        override protected function findContactApart(a:Body, b:Body, out:ContactPoint):void
         {
             var further:Number = b.halfX - a.halfX;
             out.x = (a.x + b.x + further * out.normalX) / 2;

@@ -31,9 +31,6 @@ package starlogo.broadphase
         /** So many first buckets of a level are copied after its last one, so that the neighbours of the last cells are in one run too. */
         internal static const COPIED:int = 2;
 
-        // The index among all levels, as Extents have it.
-        internal var index:int;
-
         // A power of two, in patches. The widest members are at most this wide. No member is narrower than half of it, unless it is far
         // out or the level is the finest. Cells are a little wider. So two members that touch are in the same cell or in neighbouring cells.
         internal var width:Number;
@@ -54,13 +51,9 @@ package starlogo.broadphase
         internal var mask:int = NO_BUCKETS;
         internal var stride:int;
 
-        /**
-         * @param index the index among all levels
-         * @param width a power of two
-         */
-        public function BinLevel(index:int, width:Number)
+        /** @param width a power of two */
+        public function BinLevel(width:Number)
         {
-            this.index = index;
             this.width = width;
             cellsPerPatch = 1 / (width + 4 * width * SLACK);
             slack = width * SLACK;
@@ -97,6 +90,12 @@ package starlogo.broadphase
         public function get hasBuckets():Boolean
         {
             return mask != NO_BUCKETS;
+        }
+
+        /** Whether a bucket is one of the level's. */
+        public function hasBucket(bucket:int):Boolean
+        {
+            return hasBuckets && bucket >= firstBucket && bucket < endBucket;
         }
 
         /** Gives up the buckets. */

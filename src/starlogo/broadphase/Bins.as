@@ -100,7 +100,7 @@ package starlogo.broadphase
         {
             while (levels.length < extents.levelWidths.length)
             {
-                levels.push(new BinLevel(levels.length, extents.levelWidths[levels.length]));
+                levels.push(new BinLevel(extents.levelWidths[levels.length]));
             }
         }
 

@@ -12,19 +12,15 @@ package starlogo.broadphase
     {
         private static const NONE:int = -1;
 
-        /** The number of members. */
-        public var count:int = 0;
-
         // The rows that are found near a row.
         private var _near:Vector.<int> = new Vector.<int>();
 
         private var _levels:Vector.<BinLevel>;
         private var _extents:Extents = null;
 
-        // By bucket: the first row of its list. By row: its bucket, or NONE; the level's index; the next row in the list.
+        // By bucket: the first row of its list. By row: its bucket, or NONE; the next row in the list.
         private var _heads:Vector.<int> = new Vector.<int>();
         private var _buckets:Vector.<int> = new Vector.<int>();
-        private var _levelIndices:Vector.<int> = new Vector.<int>();
         private var _next:Vector.<int> = new Vector.<int>();
 
         /** @param levels those of the bins, with the buckets that it takes over */
@@ -43,18 +39,17 @@ package starlogo.broadphase
         public function begin(extents:Extents, members:IntList, length:int):void
         {
             _extents = extents;
-            count = members.count;
             emptyBuckets();
             makeRoom(length);
             for (var row:int = 0; row < _buckets.length; row++)
             {
                 _buckets[row] = NONE;
             }
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < members.count; i++)
             {
                 row = members.numbers[i];
                 var level:BinLevel = _levels[extents.level[row]];
-                enter(row, level, level.bucketAt(extents.x[row], extents.y[row]));
+                enter(row, level.bucketAt(extents.x[row], extents.y[row]));
             }
         }
 
@@ -72,7 +67,7 @@ package starlogo.broadphase
             }
             if (length > _next.length)
             {
-                _next.length = _levelIndices.length = length;
+                _next.length = length;
             }
         }
 
@@ -95,9 +90,8 @@ package starlogo.broadphase
             if (_buckets[row] != bucket)
             {
                 remove(row);
-                enter(row, level, bucket);
+                enter(row, bucket);
                 level.count++;
-                count++;
             }
             return true;
         }
@@ -124,8 +118,29 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _buckets[row] = NONE;
-            _levels[_levelIndices[row]].count--;
-            count--;
+            levelOf(bucket).count--;
+        }
+
+        // The level that has a bucket.
+        private function levelOf(bucket:int):BinLevel
+        {
+            var i:int = 1;
+            while (!_levels[i].hasBucket(bucket))
+            {
+                i++;
+            }
+            return _levels[i];
+        }
+
+        /** Counts the members. */
+        public function countMembers():int
+        {
+            var count:int = 0;
+            for (var i:int = 1; i < _levels.length; i++)
+            {
+                count += _levels[i].count;
+            }
+            return count;
         }
 
         /** Whether each level with members has as many buckets as the bins would give it now. */
@@ -216,12 +231,11 @@ package starlogo.broadphase
             }
         }
 
-        private function enter(row:int, level:BinLevel, bucket:int):void
+        private function enter(row:int, bucket:int):void
         {
             _next[row] = _heads[bucket];
             _heads[bucket] = row;
             _buckets[row] = bucket;
-            _levelIndices[row] = level.index;
         }
 
         // Adds the rows of a bucket to _near. Returns their number with the ones before.

@@ -6,7 +6,6 @@ package starlogo.collision
     import starlogo.convex.RelativeMotion;
     import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.ground.HeightGrid;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
@@ -120,7 +119,7 @@ package starlogo.collision
                 by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            _input.setTo(agents, interests, null, null);
+            _input.setTo(agents, interests || BreedInterests.ALL, null, null);
             var pairs:FoundPairs = find(by, _input, false);
             if (!areHandlersRunning)
             {
@@ -233,27 +232,21 @@ package starlogo.collision
          */
         override engine function enterPhase(phase:int):void
         {
-            var grid:HeightGrid = groundGrid();
+            // the edges do not change
+            var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
             if (phase == HANDLING)
             {
                 takeContactsFromFrame();
             }
-            if (grid != null && phase == HANDLING && !areHandlersRunning)
+            if (ground != null && phase == HANDLING)
             {
-                grid.hold();
+                ground.grid.hold();
             }
-            if (grid != null && phase != HANDLING && areHandlersRunning)
+            if (ground != null && areHandlersRunning)
             {
-                grid.release();
+                ground.grid.release();
             }
             _phase = phase;
-        }
-
-        // The ground as the frame has read it; null if there is none. The edges do not change.
-        private function groundGrid():HeightGrid
-        {
-            var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
-            return ground == null ? null : ground.grid;
         }
 
         /** @private */

@@ -51,27 +51,6 @@ package starlogo.handlers
         private var _ended:SortableIntList = new SortableIntList();
 
         /**
-         * The pairs whose touches may begin in a frame: the added ones if the touches of all others go on. Null stands for all pairs. Ask before
-         * <code>begin()</code>.
-         */
-        public function pairsThatMayStart(pairs:FoundPairs):IntList
-        {
-            return pairs === _pairs && pairs.areKept && pairs.searches == _search + 1 ? pairs.added : null;
-        }
-
-        /**
-         * The touch of a pair that goes on if the two touch in the next frame too; null if there is none. It does not go on if a breed has changed, or
-         * if handlers were called for the first agent only.
-         */
-        public function touchToContinue(pairs:FoundPairs, pair:int):Touch
-        {
-            var index:int = indexOf(pairs.firstOf(pair), pairs.secondOf(pair));
-            var touch:Touch = index == NONE ? null : _all[index];
-            return touch != null && touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber
-                ? touch : null;
-        }
-
-        /**
          * Begins a frame. The touches of pairs that touched before go on. The others end.
          *
          * @param table the handlers. A pair without handlers for starts or ends has no touch
@@ -100,35 +79,6 @@ package starlogo.handlers
             }
             _ended.sortFirst(_ended.count);
             return starting;
-        }
-
-        /** The number of touches that ended in this frame. */
-        public function get endedCount():int
-        {
-            return _ended.count;
-        }
-
-        /** One of the touches that ended in this frame. They are in the order in which they began. */
-        public function endedAt(index:int):Touch
-        {
-            return _all[_ended.numbers[index]];
-        }
-
-        /**
-         * Ends a frame, also one that has failed: forgets the touches that have ended.
-         *
-         * @param areComplete whether each pair with handlers for starts or ends has got its touch, both ways
-         */
-        public function end(areComplete:Boolean):void
-        {
-            for (var i:int = 0; i < _ended.count; i++)
-            {
-                var touch:Touch = endedAt(i);
-                touch.first = touch.second = null;
-                _free.add(touch.index);
-            }
-            _ended.count = 0;
-            _search = areComplete ? _pairs.searches : NONE;
         }
 
         /** The touch of a pair of the frame; null if there is none. */
@@ -164,6 +114,56 @@ package starlogo.handlers
             touch.isCalledForBoth = isCalledForBoth;
             _indices.set (Math.min(first.idNumber, second.idNumber), Math.max(first.idNumber, second.idNumber), touch.index);
             return touch;
+        }
+
+        /** The number of touches that ended in this frame. */
+        public function get endedCount():int
+        {
+            return _ended.count;
+        }
+
+        /** One of the touches that ended in this frame. They are in the order in which they began. */
+        public function endedAt(index:int):Touch
+        {
+            return _all[_ended.numbers[index]];
+        }
+
+        /**
+         * Ends a frame, also one that has failed: forgets the touches that have ended.
+         *
+         * @param areComplete whether each pair with handlers for starts or ends has got its touch, both ways
+         */
+        public function end(areComplete:Boolean):void
+        {
+            for (var i:int = 0; i < _ended.count; i++)
+            {
+                var touch:Touch = endedAt(i);
+                touch.first = touch.second = null;
+                _free.add(touch.index);
+            }
+            _ended.count = 0;
+            _search = areComplete ? _pairs.searches : NONE;
+        }
+
+        /**
+         * The pairs whose touches may begin in a frame: the added ones if the touches of all others go on. Null stands for all pairs. Ask before
+         * <code>begin()</code>.
+         */
+        public function pairsThatMayStart(pairs:FoundPairs):IntList
+        {
+            return pairs === _pairs && pairs.areKept && pairs.searches == _search + 1 ? pairs.added : null;
+        }
+
+        /**
+         * The touch of a pair that goes on if the two touch in the next frame too; null if there is none. It does not go on if a breed has changed, or
+         * if handlers were called for the first agent only.
+         */
+        public function touchToContinue(pairs:FoundPairs, pair:int):Touch
+        {
+            var index:int = indexOf(pairs.firstOf(pair), pairs.secondOf(pair));
+            var touch:Touch = index == NONE ? null : _all[index];
+            return touch != null && touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber
+                ? touch : null;
         }
 
         /** Returns all touches, in the order in which they began. Call it between two frames. */

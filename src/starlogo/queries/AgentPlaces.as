@@ -34,10 +34,7 @@ package starlogo.queries
         {
             requireGiven("seen", seen);
             _seen = seen;
-            _searches = new Nested(seen, function():NearSearch
-                {
-                    return new NearSearch();
-                });
+            _searches = new Nested(seen, NearSearch);
         }
 
         /**
@@ -183,7 +180,7 @@ package starlogo.queries
             var found:Collector = _seen.beginSearch(wanted, radius * radius, asker, filter);
             var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
             var search:NearSearch = _searches.current;
-            search.find(found, _seen.treeOfPlaces(), x, y, z, cone);
+            search.find(found, x, y, z, cone);
             return found;
         }
 
@@ -192,7 +189,7 @@ package starlogo.queries
             requireNotNegative("radius", radius);
             var found:Collector = _seen.beginSearch(Collector.ALL, radius * radius, asker, filter);
             var search:NearSearch = _searches.current;
-            return search.count(found, _seen.treeOfPlaces(), x, y, z);
+            return search.count(found, x, y, z);
         }
     }
 }

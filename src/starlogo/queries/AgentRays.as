@@ -52,10 +52,7 @@ package starlogo.queries
             _seen = seen;
             _rowRays = new RowRayQuery(seen);
             _rowSurfaces = new RowSurfaceQuery(seen);
-            _hits = new Nested(seen, function():Hits
-                {
-                    return new Hits(seen);
-                });
+            _hits = new Nested(seen, Hits);
         }
 
         /**
@@ -160,9 +157,9 @@ package starlogo.queries
             findMiddle(a, _middleA);
             findMiddle(b, _middleB);
             // the ray always starts at the same place of the two, because rounding may let a ray that grazes something pass in one direction only
-            var isSwapped:Boolean = compareVectors(_middleA, _middleB) > 0;
-            var from:Vector3D = isSwapped ? _middleB : _middleA;
-            var towards:Vector3D = isSwapped ? _middleA : _middleB;
+            var isReversed:Boolean = compareVectors(_middleA, _middleB) > 0;
+            var from:Vector3D = isReversed ? _middleB : _middleA;
+            var towards:Vector3D = isReversed ? _middleA : _middleB;
             towards.decrementBy(from);
             var distance:Number = Math.sqrt(towards.x * towards.x + towards.y * towards.y + towards.z * towards.z);
             if (distance == 0)

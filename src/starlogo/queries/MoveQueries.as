@@ -51,10 +51,7 @@ package starlogo.queries
             _seen = seen;
             _touches = new TouchSweep(seen);
             _hits = new Hits(seen);
-            _bodies = new Nested(seen, function():MovingBody
-                {
-                    return new MovingBody(seen);
-                });
+            _bodies = new Nested(seen, MovingBody);
         }
 
         /** See AgentWalks.castShape. */

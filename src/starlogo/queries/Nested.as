@@ -19,19 +19,19 @@ package starlogo.queries
     public final class Nested
     {
         private var _seen:SeenAgents;
-        private var _make:Function;
+        private var _type:Class;
 
         // By depth of nesting.
         private var _things:Array = [];
 
         /**
          * @param seen the agents that the questions are about
-         * @param make makes a thing: <code>function():Object</code>
+         * @param type the class of the things. Its constructor takes these agents
          */
-        public function Nested(seen:SeenAgents, make:Function)
+        public function Nested(seen:SeenAgents, type:Class)
         {
             _seen = seen;
-            _make = make;
+            _type = type;
         }
 
         /** The thing of a question that begins now. */
@@ -40,7 +40,7 @@ package starlogo.queries
             var depth:int = _seen.nesting;
             while (_things.length <= depth)
             {
-                _things.push(_make());
+                _things.push(new _type(_seen));
             }
             return _things[depth];
         }

@@ -81,11 +81,7 @@ package starlogo.queries
             }
             narrowPhase = _source.findNarrowPhase();
             table = new AgentTable(narrowPhase.choice);
-            var seen:SeenAgents = this;
-            _collectors = new Nested(this, function():Collector
-                {
-                    return new Collector(seen);
-                });
+            _collectors = new Nested(this, Collector);
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */

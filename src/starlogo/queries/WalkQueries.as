@@ -40,10 +40,7 @@ package starlogo.queries
         {
             _seen = seen;
             _walkMover = new WalkMover(seen);
-            _walks = new Nested(seen, function():Walk
-                {
-                    return new Walk(seen);
-                });
+            _walks = new Nested(seen, Walk);
         }
 
         /** See AgentWalks.walk. */
@@ -87,7 +84,7 @@ package starlogo.queries
             return walk;
         }
 
-        // Finds what the motion and the options mean for the agent. No platform carries it yet.
+        // Finds what the motion and the options mean for the agent.
         private function readOptions(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
         {
             var size:Number = _seen.placementOf(agent).size;
@@ -99,9 +96,6 @@ package starlogo.queries
             out.pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
             out.pieceLength = whole / out.pieces;
-            out.platform = -1;
-            out.carry.setTo(0, 0, 0);
-            out.turn = 0;
         }
     }
 }

@@ -111,7 +111,7 @@ package starlogo.search
                 requireInWorld("half of a structure's length", sExtents[3], sExtents[4], sExtents[5]);
                 requireInWorld("a structure's middle", sExtents[0], sExtents[1], sExtents[2]);
             }
-            takeShape(centred(inWorld));
+            takeShape(centred(inWorld, sExtents));
             placement.x = sExtents[0];
             placement.y = sExtents[1];
             placement.z = sExtents[2];
@@ -123,8 +123,8 @@ package starlogo.search
             _isPlaced = false;
         }
 
-        // A shape of a structure whose middle sExtents has. The middle is moved to the origin. The placement is upright afterwards.
-        private function centred(structure:BoundingStructure):ModelShape
+        // A shape of a structure, with its middle moved to the origin. The placement is upright afterwards.
+        private function centred(structure:BoundingStructure, middle:Vector.<Number>):ModelShape
         {
             _ownShapes ||= new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
             var own:ModelShape = _ownShapes[structure.kind];
@@ -134,9 +134,9 @@ package starlogo.search
                 own.isUpright = true;
             }
             placement.copyFrom(UPRIGHT);
-            placement.x = -sExtents[0];
-            placement.y = -sExtents[1];
-            placement.z = -sExtents[2];
+            placement.x = -middle[0];
+            placement.y = -middle[1];
+            placement.z = -middle[2];
             own.setStructure(structure.place(placement, own.structure));
             return own;
         }

@@ -20,6 +20,9 @@ package starlogo.search
          */
         public static const ANY_BREED:String = Breeds.ANY_BREED;
 
+        /** @private All pairs of breeds of agents. It must not be changed. */
+        engine static const ALL:BreedInterests = newOfAll();
+
         /** @private Whether all pairs of two breeds of agents that have numbers here are of interest. The ground and the edges do not count. */
         engine var includesAllOfAgents:Boolean = true;
 
@@ -31,6 +34,13 @@ package starlogo.search
         // How many breeds of agents the pairs name, and how many pairs are of two of these.
         private var _agentBreeds:int = 0;
         private var _agentPairs:int = 0;
+
+        private static function newOfAll():BreedInterests
+        {
+            var all:BreedInterests = new BreedInterests();
+            all.addNumbers(Breeds.ANY, Breeds.ANY);
+            return all;
+        }
 
         /**
          * Adds a pair of breeds. A pair that is already there is not added again.

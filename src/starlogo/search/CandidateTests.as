@@ -67,12 +67,12 @@ package starlogo.search
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
             var interests:BreedInterests = _input.interests;
-            if (interests != null && !interests.includesAllOfAgents)
+            if (!interests.includesAllOfAgents)
             {
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            addPairs(row, others, _motions.areSwept ? keepSwept(row, others, count, level) : keepTouching(row, others, count, level));
+            addPairs(row, others, _motions.areSwept ? _motions.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level));
         }
 
         /**
@@ -90,19 +90,14 @@ package starlogo.search
             _input.listMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.numbers;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            addPairs(worldRow, others, _motions.areSwept ? keepSwept(worldRow, others, count, RowMotions.NO_EXTENTS) : keepTouchingWorld(worldRow, others, count));
+            addPairs(worldRow, others, _motions.areSwept ? _motions.keepTouching(worldRow, others, count, RowMotions.NO_EXTENTS, _times)
+                    : keepTouchingWorld(worldRow, others, count));
         }
 
         // Adds the pairs of a row with the first of the others. In a search with motions they have times.
         private function addPairs(row:int, others:Vector.<int>, count:int):void
         {
             _out.addPairs(row, others, count, _motions.areSwept ? _times : null);
-        }
-
-        // Keeps the rows that touch a row on their motions, and moves them to the beginning of the list.
-        private function keepSwept(row:int, others:Vector.<int>, count:int, level:BinLevel):int
-        {
-            return _motions.keepTouching(row, others, count, level, _times);
         }
 
         // Keeps the rows that touch a row, and moves them to the beginning of the list.

@@ -61,7 +61,7 @@ package starlogo.search
         /** The number of members of the search. */
         public function get memberCount():int
         {
-            return _cells.count;
+            return _cells.countMembers();
         }
 
         /**
@@ -127,10 +127,15 @@ package starlogo.search
             return _marks[worldRow] == _mark ? _table.list.rows : _rows;
         }
 
-        /** Changes the pairs of the last search to those of this one. @param found the pairs of the changed rows, in order */
-        public function updatePairs(pairs:FoundPairs, found:FoundPairs):void
+        /**
+         * Changes the pairs of the last search to those of this one.
+         *
+         * @param found the pairs of the changed rows, in order
+         * @param earlyCount how many of these touch before the end of their motions
+         */
+        public function updatePairs(pairs:FoundPairs, found:FoundPairs, earlyCount:int):void
         {
-            pairs.follow(_marks, _mark, found);
+            pairs.follow(_marks, _mark, found, earlyCount);
         }
 
         // Whether a search depends on the same as the last one, and few rows were read again.

@@ -135,8 +135,8 @@ package starlogo.search
             {
                 _tests.testWithWorldAgent(worldRow, _changedRows.rowsToTestWith(worldRow));
             }
-            _pairsOfChanged.putInOrder(_motions.areSwept);
-            _changedRows.updatePairs(_pairs, _pairsOfChanged);
+            var earlyCount:int = _pairsOfChanged.putInOrder(_motions.areSwept);
+            _changedRows.updatePairs(_pairs, _pairsOfChanged, earlyCount);
             _mayBeKept = true;
             return _changedRows.memberCount;
         }

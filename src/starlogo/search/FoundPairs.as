@@ -47,9 +47,8 @@ package starlogo.search
         /** The indices of the added pairs among these pairs, in ascending order. */
         public var added:IntList = new IntList();
 
-        // By pair, until the pairs are sorted: the time of the touch. How many touch before the end of their motions.
+        // By pair, until the pairs are sorted: the time of the touch.
         private var _times:Vector.<Number> = new Vector.<Number>();
-        private var _earlyCount:int = 0;
 
         // For sorting: the indices of the pairs in their new order, and their keys; or by rank, where the next pair goes whose row has it.
         private var _indices:SortableIntList = new SortableIntList();
@@ -68,7 +67,7 @@ package starlogo.search
         /** Begins to write other pairs. */
         internal function begin():void
         {
-            count = _earlyCount = 0;
+            count = 0;
             searches++;
             areKept = false;
         }
@@ -88,9 +87,9 @@ package starlogo.search
          */
         internal function addPairs(row:int, others:Vector.<int>, othersCount:int, times:Vector.<Number>):void
         {
-            if (times != null)
+            for (var time:int = 0; times != null && time < othersCount; time++)
             {
-                addTimes(times, othersCount);
+                _times[int(count + time)] = times[time];
             }
             var to:int = 2 * count;
             var ranks:Vector.<int> = list.ranks;
@@ -107,37 +106,28 @@ package starlogo.search
             count += othersCount;
         }
 
-        private function addTimes(times:Vector.<Number>, timesCount:int):void
-        {
-            for (var i:int = 0; i < timesCount; i++)
-            {
-                _times[int(count + i)] = times[i];
-                if (times[i] < 1)
-                {
-                    _earlyCount++;
-                }
-            }
-        }
-
-        /** Puts the pairs into order. @param haveTimes whether an agent sweeps, so the pairs were added with times */
-        internal function putInOrder(haveTimes:Boolean):void
+        /**
+         * Puts the pairs into order.
+         *
+         * @param haveTimes whether an agent sweeps, so the pairs were added with times
+         * @return how many pairs touch before the end of their motions. They come first
+         */
+        internal function putInOrder(haveTimes:Boolean):int
         {
             if (!areSorted())
             {
                 sortByRanks(haveTimes);
             }
-            if (haveTimes)
-            {
-                sortByTimes();
-            }
+            return haveTimes ? sortByTimes() : 0;
         }
 
         /**
          * Changes the pairs to those of the next frame: drops the pairs of rows with a mark, and puts found pairs between the others.
          *
-         * @param found the pairs of the rows with the mark, in order. The other pairs touch at the end of their motions
+         * @param found the pairs of the rows with the mark, in order
+         * @param earlyCount how many of these touch before the end of their motions. All other pairs touch at the end
          */
-        internal function follow(marks:Vector.<int>, mark:int, found:FoundPairs):void
+        internal function follow(marks:Vector.<int>, mark:int, found:FoundPairs, earlyCount:int):void
         {
             searches++;
             areKept = true;
@@ -149,7 +139,7 @@ package starlogo.search
             {
                 var a:int = found.rows[2 * i];
                 var b:int = found.rows[2 * i + 1];
-                if (i >= found._earlyCount)
+                if (i >= earlyCount)
                 {
                     pair = keepBefore(pair, ranks[a], ranks[b], marks, mark);
                 }
@@ -280,15 +270,18 @@ package starlogo.search
             arrange(haveTimes);
         }
 
-        // Sorts by times. Pairs of the same time keep their order.
-        private function sortByTimes():void
+        // Sorts by times. Pairs of the same time keep their order. Returns how many pairs touch before the end of their motions.
+        private function sortByTimes():int
         {
+            var earlyCount:int = 0;
             _indices.count = 0;
             for (var i:int = 0; i < count; i++)
             {
                 _indices.add(i, _times[i]);
+                earlyCount += _times[i] < 1 ? 1 : 0;
             }
             arrange(false);
+            return earlyCount;
         }
 
         // Puts the pairs into the order of the keys. Their times go along if they are needed afterwards.

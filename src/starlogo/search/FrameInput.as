@@ -24,7 +24,7 @@ package starlogo.search
         /** By index in the list: whether the filter admits the agent; null without a filter. Read only. */
         public var admitted:Vector.<Boolean> = null;
 
-        /** The pairs of breeds that count; null for all. It must not be null if there is ground or there are edges. Read only. */
+        /** The pairs of breeds that count. Read only. */
         public var interests:BreedInterests = null;
 
         /** The ground, or null. Read only. */
@@ -56,7 +56,7 @@ package starlogo.search
         public function findMembers(table:AgentTable, spare:IntList):IntList
         {
             var rows:IntList = table.list.rows;
-            if (table.loadingCount == 0 && admitted == null && (interests == null || interests.isNamed(Breeds.ANY)))
+            if (table.loadingCount == 0 && admitted == null && interests.isNamed(Breeds.ANY))
             {
                 return rows;
             }
@@ -80,7 +80,7 @@ package starlogo.search
         /** Whether a row of a table is a member of the search: it has a shape, its breed is of interest, and its agent takes part. */
         public function isMember(row:int, table:AgentTable):Boolean
         {
-            return table.shapes[row] != null && (interests == null || interests.representativeOf(table.breeds[row]) >= 0)
+            return table.shapes[row] != null && interests.representativeOf(table.breeds[row]) >= 0
                 && (admitted == null || admitted[table.list.ranks[row]]);
         }
 

@@ -44,17 +44,13 @@ package starlogo.search
         /** @private The kind of the structure, or TREE, GROUND or EDGES. */
         engine var form:int = -1;
 
-        // The structure, or the structure around the hierarchy; and the hierarchy, or null.
-
-        /** @private */
+        /** @private The structure, or the structure around the hierarchy. */
         engine var structure:BoundingStructure = null;
 
-        /** @private */
+        /** @private The hierarchy, or null. */
         engine var hierarchy:ModelTree = null;
 
-        // Whether the shape stays upright and faces along the x axis, however its agent is turned.
-
-        /** @private */
+        /** @private Whether the shape stays upright and faces along the x axis, however its agent is turned. */
         engine var isUpright:Boolean = false;
 
         /** @private The model; null for shapes that have none. */

@@ -24,7 +24,7 @@ package starlogo.search
     internal final class RowMotions
     {
         /** In place of a level: the extents of a row say nothing, so they rule no pair out. */
-        internal static const NO_EXTENTS:BinLevel = new BinLevel(0, Infinity);
+        internal static const NO_EXTENTS:BinLevel = new BinLevel(Infinity);
 
         /** Whether an agent of the search sweeps. If none does, the motions do not count. */
         internal var areSwept:Boolean = false;
@@ -216,9 +216,7 @@ package starlogo.search
         // Whether two rows touch where they are. Only the second may be of the world.
         private function areTouching(a:int, b:int):Boolean
         {
-            var bodyA:Body = _table.bodyOf(a);
-            var bodyB:Body = _table.bodyOf(b);
-            return _narrowPhase.pairTestsFor(bodyA, bodyB).areTouching(bodyA, bodyB);
+            return _narrowPhase.areTouching(_table.bodyOf(a), _table.bodyOf(b));
         }
 
         /**

@@ -209,13 +209,13 @@ package starlogo.solid
         // Whether the two current triangles touch.
         private function areTrianglesTouching():Boolean
         {
-            return !stayApart() && !TriangleSeparation.areApart(_cornersOfFirst, 0, _kernel.shape) && _kernel.areTouching();
+            return !staysOnOneSide() && !TriangleSeparation.areApart(_cornersOfFirst, 0, _kernel.shape) && _kernel.areTouching();
         }
 
         // Finds when the two current triangles first touch. Sets the motion's time if that is no later than its latest time, and returns whether it is.
         private function findTime(motion:RelativeMotion):Boolean
         {
-            if (stayApart())
+            if (staysOnOneSide())
             {
                 return false;
             }
@@ -254,7 +254,7 @@ package starlogo.solid
         }
 
         // Whether the current triangle of the second node stays on one side of the plane of the first model's.
-        private function stayApart():Boolean
+        private function staysOnOneSide():Boolean
         {
             return _kernel.plane.findEntry(_kernel.shape, _outerTolerance, _motion) > _motion.latest;
         }

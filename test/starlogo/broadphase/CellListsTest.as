@@ -16,7 +16,7 @@ package starlogo.broadphase
             var random:SeededRandom = new SeededRandom(743);
             for (var i:int = 0; i < PAIRS; i++)
             {
-                var level:BinLevel = new BinLevel(1, Math.pow(2, random.integer(-8, 8)));
+                var level:BinLevel = new BinLevel(Math.pow(2, random.integer(-8, 8)));
                 var border:Number = random.integer(-1000, 1000) / level.cellsPerPatch;
                 var gap:Number = level.slack * random.between(0.2, 0.9);
                 assertNear(border - gap / 2 - level.width, border + gap / 2, level.width, random.chance());

@@ -35,25 +35,21 @@ package starlogo.queries.motion
         }
 
         /**
-         * Whether a row carries an agent.
+         * Finds the surface of a row that carries an agent.
          *
          * @param contact the contact with the row below the agent
          * @param place where the agent would stand
-         * @param out receives the normal of the surface, if it carries the agent
+         * @param out receives the normal of the surface
+         * @return whether there is one
          */
-        public function carries(walk:Walk, contact:ContactPoint, row:int, place:Vector3D, out:Vector3D):Boolean
+        public function findSurface(walk:Walk, contact:ContactPoint, row:int, place:Vector3D, out:Vector3D):Boolean
         {
             if (contact.normalZ >= walk.walkableZ)
             {
                 out.setTo(contact.normalX, contact.normalY, contact.normalZ);
                 return true;
             }
-            if (isTooHigh(walk, contact, place) || !findFaceBehind(walk, contact, row, _entry))
-            {
-                return false;
-            }
-            out.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
-            return true;
+            return !isTooHigh(walk, contact, place) && findFaceBehind(walk, contact, row, out);
         }
 
         // Whether an edge is more than a step above the lowest point of the agent, where the piece began or at its place.
@@ -64,8 +60,8 @@ package starlogo.queries.motion
             return contact.z > Math.min(walk.start.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
         }
 
-        // Finds the face behind an edge. Returns whether there is one that is not too steep.
-        private function findFaceBehind(walk:Walk, contact:ContactPoint, row:int, out:RayEntry):Boolean
+        // Finds the normal of the face behind an edge. Returns whether there is a face that is not too steep.
+        private function findFaceBehind(walk:Walk, contact:ContactPoint, row:int, out:Vector3D):Boolean
         {
             var across:Number = Math.sqrt(contact.normalX * contact.normalX + contact.normalY * contact.normalY);
             var behind:Number = BEHIND_EDGE * walk.body.extent;
@@ -74,7 +70,12 @@ package starlogo.queries.motion
             _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
             _ray.aim(_origin, DOWN);
             _ray.to = 2 * above;
-            return _rowRays.findHit(row, _ray, out) && out.distance != 0 && out.normalZ >= walk.walkableZ;
+            if (!_rowRays.findHit(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.walkableZ))
+            {
+                return false;
+            }
+            out.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
+            return true;
         }
     }
 }

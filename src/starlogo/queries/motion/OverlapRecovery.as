@@ -25,6 +25,9 @@ package starlogo.queries.motion
     {
         private static const ROUNDS:int = 30;
 
+        // In place of a number of pushes: the body cannot be pushed out.
+        private static const BLOCKED:int = -1;
+
         // From this round on contacts have to separate. Contacts of parts of a body may point sideways, round after round.
         private static const SURE_ROUND:int = 2;
 
@@ -110,37 +113,46 @@ package starlogo.queries.motion
         // of its core; without one it is led off the rows that it only touches. Returns whether it gets free. If not, it is where it was.
         private function pushOut(core:BodyCore, rows:IntList, place:Vector3D, lifted:ContactList):Boolean
         {
-            var isFree:Boolean = false;
-            var canPush:Boolean = true;
+            var round:int = 0;
+            var pushes:int;
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
-            for (var round:int = 0; round < ROUNDS && canPush && !isFree; round++)
+            do
             {
-                isFree = true;
-                for (var i:int = 0; i < rows.count && canPush; i++)
-                {
-                    var row:int = rows.numbers[i];
-                    if (lifted == null ? findPushOff(core, row, place, round, _contact) : findLift(core, row, place, round, _contact))
-                    {
-                        isFree = false;
-                        canPush = _contact.depth < Infinity && !areOpposite(_contact, _last);
-                        if (canPush)
-                        {
-                            _contact.push(place, _contact.depth);
-                            _last.copyFrom(_contact);
-                        }
-                        if (canPush && lifted != null)
-                        {
-                            lifted.add(_contact, row);
-                        }
-                    }
-                }
+                pushes = pushRound(core, rows, place, round, lifted);
+                round++;
             }
-            if (!isFree)
+            while (pushes > 0 && round < ROUNDS);
+            if (pushes != 0)
             {
                 place.copyFrom(_before);
             }
-            return isFree;
+            return pushes == 0;
+        }
+
+        // Pushes a body out of each row once, if needed. Returns the number of pushes; BLOCKED if a row is too deep, or pushes back.
+        private function pushRound(core:BodyCore, rows:IntList, place:Vector3D, round:int, lifted:ContactList):int
+        {
+            var pushes:int = 0;
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                var row:int = rows.numbers[i];
+                if (lifted == null ? findPushOff(core, row, place, round, _contact) : findLift(core, row, place, round, _contact))
+                {
+                    if (!(_contact.depth < Infinity) || areOpposite(_contact, _last))
+                    {
+                        return BLOCKED;
+                    }
+                    _contact.push(place, _contact.depth);
+                    _last.copyFrom(_contact);
+                    if (lifted != null)
+                    {
+                        lifted.add(_contact, row);
+                    }
+                    pushes++;
+                }
+            }
+            return pushes;
         }
 
         // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. One-way obstacles that the

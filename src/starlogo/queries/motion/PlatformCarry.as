@@ -7,6 +7,7 @@ package starlogo.queries.motion
     import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;
     import starlogo.queries.SeenAgents;
+    import starlogo.queries.trees.Collector;
 
     use namespace engine;
 
@@ -43,25 +44,37 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds whether an agent's platform carries it: whether it has moved since the last walk, and the filter does not exclude it.
+         * Finds the platform that carries an agent: it has moved since the last walk, and the options do not exclude it.
          *
          * @param link what the agent stood on after its last walk
-         * @param walk not carried yet. It receives the platform's row, and how the platform carries the agent
+         * @param walk receives how the platform carries the agent
+         * @return the platform's row; -1 if none carries the agent
          */
-        public function find(link:PlatformLink, walk:Walk):void
+        public function find(link:PlatformLink, walk:Walk):int
         {
-            var row:int = _seen.rowOf(link.platform);
+            var row:int = walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.turn = findMotion(link, _seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && _seen.beginSearch(1, 0, walk.agent, walk.options.filter).endWithRow(row))
+                if ((walk.turn != 0 || walk.carry.length > 0) && isAdmitted(row, walk))
                 {
-                    walk.platform = row;
-                    return;
+                    return row;
                 }
-                walk.carry.setTo(0, 0, 0);
-                walk.turn = 0;
             }
+            walk.carry.setTo(0, 0, 0);
+            walk.turn = 0;
+            return -1;
+        }
+
+        // Whether the filter of a walk admits a row. Its accepts is called.
+        private function isAdmitted(row:int, walk:Walk):Boolean
+        {
+            var found:Collector = _seen.beginSearch(1, 0, walk.agent, walk.options.filter);
+            if (found.filter.mayAdmit(row))
+            {
+                found.add(row, 0);
+            }
+            return found.end() > 0;
         }
 
         // Finds how a platform carries an agent to where the platform is now: the motion, which it writes, and the turn about the z axis, which it returns.
@@ -91,18 +104,20 @@ package starlogo.queries.motion
         /**
          * Carries the agent of a walk with its platform. The agent slides along others that are in its way, but not into the platform. The platform has
          * moved already, so only the rest of its way, which the agent misses, can lead into it.
+         *
+         * @param platform its row
          */
-        public function carry(walk:Walk):void
+        public function carry(walk:Walk, platform:int):void
         {
-            _others.copyFrom(walk.body.rows, walk.platform);
+            _others.copyFrom(walk.body.rows, platform);
             _carried.copyFrom(walk.place);
             _carried.incrementBy(walk.carry);
             _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);
             var place:Vector3D = _slid.place;
-            if (_slid.fraction < 1 && isInPlatform(walk, place))
+            if (_slid.fraction < 1 && isIn(platform, walk, place))
             {
                 _slider.goStraight(walk.body, _others, walk.place, walk.carry, _straight);
-                if (!isInPlatform(walk, _straight.place))
+                if (!isIn(platform, walk, _straight.place))
                 {
                     place = _straight.place;
                 }
@@ -111,11 +126,11 @@ package starlogo.queries.motion
         }
 
         // Whether the way to a place, from where the platform carries the agent, leads into the platform.
-        private function isInPlatform(walk:Walk, place:Vector3D):Boolean
+        private function isIn(platform:int, walk:Walk, place:Vector3D):Boolean
         {
             _motion.copyFrom(place);
             _motion.decrementBy(_carried);
-            return _slider.meets(walk.body, walk.platform, _carried, _motion);
+            return _slider.meets(walk.body, platform, _carried, _motion);
         }
     }
 }

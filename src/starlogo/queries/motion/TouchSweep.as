@@ -162,7 +162,7 @@ package starlogo.queries.motion
             for (i = 0; i < HALVINGS; i++)
             {
                 var middle:Number = (free + touching) / 2;
-                setBefore(touch.corePlace, _toCore, 1 - middle, place);
+                CoreSweep.setAlong(touch.corePlace, _toCore, middle - 1, place);
                 if (body.touches(touch.row, place))
                 {
                     touching = middle;
@@ -172,7 +172,7 @@ package starlogo.queries.motion
                     free = middle;
                 }
             }
-            setBefore(touch.corePlace, _toCore, 1 - touching, place);
+            CoreSweep.setAlong(touch.corePlace, _toCore, touching - 1, place);
         }
 
         // Takes the lift out of a time of touch: without it the body would have touched earlier.
@@ -211,12 +211,6 @@ package starlogo.queries.motion
                     contact.push(place, deeper);
                 }
             }
-        }
-
-        // Sets a place that is a fraction of a way before its end.
-        private static function setBefore(end:Vector3D, way:Vector3D, fraction:Number, out:Vector3D):void
-        {
-            out.setTo(end.x - fraction * way.x, end.y - fraction * way.y, end.z - fraction * way.z);
         }
 
         // At most half of the gap across which two bodies still touch at a place. Two spheres or points may have a narrower one.

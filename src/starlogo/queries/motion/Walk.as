@@ -36,10 +36,7 @@ package starlogo.queries.motion
         /** The agent stands on ground that is at most this far below it. */
         public var closeDepth:Number = 0;
 
-        /** The row of the platform that carries the agent; -1 if none does. */
-        public var platform:int = -1;
-
-        /** How the platform carries the agent: the motion, and the turn in degrees. */
+        /** How the platform that the agent stood on carries it: the motion, and the turn in degrees. Both are 0 if none does. */
         public var carry:Vector3D = new Vector3D();
         public var turn:Number = 0;
 

@@ -36,14 +36,10 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
 
-        // How steps end: a slide, a slide that may be undone, a straight way, and the way down from a step.
+        // How steps end: a slide, a slide that is only tried, and a straight way.
         private var _slid:SlideResult = new SlideResult();
         private var _tried:SlideResult = new SlideResult();
         private var _straight:MotionResult = new MotionResult();
-        private var _below:MotionResult = new MotionResult();
-
-        // What the agent meets besides something too steep.
-        private var _beside:SlideResult = new SlideResult();
 
         // Where a fall has come.
         private var _fallen:Vector3D = new Vector3D();
@@ -66,21 +62,24 @@ package starlogo.queries.motion
          */
         public function go(link:PlatformLink, walk:Walk):Boolean
         {
-            if (walk.options.carried && link.isValid)
-            {
-                _platforms.find(link, walk);
-            }
+            begin(link, walk);
+            var stands:Boolean = goPieces(walk, recover(walk)) || fall(walk);
+            _recovery.restoreClearance(walk.body, walk.body.rows, walk.place);
+            return stands;
+        }
+
+        // Begins a walk where the agent is, or where its platform carries it.
+        private function begin(link:PlatformLink, walk:Walk):void
+        {
+            var platform:int = _platforms.find(link, walk);
             walk.body.readAgent(walk.agent, walk.turn);
             walk.place.copyFrom(walk.body.from);
             walk.closeDepth = CLOSE * walk.body.extent;
             collectRows(walk, 0);
-            if (walk.platform >= 0)
+            if (platform >= 0)
             {
-                _platforms.carry(walk);
+                _platforms.carry(walk, platform);
             }
-            var stands:Boolean = goPieces(walk, recover(walk)) || walk.body.hasShape && fall(walk);
-            _recovery.restoreClearance(walk.body, walk.body.rows, walk.place);
-            return stands;
         }
 
         // Finds the rows near a walk, and up to a distance from it.
@@ -211,8 +210,8 @@ package starlogo.queries.motion
                 return false;
             }
             var depth:Number = height + walk.options.snap + walk.closeDepth;
-            goUpright(walk, walk.place, -depth, _below);
-            return standAtEnd(walk, _below) || (slideOff(walk, depth, _below) && isFarther(walk, plain));
+            goUpright(walk, walk.place, -depth, _straight);
+            return standAtEnd(walk, _straight) || (slideOff(walk, depth, _straight) && isFarther(walk, plain));
         }
 
         // Whether the agent is farther along the piece than another place.
@@ -239,9 +238,14 @@ package starlogo.queries.motion
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
-        // errors grow with the length of a motion. If nothing stops an endless fall, it ends where it began.
+        // errors grow with the length of a motion. If nothing stops an endless fall, it ends where it began. Returns whether the agent stands then. While its
+        // model is loading it does not fall.
         private function fall(walk:Walk):Boolean
         {
+            if (!walk.body.hasShape)
+            {
+                return false;
+            }
             var left:Number = walk.options.fall;
             var isStopped:Boolean = false;
             _fallen.copyFrom(walk.place);
@@ -305,14 +309,14 @@ package starlogo.queries.motion
         // Lets the agent stand on what else it touches at a place, besides something too steep.
         private function standOnOther(walk:Walk, place:Vector3D):Boolean
         {
-            slideDown(walk, place, walk.closeDepth, walk.body.extent, _beside);
-            return _beside.floorRow >= 0 && _beside.floor.normalZ > -1 && standOn(walk, _beside.floor, _beside.floorRow, place);
+            slideDown(walk, place, walk.closeDepth, walk.body.extent, _tried);
+            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
         }
 
         // Lets the agent stand at a place, on a row that it touches there, if the row carries it.
         private function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
         {
-            if (!_foothold.carries(walk, contact, row, place, walk.footing.normal))
+            if (!_foothold.findSurface(walk, contact, row, place, walk.footing.normal))
             {
                 return false;
             }

@@ -6,7 +6,6 @@ package starlogo.queries.trees
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
-    import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
 
     use namespace engine;
@@ -27,17 +26,16 @@ package starlogo.queries.trees
         /** A value of <code>wanted</code>: all rows. */
         public static const ALL:int = int.MAX_VALUE;
 
-        /** The rows that the filter admits. */
+        /** The rows that the filter admits. Read only. */
         public var filter:RowFilter = new RowFilter();
 
-        /** The largest key of a row that is still wanted. It is less than 0 if no more rows are wanted. */
+        /** The largest key of a row that is still wanted. It is less than 0 if no more rows are wanted. Read only. */
         public var limit:Number = Infinity;
 
-        /** The number of rows that are wanted, or ALL. */
+        /** The number of rows that are wanted, or ALL. Read only. */
         public var wanted:int = ALL;
 
         private var _seen:SeenAgents;
-        private var _table:AgentTable;
 
         // The rows that were found, unsorted, and their keys. If accepts decides, the rows that it has admitted come first.
         private var _rows:SortableIntList = new SortableIntList();
@@ -67,8 +65,7 @@ package starlogo.queries.trees
          */
         public function begin(wanted:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
         {
-            _table = _seen.table;
-            filter.begin(_table.list, asker, agentFilter);
+            filter.begin(_seen.table.list, asker, agentFilter);
             this.wanted = wanted;
             this.limit = wanted == 0 ? -1 : limit;
             _dropAt = filter.accepts == null ? wanted : ALL;
@@ -76,28 +73,12 @@ package starlogo.queries.trees
             _isGroundLeft = true;
         }
 
-        /** Whether the search can end, because one row is wanted, which may be any, and is found. */
-        public function get canEnd():Boolean
-        {
-            return wanted == 1 && filter.accepts == null && _rows.count > 0;
-        }
-
-        /** Ends without a search, with this row if the filter admits it. Its <code>accepts</code> is called. Returns whether the row is the answer. */
-        public function endWithRow(row:int):Boolean
-        {
-            if (filter.mayAdmit(row))
-            {
-                add(row, 0);
-            }
-            return end() > 0;
-        }
-
         /** The next row of a search that the filter may admit and that has a shape; -1 if there are no more. The last one is the row of the ground. */
         public function nextOf(search:SweptBoxSearch):int
         {
             for (var row:int = search.next(filter.breeds, limit); row >= 0; row = search.next(filter.breeds, limit))
             {
-                if (row != filter.askerRow && _table.shapes[row] != null)
+                if (hasOther(row))
                 {
                     if (filter.mayAdmit(row))
                     {
@@ -114,21 +95,13 @@ package starlogo.queries.trees
         {
             var row:int = ListedAgents.GROUND_ROW;
             _isGroundLeft = false;
-            return row != filter.askerRow && _table.shapes[row] != null && filter.mayAdmit(row) ? row : -1;
+            return hasOther(row) && filter.mayAdmit(row) ? row : -1;
         }
 
-        /** Ends with all rows of a search that the filter admits and that have a shape, in the order of the list. They are added to <code>out</code>. */
-        public function listRows(search:SweptBoxSearch, out:IntList):void
+        // Whether a row has a shape, and is not the one of the agent that asks.
+        private function hasOther(row:int):Boolean
         {
-            for (var row:int = nextOf(search); row >= 0; row = nextOf(search))
-            {
-                add(row, 0);
-            }
-            var count:int = end();
-            for (var i:int = 0; i < count; i++)
-            {
-                out.add(rowAt(i));
-            }
+            return row != filter.askerRow && _seen.table.shapes[row] != null;
         }
 
         /** Adds a row that the question has found. This may lower the limit. */
@@ -148,11 +121,10 @@ package starlogo.queries.trees
             }
         }
 
-        // Sorts the rows, and keeps those that are wanted.
-        private function sort():void
+        /** Whether the search can end, because one row is wanted, which may be any, and is found. */
+        public function get canEnd():Boolean
         {
-            _rows.sortFirst(_rows.count, _table.list.ranks);
-            _rows.count = Math.min(_rows.count, wanted);
+            return wanted == 1 && filter.accepts == null && _rows.count > 0;
         }
 
         /**
@@ -166,7 +138,7 @@ package starlogo.queries.trees
             {
                 return;
             }
-            _rows.sortFirst(end, _table.list.ranks);
+            _rows.sortFirst(end, _seen.table.list.ranks);
             admitTo(end);
             if (_admitted == wanted)
             {
@@ -180,6 +152,25 @@ package starlogo.queries.trees
                 kept++;
             }
             _rows.count = kept;
+        }
+
+        // Brings the rows whose keys are smaller than a bound to the front, behind the admitted ones. Returns where they end.
+        private function bringForward(bound:Number):int
+        {
+            var end:int = _admitted;
+            for (var i:int = end; i < _rows.count; i++)
+            {
+                var key:Number = _rows.keys[i];
+                if (key < bound)
+                {
+                    var row:int = _rows.numbers[i];
+                    move(end, i);
+                    _rows.numbers[end] = row;
+                    _rows.keys[end] = key;
+                    end++;
+                }
+            }
+            return end;
         }
 
         // Calls accepts for the rows behind the admitted ones, up to an index, until enough are admitted. They come first then.
@@ -204,6 +195,12 @@ package starlogo.queries.trees
             }
         }
 
+        private function move(from:int, to:int):void
+        {
+            _rows.numbers[to] = _rows.numbers[from];
+            _rows.keys[to] = _rows.keys[from];
+        }
+
         /** Ends the search, and sorts the rows of the answer. Returns how many they are. */
         public function end():int
         {
@@ -218,6 +215,13 @@ package starlogo.queries.trees
             return _rows.count;
         }
 
+        // Sorts the rows, and keeps those that are wanted.
+        private function sort():void
+        {
+            _rows.sortFirst(_rows.count, _seen.table.list.ranks);
+            _rows.count = Math.min(_rows.count, wanted);
+        }
+
         /** A row of the answer. */
         public function rowAt(index:int):int
         {
@@ -227,7 +231,7 @@ package starlogo.queries.trees
         // The agent of a row of the answer.
         private function agentAt(index:int):Agent
         {
-            return _table.list.agents[rowAt(index)];
+            return _seen.table.list.agents[rowAt(index)];
         }
 
         /** Ends the search. Returns the agent of the first row of the answer, or null. */
@@ -258,29 +262,18 @@ package starlogo.queries.trees
             return listed;
         }
 
-        // Brings the rows whose keys are smaller than a bound to the front, behind the admitted ones. Returns where they end.
-        private function bringForward(bound:Number):int
+        /** Ends with all rows of a search that the filter admits and that have a shape, in the order of the list. They are added to <code>out</code>. */
+        public function listRows(search:SweptBoxSearch, out:IntList):void
         {
-            var end:int = _admitted;
-            for (var i:int = end; i < _rows.count; i++)
+            for (var row:int = nextOf(search); row >= 0; row = nextOf(search))
             {
-                var key:Number = _rows.keys[i];
-                if (key < bound)
-                {
-                    var row:int = _rows.numbers[i];
-                    move(end, i);
-                    _rows.numbers[end] = row;
-                    _rows.keys[end] = key;
-                    end++;
-                }
+                add(row, 0);
             }
-            return end;
-        }
-
-        private function move(from:int, to:int):void
-        {
-            _rows.numbers[to] = _rows.numbers[from];
-            _rows.keys[to] = _rows.keys[from];
+            var count:int = end();
+            for (var i:int = 0; i < count; i++)
+            {
+                out.add(rowAt(i));
+            }
         }
     }
 }

@@ -1,6 +1,10 @@
 package starlogo.queries.trees
 {
     import starlogo.broadphase.Points;
+    import starlogo.engine;
+    import starlogo.queries.SeenAgents;
+
+    use namespace engine;
 
     /**
      * Finds or counts the rows of a tree of places that are near a place. To find rows, it begins at the leaf of the agent that asks, and goes on
@@ -14,6 +18,9 @@ package starlogo.queries.trees
      */
     public final class NearSearch
     {
+        private var _seen:SeenAgents;
+
+        // The search under way: what collects its rows, and their tree.
         private var _found:Collector = null;
         private var _tree:RowTree = null;
 
@@ -26,31 +33,33 @@ package starlogo.queries.trees
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _squares:Vector.<Number> = new Vector.<Number>();
 
+        /** @param seen has the tree of places */
+        public function NearSearch(seen:SeenAgents)
+        {
+            _seen = seen;
+        }
+
         /**
          * Finds the rows near a place.
          *
-         * @param tree a tree of places
          * @param x the place
          * @param y the place
          * @param z the place
          * @param cone the rows must be in it too; null for none
          */
-        public function find(found:Collector, tree:RowTree, x:Number, y:Number, z:Number, cone:Cone = null):void
+        public function find(found:Collector, x:Number, y:Number, z:Number, cone:Cone = null):void
         {
-            setTo(found, tree, x, y, z);
+            begin(found, x, y, z);
+            var tree:RowTree = _tree;
             var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
             var asker:int = found.filter.askerRow;
             var waiting:int = asker < 0 ? enqueue(RowTree.ROOT, 0) : beginBeside(tree.leafOf(asker));
-            while (waiting > 0)
+            while (waiting > 0 && found.limit >= 0)
             {
                 waiting--;
                 if (asks)
                 {
                     askBefore(waiting);
-                    if (found.limit < 0)
-                    {
-                        return;
-                    }
                 }
                 var node:int = _nodes[waiting];
                 if (_squares[waiting] > found.limit)
@@ -72,14 +81,14 @@ package starlogo.queries.trees
          * Counts the rows near a place. If the filter excludes none, a node that is wholly within the limit is counted without a look at its rows. The
          * rows are collected only if the filter's <code>accepts</code> has to be asked.
          *
-         * @param tree a tree of places
          * @param x the place
          * @param y the place
          * @param z the place
          */
-        public function count(found:Collector, tree:RowTree, x:Number, y:Number, z:Number):int
+        public function count(found:Collector, x:Number, y:Number, z:Number):int
         {
-            setTo(found, tree, x, y, z);
+            begin(found, x, y, z);
+            var tree:RowTree = _tree;
             var asks:Boolean = found.filter.accepts != null;
             var countsWholeNodes:Boolean = !asks && !found.filter.excludes;
             var counted:int = 0;
@@ -104,10 +113,10 @@ package starlogo.queries.trees
             return asks ? found.end() : counted;
         }
 
-        private function setTo(found:Collector, tree:RowTree, x:Number, y:Number, z:Number):void
+        private function begin(found:Collector, x:Number, y:Number, z:Number):void
         {
             _found = found;
-            _tree = tree;
+            _tree = _seen.treeOfPlaces();
             _x = x;
             _y = y;
             _z = z;

@@ -35,10 +35,9 @@ package starlogo.queries.trees
         // Where on the way the box meets the box that was tested last.
         private var _entry:Number = 0;
 
-        // The slots of the current leaf whose boxes overlap the box around the way; the next of them; and their number.
+        // The slots of the current leaf whose boxes overlap the box around the way, and how many of them are left.
         private var _slots:Vector.<int> = new Vector.<int>();
-        private var _next:int = 0;
-        private var _end:int = 0;
+        private var _slotsLeft:int = 0;
 
         /**
          * Begins with a box that stands still. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
@@ -63,7 +62,7 @@ package starlogo.queries.trees
             _around[3] = x + halfX + slack;
             _around[4] = y + halfY + slack;
             _around[5] = z + halfZ + slack;
-            _next = _end = 0;
+            _slotsLeft = 0;
             _nodes[0] = RowTree.ROOT;
             _entries[0] = 0;
             _waiting = tree.count > 0 ? 1 : 0;
@@ -139,12 +138,12 @@ package starlogo.queries.trees
         public function next(breeds:int, limit:Number):int
         {
             _limit = limit;
-            while (_next < _end || _waiting > 0)
+            while (_slotsLeft > 0 || _waiting > 0)
             {
-                if (_next < _end)
+                if (_slotsLeft > 0)
                 {
-                    var slot:int = _slots[_next];
-                    _next++;
+                    _slotsLeft--;
+                    var slot:int = _slots[_slotsLeft];
                     if (!_moves || findEntry(tree.rowBoxes, RowTree.PER_BOX * slot))
                     {
                         return tree.rows[slot];
@@ -169,8 +168,7 @@ package starlogo.queries.trees
             }
             if (node >= tree.firstLeaf)
             {
-                _next = 0;
-                _end = findOverlapping(tree.rowBoxes, tree.startOf(node), tree.startOf(node + 1), _slots, 0);
+                _slotsLeft = findOverlapping(tree.rowBoxes, tree.startOf(node), tree.startOf(node + 1), _slots, 0);
                 return;
             }
             var first:int = _waiting;

@@ -85,15 +85,17 @@ package starlogo.search.pairs
                 separate(a, b, motion, out);
                 return;
             }
-            separateApart(a, b, out);
+            findContactApart(a, b, out);
         }
 
         /**
-         * Changes a contact of parts of two bodies that do not touch where they are: its point becomes half way between the points where they are
-         * nearest, its normal points from one of these points to the other, and its depth becomes 0. If rounding hides the direction between these
-         * points, the point and the normal stay those of the contact of parts.
+         * Finds the contact of two bodies that do not touch where they are: its point is half way between the points where they are nearest, its normal
+         * points from one of these points to the other, and its depth is 0. If rounding hides the direction between these points, the point and the
+         * normal stay as they are.
+         *
+         * @param out the contact of parts of the two, which changes
          */
-        protected function separateApart(a:Body, b:Body, out:ContactPoint):void
+        protected function findContactApart(a:Body, b:Body, out:ContactPoint):void
         {
             var isReversed:Boolean = NarrowPhase.isReversed(a, b);
             findClosest(isReversed ? b : a, isReversed ? a : b, false, _closest);

@@ -106,8 +106,8 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
-            setTo(a, b);
-            sweep(motion);
+            readGap(a, b, _gap);
+            sweep(_gap, motion);
         }
 
         /**
@@ -116,8 +116,8 @@ package starlogo.search.pairs
          */
         public function findTimeOfRows(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            setToRows(table, a, b);
-            sweep(motion);
+            readGapOfRows(table, a, b, _gap);
+            sweep(_gap, motion);
         }
 
         /** @inheritDoc */
@@ -145,7 +145,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override protected function separateApart(a:Body, b:Body, out:ContactPoint):void
+        override protected function findContactApart(a:Body, b:Body, out:ContactPoint):void
         {
             var further:Number = b.halfX - a.halfX;
             out.x = (a.x + b.x + further * out.normalX) / 2;
@@ -156,50 +156,51 @@ package starlogo.search.pairs
 
         private function areOverlapping(a:Body, b:Body):Boolean
         {
-            setTo(a, b);
-            return isGapClosed();
+            readGap(a, b, _gap);
+            return isClosed(_gap);
         }
 
-        private function setTo(a:Body, b:Body):void
+        private static function readGap(a:Body, b:Body, out:CoreGap):void
         {
             // Body.margin written out: it would be two calls more for each pair
             var placeA:Placement = a.placement;
             var placeB:Placement = b.placement;
             var marginA:Number = Tolerances.PLACES * (Math.abs(placeA.x) + Math.abs(placeA.y) + Math.abs(placeA.z));
             var marginB:Number = Tolerances.PLACES * (Math.abs(placeB.x) + Math.abs(placeB.y) + Math.abs(placeB.z));
-            _gap.x = a.x - b.x;
-            _gap.y = a.y - b.y;
-            _gap.z = a.z - b.z;
-            _gap.radiusA = (a.halfX + b.halfX) * Tolerances.TOUCHING + (marginA + marginB);
+            out.x = a.x - b.x;
+            out.y = a.y - b.y;
+            out.z = a.z - b.z;
+            out.radiusA = (a.halfX + b.halfX) * Tolerances.TOUCHING + (marginA + marginB);
         }
 
-        private function setToRows(table:AgentTable, a:int, b:int):void
+        private static function readGapOfRows(table:AgentTable, a:int, b:int, out:CoreGap):void
         {
             var extents:Extents = table.extents;
             var places:Points = table.places;
             var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
             var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));
-            _gap.x = extents.x[a] - extents.x[b];
-            _gap.y = extents.y[a] - extents.y[b];
-            _gap.z = extents.z[a] - extents.z[b];
-            _gap.radiusA = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
+            out.x = extents.x[a] - extents.x[b];
+            out.y = extents.y[a] - extents.y[b];
+            out.z = extents.z[a] - extents.z[b];
+            out.radiusA = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
         }
 
-        private function isGapClosed():Boolean
+        private static function isClosed(gap:CoreGap):Boolean
         {
-            return _gap.x * _gap.x + _gap.y * _gap.y + _gap.z * _gap.z <= _gap.radiusA * _gap.radiusA;
+            return gap.x * gap.x + gap.y * gap.y + gap.z * gap.z <= gap.radiusA * gap.radiusA;
         }
 
-        private function sweep(motion:RelativeMotion):void
+        // Finds the time at which two spheres first touch. The gap is that at the end of the motion, and becomes that at its beginning.
+        private function sweep(gap:CoreGap, motion:RelativeMotion):void
         {
-            var areTouchingAtEnd:Boolean = isGapClosed();
+            var areTouchingAtEnd:Boolean = isClosed(gap);
             _counts.structures[TWO_SPHERES]++;
-            _gap.x += motion.startX;
-            _gap.y += motion.startY;
-            _gap.z += motion.startZ;
+            gap.x += motion.startX;
+            gap.y += motion.startY;
+            gap.z += motion.startZ;
             // The margin of the motion. Its start is 0 or the reverse of it: see Touching.
-            _gap.radiusA += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            findTimeOfSpheres(_gap, motion);
+            gap.radiusA += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            findTimeOfSpheres(gap, motion);
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && areTouchingAtEnd)
             {

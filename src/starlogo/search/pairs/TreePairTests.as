@@ -164,11 +164,11 @@ package starlogo.search.pairs
             return _treeAndStructure.nearestTriangle();
         }
 
-        // Sets the query of impacts to the two bodies in this order or the opposite order. Returns the motion of the body that is then first: the given
-        // motion, or its opposite.
-        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean):RelativeMotion
+        // Sets the query of impacts to the two bodies in this order or the reverse. Returns the motion of the body that is then first: the given
+        // motion, or its reverse.
+        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isReversed:Boolean):RelativeMotion
         {
-            if (!isSwapped)
+            if (!isReversed)
             {
                 _impacts.setTo(pairOf(a, b));
                 return motion;
@@ -178,7 +178,7 @@ package starlogo.search.pairs
             return _reversed;
         }
 
-        // If the two bodies were swapped: gives their motion the time that was found, and turns the contact, if there is one, into theirs.
+        // If the two bodies are in the reverse order: gives their motion the time that was found, and turns the contact, if there is one, into theirs.
         private function finish(own:RelativeMotion, motion:RelativeMotion, out:ContactPoint):void
         {
             if (own === motion)

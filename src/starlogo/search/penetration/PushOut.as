@@ -32,9 +32,7 @@ package starlogo.search.penetration
         /** The last such contact, but with its place where the body was at the beginning. Read only. */
         public var lastBlock:ContactPoint = new ContactPoint();
 
-        // The number of contacts so far; those that decide about the push and the one after it, with depths from where the body was at the beginning;
-        // and the push out of these.
-        private var _count:int = 0;
+        // The contacts that decide about the push and the one after it, with depths from where the body was at the beginning; and the push out of these.
         private var _contacts:HalfSpaceSolver = new HalfSpaceSolver();
         private var _push:ShortestExit = new ShortestExit();
 
@@ -76,12 +74,12 @@ package starlogo.search.penetration
          */
         public function find(first:ContactPoint, most:Number, out:ContactPoint):void
         {
-            _count = 0;
+            var count:int = 1;
             _contacts.begin();
             _contacts.solve(1, 0, _push);
             _pair.putBack();
             add(first);
-            while (_push.length <= most && _push.length < Infinity && _count <= MOST_CONTACTS)
+            while (_push.length <= most && _push.length < Infinity && count <= MOST_CONTACTS)
             {
                 if (!goToBlocked())
                 {
@@ -89,6 +87,7 @@ package starlogo.search.penetration
                     return;
                 }
                 addBlock();
+                count++;
             }
         }
 
@@ -99,7 +98,6 @@ package starlogo.search.penetration
             _contacts.keepDeciding(_push.displacement);
             _contacts.add(found.normalX, found.normalY, found.normalZ, found.depth + slack + found.along(_push.displacement));
             _contacts.solve(3, 0, _push);
-            _count++;
         }
 
         // Adds the contact of the first body, which is blocked on its way along the push.

@@ -146,10 +146,7 @@ package starlogo.search.table
             var agent:Agent = list.agents[row];
             if (!isBodyCurrent(row))
             {
-                _reshaped.count = 0;
-                _reshaped.add(row);
-                findShapes(_reshaped, _newShapes);
-                takeShapes(_reshaped, _newShapes);
+                takeShape(row, _choice.shapeOf(agent));
             }
             readPlace(row, agent);
         }

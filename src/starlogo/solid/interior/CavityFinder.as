@@ -30,7 +30,6 @@ package starlogo.solid.interior
         private var _windingCounter:WindingCounter;
         private var _surface:SurfaceTopology;
         private var _mesh:TriangleMesh;
-        private var _items:Vector.<int>;
         private var _balances:Vector.<int>;
 
         // The shells that may bound cavities or have them, with null for the others. The outermost points of each.
@@ -55,13 +54,18 @@ package starlogo.solid.interior
             _windingCounter = windingCounter;
             _surface = windingCounter.surface;
             _mesh = windingCounter.mesh;
-            _items = _mesh.tree.items;
             _balances = balances;
             if (balances.length > 1)
             {
                 _shells = new Vector.<ClosedShell>(balances.length, true);
-                slices(_items.length, VOLUMES_PER_STEP, addVolumes).call(orientShells);
+                slices(_mesh.tree.itemCount, VOLUMES_PER_STEP, addVolumes).call(orientShells);
             }
+        }
+
+        // The shell of the triangle in a slot.
+        private function shellAt(slot:int):int
+        {
+            return _surface.shellOf(_mesh.tree.items[slot]);
         }
 
         private function isTwoSided(shell:int):Boolean
@@ -73,7 +77,7 @@ package starlogo.solid.interior
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var index:int = _surface.shellOf(_items[slot]);
+                var index:int = shellAt(slot);
                 if (!isTwoSided(index))
                 {
                     continue;
@@ -84,7 +88,7 @@ package starlogo.solid.interior
                 var from:int = _shells[index].origin;
                 var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[0] - vertices[from])
                         + _plane.normal.y * (_corners[1] - vertices[from + 1]) + _plane.normal.z * (_corners[2] - vertices[from + 2]));
-                _shells[index].volume += _surface.isReversed(_items[slot]) ? -volume : volume;
+                _shells[index].volume += _surface.isReversed(_mesh.tree.items[slot]) ? -volume : volume;
             }
         }
 
@@ -112,7 +116,8 @@ package starlogo.solid.interior
             if (isFound[0] && isFound[2])
             {
                 _extremes = new OutermostPoints(_mesh, _shells.length);
-                slices(_items.length, VOLUMES_PER_STEP, addExtremes).slices(_items.length, TRIANGLES_PER_STEP, testPoints).call(findCavities);
+                slices(_mesh.tree.itemCount, VOLUMES_PER_STEP, addExtremes).slices(_mesh.tree.itemCount, TRIANGLES_PER_STEP, testPoints)
+                    .call(findCavities);
             }
         }
 
@@ -120,7 +125,7 @@ package starlogo.solid.interior
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var index:int = _surface.shellOf(_items[slot]);
+                var index:int = shellAt(slot);
                 if (isTwoSided(index))
                 {
                     _extremes.add(index, slot);
@@ -133,7 +138,7 @@ package starlogo.solid.interior
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var index:int = _surface.shellOf(_items[slot]);
+                var index:int = shellAt(slot);
                 readTriangle(slot);
                 if (_plane.isFlat || !isTwoSided(index))
                 {
@@ -150,7 +155,7 @@ package starlogo.solid.interior
         // Whether more points decide about a shell. One point decides if too many windings are counted, as in models with very many nested shells.
         private function isUndecided(shell:ClosedShell):Boolean
         {
-            return shell.enclosing == null || shell.enclosing.length > 0 && _windingCount < WindingCounter.MOST_FOR_EACH_TRIANGLE * _items.length;
+            return shell.enclosing == null || shell.enclosing.length > 0 && _windingCount < WindingCounter.MOST_FOR_EACH_TRIANGLE * _mesh.tree.itemCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell. The triangle is the one that was taken. The point is near a corner, or in the
@@ -158,7 +163,7 @@ package starlogo.solid.interior
         private function findEnclosing(index:int, slot:int, corner:int):void
         {
             var inwards:Number = INWARDS * _extremes.extentOf(index);
-            inwards = _surface.isReversed(_items[slot]) == _shells[index].volume > 0 ? inwards : -inwards;
+            inwards = _surface.isReversed(_mesh.tree.items[slot]) == _shells[index].volume > 0 ? inwards : -inwards;
             var share:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)

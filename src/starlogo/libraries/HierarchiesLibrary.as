@@ -1,7 +1,8 @@
 package starlogo.libraries
 {
     import starlogo.engine;
-    import starlogo.geometry.vertices.VertexData;
+    import starlogo.geometry.vertices.triangleProblem;
+    import starlogo.geometry.vertices.vertexProblem;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
@@ -97,7 +98,7 @@ package starlogo.libraries
         {
             ModelTable.checkName(name);
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
-            var problem:String = VertexData.vertexProblem(vertices) || (hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
+            var problem:String = vertexProblem(vertices) || (hasTriangles ? triangleProblem(triangles, vertices.length / 3) : null);
             if (problem != null)
             {
                 throw ModelTable.errorOf(name, problem);

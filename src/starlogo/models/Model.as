@@ -5,7 +5,7 @@ package starlogo.models
 {
     import starlogo.engine;
     import starlogo.geometry.vertices.VertexBounds;
-    import starlogo.geometry.vertices.VertexData;
+    import starlogo.geometry.vertices.vertexProblem;
 
     use namespace engine;
 
@@ -199,7 +199,7 @@ package starlogo.models
             var bounds:VertexBounds = VertexBounds.of(_posed);
             if (!bounds.areFinite)
             {
-                throw new ArgumentError("model \"" + name + "\": " + (VertexData.vertexProblem(vertices) || VertexData.vertexProblem(_posed)));
+                throw new ArgumentError("model \"" + name + "\": " + (vertexProblem(vertices) || vertexProblem(_posed)));
             }
             VertexBounds.requireWithin(bounds.largest);
             for (var i:int = 0; i < _posed.length; i++)

@@ -56,8 +56,8 @@ test('every question stands in the files of docs/adding.md, "A question"', () =>
 });
 
 test('every format stands in the files of docs/adding.md, "A format"', () => {
-	const makesReader = /\bpublic static function of\([^)]*\):ModelBuilder\b/;
-	const readers = sourcesBelow('src/starlogo/models').filter((file) => makesReader.test(codeOf(read(file)))).map(simpleName);
+	const isReader = /\bclass \w+ [^{]*\bimplements ModelReader\b/;
+	const readers = sourcesBelow('src/starlogo/models').filter((file) => isReader.test(codeOf(read(file)))).map(simpleName);
 	for (const known of ['ColladaReader', 'CookedReader', 'GltfReader', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);
 	// CookedLoadingTest damages cooked files
 	const known = ['test/starlogo/models/ModelMutationsTest.as: CookedReader', 'test/fuzz/kinds/files.mjs: CookedReader'];

@@ -4,6 +4,7 @@ package starlogo.away3d
 {
     import flash.geom.Vector3D;
     import starlogo.models.Model;
+    import starlogo.models.ModelBuilder;
     import starlogo.models.ModelData;
 
     /**
@@ -32,7 +33,7 @@ package starlogo.away3d
          */
         public function Away3dModel(name:String, object:Object)
         {
-            super(name, null, null, Model.FOOTPRINT, object as ModelData || SourceReader.of(name, object).build());
+            super(name, null, null, Model.FOOTPRINT, object as ModelData || new ModelBuilder(new SourceReader(name, object)).build());
         }
 
         /**

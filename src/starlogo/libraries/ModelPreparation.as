@@ -84,7 +84,7 @@ package starlogo.libraries
                 modelTree.finishBuilding();
                 modelTree.prepareExact();
             }
-            return fileOf(modelKey, CookedWriter.of(_model));
+            return fileOf(modelKey, CookedWriter.write(_model));
         }
 
         // Whether all results that are wanted are there, or stored.

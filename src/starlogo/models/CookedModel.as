@@ -20,7 +20,7 @@ package starlogo.models
          */
         public function CookedModel(name:String, bytes:ByteArray)
         {
-            super(null, null, null, null, CookedReader.of(name, bytes).build());
+            super(null, null, null, null, new ModelBuilder(new CookedReader(name, bytes)).build());
         }
 
         /**

@@ -24,7 +24,7 @@ package starlogo.models
          */
         public function GltfAnimations(name:String, bytes:ByteArray, upAxis:Object = null, buffers:Object = null)
         {
-            super(animationsIn(GltfFile.of(name, bytes, buffers), upAxis));
+            super(animationsIn(GltfFile.read(name, bytes, buffers), upAxis));
         }
 
         private static function animationsIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>

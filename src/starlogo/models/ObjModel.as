@@ -32,7 +32,7 @@ package starlogo.models
          */
         public function ObjModel(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, ObjReader.of(name, text, upAxis, scaling).build());
+            super(null, null, null, null, new ModelBuilder(new ObjReader(name, text, upAxis, scaling)).build());
         }
 
         /**

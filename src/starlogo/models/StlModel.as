@@ -23,7 +23,7 @@ package starlogo.models
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, StlReader.of(name, bytes, null, upAxis, scaling).build());
+            super(null, null, null, null, new ModelBuilder(new StlReader(name, bytes, null, upAxis, scaling)).build());
         }
 
         /**

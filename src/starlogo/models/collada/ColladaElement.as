@@ -162,6 +162,14 @@ package starlogo.models.collada
             return found;
         }
 
+        /** The first input with a semantic. @throws ModelError if there is none */
+        public function requiredInput(semantic:String):ColladaElement
+        {
+            var input:ColladaElement = child("input", semantic);
+            refuseIf(input == null, "expected an <input> with the semantic " + semantic);
+            return input;
+        }
+
         /**
          * The element that an attribute refers to.
          *

@@ -22,7 +22,7 @@ package starlogo.models.gltf
         /**
          * @param file the file; all its steps must be done
          * @param index the animation's index
-         * @param upAxis as for GltfReader.of()
+         * @param upAxis as for GltfReader
          * @throws ModelError if it is wrong
          */
         public function GltfAnimation(file:GltfFile, index:int, upAxis:Object)
@@ -73,7 +73,9 @@ package starlogo.models.gltf
         /** @inheritDoc */
         public function verticesAt(time:Number):Vector.<Number>
         {
-            return GltfReader.verticesAt(_file, _upAxis, this, time);
+            _file.limits.restart();
+            var reader:GltfReader = new GltfReader(_file, _upAxis, null, this, time);
+            return reader.data.verticesBy(reader);
         }
 
         /** The numbers of a node's property at a time in seconds. Null if the property is not animated. */

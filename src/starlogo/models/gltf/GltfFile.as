@@ -90,7 +90,7 @@ package starlogo.models.gltf
         }
 
         /** Reads a file at once. @param buffers the content of each other file, by its address; null if there are none */
-        public static function of(name:String, bytes:ByteArray, buffers:Object):GltfFile
+        public static function read(name:String, bytes:ByteArray, buffers:Object):GltfFile
         {
             var file:GltfFile = new GltfFile(name, bytes, null, function(uri:String, take:Function):void
                 {

@@ -2,6 +2,7 @@ package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.models.Model;
+    import starlogo.models.ModelBuilder;
     import starlogo.models.ModelError;
     import starlogo.models.ModelMaker;
     import starlogo.models.ModelReceiver;
@@ -134,7 +135,7 @@ package starlogo.models.loading
                     }
                 }).call(function():void
                 {
-                    addMaking(ModelFormat.newBuilder(name, bytes, text, _url, _upAxis, _scaling, fetchBeside));
+                    addMaking(new ModelBuilder(ModelFormat.newReader(name, bytes, text, _url, _upAxis, _scaling, fetchBeside)));
                 });
         }
 
@@ -171,7 +172,7 @@ package starlogo.models.loading
             var file:FileDownload = download(address);
             call(function():void
                 {
-                    _maker = CookedReader.of(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
+                    _maker = new ModelBuilder(new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms)));
                 }).repeat(readCooked);
         }
 

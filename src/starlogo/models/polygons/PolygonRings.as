@@ -38,6 +38,9 @@ package starlogo.models.polygons
         /** Limit the tests of corners. */
         internal var limits:FileLimits;
 
+        /** Whether the outline has an area. Otherwise there is no plane, and no ring can be added. */
+        internal var hasArea:Boolean;
+
         // x, y, z of each vertex, and the vertex of the outline's first corner
         private var _vertices:Vector.<Number>;
         private var _origin:uint;
@@ -47,26 +50,19 @@ package starlogo.models.polygons
         private var _axisY:int;
         private var _scale:Number;
 
-        /** Use <code>of()</code> instead. */
-        public function PolygonRings(limits:FileLimits, vertices:Vector.<Number>, origin:uint)
-        {
-            this.limits = limits;
-            _vertices = vertices;
-            _origin = origin;
-        }
-
         /**
          * The plane of a polygon, without rings yet.
          *
          * @param limits limit the tests of corners
          * @param vertices x, y, z, ...; corners are indices of these
          * @param outline the corners of the outline
-         * @return null if the outline has no area
          */
-        internal static function of(limits:FileLimits, vertices:Vector.<Number>, outline:Vector.<uint>):PolygonRings
+        public function PolygonRings(limits:FileLimits, vertices:Vector.<Number>, outline:Vector.<uint>)
         {
-            var rings:PolygonRings = new PolygonRings(limits, vertices, outline[0]);
-            return rings.chooseAxis(outline) ? rings : null;
+            this.limits = limits;
+            _vertices = vertices;
+            _origin = outline[0];
+            hasArea = chooseAxis(outline);
         }
 
         // Chooses the axis of projection. Returns whether the outline has an area along it.

@@ -33,7 +33,7 @@ package starlogo.away3d
          */
         public function Away3dModel(name:String, object:Object)
         {
-            super(name, null, null, Model.FOOTPRINT, object as ModelData || new ModelBuilder(new SourceReader(name, object)).build());
+            super(null, null, null, null, object as ModelData || new ModelBuilder(new SourceReader(name, object)).build());
         }
 
         /**

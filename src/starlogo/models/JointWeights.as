@@ -33,7 +33,7 @@ package starlogo.models
          */
         public function move(points:Vector.<Number>, palette:Vector.<AffineTransform>, first:int, end:int):Boolean
         {
-            var moved:Vector.<Number> = new Vector.<Number>(3, true);
+            var moved:Vector.<Number> = new Vector.<Number>(3);
             var differences:Number = 0;
             for (var i:int = first; i < end; i++)
             {

@@ -10,8 +10,8 @@ package starlogo
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
+    import starlogo.models.building.requireUpAxis;
     import starlogo.models.cooked.CookedFile;
-    import starlogo.models.requireUpAxis;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
 

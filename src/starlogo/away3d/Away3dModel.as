@@ -4,8 +4,8 @@ package starlogo.away3d
 {
     import flash.geom.Vector3D;
     import starlogo.models.Model;
-    import starlogo.models.ModelBuilder;
-    import starlogo.models.ModelData;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.building.ModelData;
 
     /**
      * A model made from Away3D's own objects or geometry. A point (x, y, z) of Away3D, with y up, becomes (x, z, y) in the engine.

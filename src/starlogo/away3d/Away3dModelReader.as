@@ -1,8 +1,8 @@
 package starlogo.away3d
 {
     import starlogo.models.Model;
-    import starlogo.models.ModelBuilder;
     import starlogo.models.ModelMaker;
+    import starlogo.models.building.ModelBuilder;
 
     /**
      * Makes an Away3dModel in steps, while a game runs. Give it to a ModelLoader.

@@ -6,11 +6,11 @@ package starlogo.away3d
     import away3d.entities.Mesh;
     import flash.utils.getQualifiedClassName;
     import starlogo.geometry.vertices.PointTable;
-    import starlogo.models.AffineTransform;
     import starlogo.models.Model;
-    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelReader;
+    import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

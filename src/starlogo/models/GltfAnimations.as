@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.building.FileAnimation;
     import starlogo.models.gltf.GltfAnimation;
     import starlogo.models.gltf.GltfFile;
     import starlogo.steps.finish;

@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
 

@@ -3,6 +3,7 @@ package starlogo.models
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.models.building.AffineTransform;
     import starlogo.models.text.Decimal;
 
     use namespace engine;
@@ -124,12 +125,8 @@ package starlogo.models
             return "rotate " + wordsOf(_rotation) + "\nscale " + wordsOf(_scale) + "\ntranslate " + wordsOf(_translation) + "\n";
         }
 
-        /**
-         * The rotation alone.
-         *
-         * @private
-         */
-        internal function rotationTransform():AffineTransform
+        /** @private The rotation alone. */
+        engine function rotationTransform():AffineTransform
         {
             var turned:Placement = new Placement();
             turned.setRotation(_rotation.z, _rotation.y, _rotation.x);

@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.obj.ObjReader;
     import starlogo.models.text.FileText;
 

@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.FileAnimation;
+    import starlogo.models.building.FileAnimation;
     import starlogo.steps.finish;
 
     /**

@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
-    import starlogo.models.FileLimits;
-    import starlogo.models.refuseIf;
-    import starlogo.models.shortened;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.refuseIf;
+    import starlogo.models.building.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
 

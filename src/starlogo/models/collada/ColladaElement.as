@@ -1,9 +1,9 @@
 package starlogo.models.collada
 {
-    import starlogo.models.AffineTransform;
-    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
-    import starlogo.models.shortened;
+    import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
 

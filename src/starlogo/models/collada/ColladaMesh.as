@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.VertexFilter;
+    import starlogo.models.building.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;

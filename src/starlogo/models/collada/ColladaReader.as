@@ -2,9 +2,9 @@ package starlogo.models.collada
 {
     import flash.geom.Vector3D;
     import starlogo.models.Model;
-    import starlogo.models.ModelData;
-    import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -23,7 +23,6 @@ package starlogo.models.collada
     public final class ColladaReader extends StepSequence implements ModelReader
     {
         private var _data:ModelData;
-        private var _scene:ColladaScene;
 
         /**
          * @param document the document; its steps may be done
@@ -35,13 +34,17 @@ package starlogo.models.collada
         public function ColladaReader(document:ColladaDocument, upAxis:Object, scaling:String, animation:ColladaAnimation = null, time:Number = 0)
         {
             _data = ModelData.forFile(document.limits.modelName, upAxis == null ? "z" : upAxis, scaling);
+            var scene:ColladaScene;
             add(document.xml).begin(function():Steps
                 {
                     _data.upAxis = upAxis == null ? document.upAxis : _data.upAxis;
                     _data.transform = scaling == Model.AS_GIVEN && _data.transform == null ? scalingBy(document.unit) : _data.transform;
-                    _scene = new ColladaScene(document, animation, time);
-                    return _scene;
-                }).begin(readingInstances);
+                    scene = new ColladaScene(document, animation, time);
+                    return scene;
+                }).begin(function():Steps
+                {
+                    return adding(scene.instances);
+                });
         }
 
         /** @inheritDoc */
@@ -56,9 +59,8 @@ package starlogo.models.collada
             return unit == 1 ? null : new ModelTransform(null, new Vector3D(unit, unit, unit));
         }
 
-        private function readingInstances():Steps
+        private function adding(instances:Vector.<ColladaInstance>):Steps
         {
-            var instances:Vector.<ColladaInstance> = _scene.instances;
             var loosePoints:Vector.<Number> = new Vector.<Number>();
             // all geometries come first, so skins only have what these leave of the limits
             return new StepSequence().beginEach(instances.length, function(index:int):Steps

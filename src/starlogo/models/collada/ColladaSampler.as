@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.lastKeyAt;
-    import starlogo.models.shortened;
+    import starlogo.models.building.lastKeyAt;
+    import starlogo.models.building.shortened;
 
     /** Numbers over time: the keys of a COLLADA sampler, and what is between them. */
     internal final class ColladaSampler

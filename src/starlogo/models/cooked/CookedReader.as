@@ -5,15 +5,15 @@ package starlogo.models.cooked
     import flash.utils.ByteArray;
     import starlogo.data.Fingerprint;
     import starlogo.engine;
-    import starlogo.models.FileLimits;
     import starlogo.models.Model;
-    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.TriangleLabels;
-    import starlogo.models.refuseIf;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.TriangleLabels;
+    import starlogo.models.building.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

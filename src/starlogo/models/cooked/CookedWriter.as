@@ -5,12 +5,12 @@ package starlogo.models.cooked
     import starlogo.data.areSameNumbers;
     import starlogo.engine;
     import starlogo.models.Model;
-    import starlogo.models.ModelBuilder;
-    import starlogo.models.ModelData;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.TriangleLabels;
-    import starlogo.models.refuseIf;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.TriangleLabels;
+    import starlogo.models.building.refuseIf;
 
     use namespace engine;
 

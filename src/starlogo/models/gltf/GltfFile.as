@@ -2,9 +2,9 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.models.FileLimits;
-    import starlogo.models.refuseIf;
-    import starlogo.models.shortened;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.refuseIf;
+    import starlogo.models.building.shortened;
     import starlogo.models.text.FileAddress;
     import starlogo.models.text.FileText;
     import starlogo.models.text.TextWords;

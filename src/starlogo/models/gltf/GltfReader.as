@@ -1,8 +1,8 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.ModelData;
-    import starlogo.models.ModelReader;
-    import starlogo.models.VertexFilter;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.VertexFilter;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.geometry.Trigonometry;
-    import starlogo.models.lastKeyAt;
+    import starlogo.models.building.lastKeyAt;
     import starlogo.steps.StepSequence;
 
     /** A property of a node over time: the keys of an animation's sampler, and what is between them. */

@@ -1,8 +1,8 @@
 package starlogo.models.loading
 {
     import flash.utils.ByteArray;
-    import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
+    import starlogo.models.building.ModelReader;
     import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedFile;

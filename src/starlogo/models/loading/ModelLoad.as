@@ -2,14 +2,14 @@ package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.models.Model;
-    import starlogo.models.ModelBuilder;
     import starlogo.models.ModelError;
     import starlogo.models.ModelMaker;
     import starlogo.models.ModelReceiver;
     import starlogo.models.ModelTransform;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.building.refuseIf;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
-    import starlogo.models.refuseIf;
     import starlogo.models.text.FileAddress;
     import starlogo.models.text.FileText;
     import starlogo.steps.StepSequence;

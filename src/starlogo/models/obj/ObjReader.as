@@ -1,14 +1,14 @@
 package starlogo.models.obj
 {
-    import starlogo.models.FileLimits;
-    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelReader;
-    import starlogo.models.TriangleLabels;
-    import starlogo.models.VertexFilter;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.TriangleLabels;
+    import starlogo.models.building.VertexFilter;
+    import starlogo.models.building.refuseIf;
+    import starlogo.models.building.shortened;
     import starlogo.models.polygons.Triangulator;
-    import starlogo.models.refuseIf;
-    import starlogo.models.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
     import starlogo.steps.StepSequence;

@@ -3,11 +3,11 @@ package starlogo.models.stl
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.geometry.vertices.PointTable;
-    import starlogo.models.FileLimits;
-    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelReader;
-    import starlogo.models.refuseIf;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.refuseIf;
     import starlogo.models.text.FileText;
     import starlogo.models.text.LineReader;
     import starlogo.steps.StepSequence;

@@ -1,10 +1,14 @@
-package starlogo.models
+package starlogo.models.building
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.triangleProblem;
     import starlogo.geometry.vertices.vertexProblem;
+    import starlogo.models.Model;
+    import starlogo.models.ModelError;
+    import starlogo.models.ModelMaker;
+    import starlogo.models.ModelTransform;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;

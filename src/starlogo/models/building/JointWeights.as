@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.building
 {
     /**
      * How much each point of a skin follows which joints. The lists have the influences of all points, one point after the other.

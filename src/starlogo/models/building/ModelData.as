@@ -1,5 +1,7 @@
-package starlogo.models
+package starlogo.models.building
 {
+    import starlogo.models.ModelTransform;
+    import starlogo.models.SourceFrame;
     import starlogo.models.cooked.CookedFile;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;

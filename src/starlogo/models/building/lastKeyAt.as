@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.building
 {
     /**
      * The index of the last key of an animation that is not after a time. Before the first key it is the first.

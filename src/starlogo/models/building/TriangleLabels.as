@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.building
 {
     /**
      * The material or the mesh of each triangle: a number, which may have a name. A reader says where triangles with another number begin.

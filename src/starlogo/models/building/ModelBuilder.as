@@ -2,6 +2,7 @@ package starlogo.models.building
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.triangleProblem;
     import starlogo.geometry.vertices.vertexProblem;
@@ -71,6 +72,15 @@ package starlogo.models.building
             data.scaling = scaling;
             data.transform = transform;
             return new ModelBuilder(null, data).build();
+        }
+
+        /** The vertices that a reader reads, z up and not normalised. None of its steps is done yet. */
+        public static function verticesOf(reader:ModelReader):Vector.<Number>
+        {
+            finish(reader);
+            var data:ModelData = reader.data;
+            finish(turnToZUp(data.upAxis).transformingPoints(data.vertices));
+            return data.vertices;
         }
 
         /** Does all steps that are left. Returns the data, which are complete then. */
@@ -163,8 +173,10 @@ package starlogo.models.building
 
         private function turning():Steps
         {
-            var transform:ModelTransform = _data.transform;
-            return transform == null || transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
+            var degrees:Vector3D = _data.transform == null ? new Vector3D() : _data.transform.rotation;
+            var turn:Placement = new Placement();
+            turn.setRotation(degrees.z, degrees.y, degrees.x);
+            return degrees.lengthSquared == 0 ? null : transforming(AffineTransform.of(turn), 1);
         }
 
         private function stretching():Steps

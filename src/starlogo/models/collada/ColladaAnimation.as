@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.building.FileAnimation;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.steps.finish;
 
     /**
@@ -133,8 +134,7 @@ package starlogo.models.collada
         public function verticesAt(time:Number):Vector.<Number>
         {
             _document.limits.restart();
-            var reader:ColladaReader = new ColladaReader(_document, _upAxis, null, this, Math.min(_start + Math.max(time, 0), _end));
-            return reader.data.verticesBy(reader);
+            return ModelBuilder.verticesOf(new ColladaReader(_document, _upAxis, null, this, Math.min(_start + Math.max(time, 0), _end)));
         }
 
         /** The numbers of an element at a time of the document; null if they stay. */

@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.lastKeyAt;
+    import starlogo.models.building.lastNotAfter;
     import starlogo.models.building.shortened;
 
     /** Numbers over time: the keys of a COLLADA sampler, and what is between them. */
@@ -57,7 +57,7 @@ package starlogo.models.collada
         /** The numbers at a time. Before the first key and after the last one they stay. @throws ModelError if one is not finite */
         public function valueAt(time:Number):Vector.<Number>
         {
-            var key:int = lastKeyAt(_times, time);
+            var key:int = lastNotAfter(_times, time);
             var next:int = Math.min(key + 1, _times.length - 1);
             var share:Number = time > _times[key] && next > key ? (time - _times[key]) / (_times[next] - _times[key]) : 0;
             var interpolation:String = _interpolations == null ? "LINEAR" : _interpolations[key];

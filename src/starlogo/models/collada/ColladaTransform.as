@@ -31,7 +31,6 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "matrix":
-                    return matrix(element, v);
                 case "bind_shape_matrix":
                     return matrix(element, v);
                 case "translate":

@@ -1,6 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.building.FileAnimation;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.steps.StepSequence;
 
     /**
@@ -74,8 +75,7 @@ package starlogo.models.gltf
         public function verticesAt(time:Number):Vector.<Number>
         {
             _file.limits.restart();
-            var reader:GltfReader = new GltfReader(_file, _upAxis, null, this, time);
-            return reader.data.verticesBy(reader);
+            return ModelBuilder.verticesOf(new GltfReader(_file, _upAxis, null, this, time));
         }
 
         /** The numbers of a node's property at a time in seconds. Null if the property is not animated. */

@@ -10,8 +10,8 @@ package starlogo
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
+    import starlogo.models.building.requireUpAxis;
     import starlogo.models.cooked.CookedFile;
-    import starlogo.models.requireUpAxis;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
@@ -45,17 +45,17 @@ package starlogo
          */
         public var fitStore:FitStore = null;
 
-        private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
-        private var _hierarchies:HierarchiesLibrary;
+        /** @private The data of all models, which both libraries share. Read only. */
+        engine var models:ModelTable = new ModelTable();
 
-        // shared with the libraries
-        private var _models:ModelTable;
+        private var _boundingStructures:BoundingStructuresLibrary;
+        private var _hierarchies:HierarchiesLibrary;
 
         /** Creates a GreatLand without models. */
         public function GreatLand()
         {
-            _models = _boundingStructures.models;
-            _hierarchies = new HierarchiesLibrary(_models);
+            _boundingStructures = new BoundingStructuresLibrary(10, models);
+            _hierarchies = new HierarchiesLibrary(models);
         }
 
         /** The tightest bounding structure of each model. */
@@ -158,7 +158,7 @@ package starlogo
             return preparation.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
-                    _models.entryToWrite(model.name).replace(model, preparation.structures, preparation.modelTree);
+                    models.entryToWrite(model.name).replace(model, preparation.structures, preparation.modelTree);
                 });
         }
 
@@ -187,26 +187,26 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            _models.entryToWrite(name).beginLoading();
+            models.entryToWrite(name).beginLoading();
         }
 
         /** @inheritDoc */
         public function expectNoMore(name:String, problem:String = null):void
         {
-            _models.entryToWrite(name).endLoading(problem);
+            models.entryToWrite(name).endLoading(problem);
         }
 
         /** @private Why there is no model of a name, as the end of a message: what was wrong when its load failed, or else what to do. */
         engine function whyMissing(name:String):String
         {
-            var problem:String = _models.entryOf(name).loadProblem;
+            var problem:String = models.entryOf(name).loadProblem;
             return problem == null ? "; add it to the GreatLand first" : ", because its load failed: " + problem;
         }
 
         /** Whether a ModelLoader is loading a model of this name. A model of the same name may already be added. */
         public function isLoading(name:String):Boolean
         {
-            return _models.entryOf(name).isLoading;
+            return models.entryOf(name).isLoading;
         }
 
         /** Whether a model of this name was added. */
@@ -218,7 +218,7 @@ package starlogo
         /** The model with a name, or null if no model of this name was added. */
         public function modelOf(name:String):Model
         {
-            return _models.entryOf(name).model;
+            return models.entryOf(name).model;
         }
 
         /**
@@ -234,20 +234,20 @@ package starlogo
             {
                 return false;
             }
-            _models.entryToWrite(name).replace(null, null, null);
+            models.entryToWrite(name).replace(null, null, null);
             return true;
         }
 
         /** @private Increased whenever data of any model is replaced, removed or posed. Results derived from the data are then out of date. */
         engine function get revision():int
         {
-            return _models.revision;
+            return models.revision;
         }
 
         /** @private The revision of one model. */
         engine function revisionOf(name:String):int
         {
-            return _models.entryOf(name).revision;
+            return models.entryOf(name).revision;
         }
 
         /**
@@ -266,7 +266,7 @@ package starlogo
         /** The names of all models that were added, in no order: a new list. */
         public function get modelNames():Vector.<String>
         {
-            return _models.names.filter(function(name:String, index:int, all:Vector.<String>):Boolean
+            return models.names.filter(function(name:String, index:int, all:Vector.<String>):Boolean
                 {
                     return hasModel(name);
                 });

@@ -37,7 +37,7 @@ package starlogo
         [Test]
         public function keepsNothingOfUnknownNames():void
         {
-            var table:ModelTable = _greatLand.boundingStructures.models;
+            var table:ModelTable = _greatLand.models;
             assertFalse(_greatLand.hasModel("a") || _greatLand.isLoading("a") || _greatLand.boundingStructures.has("a") || _greatLand.hierarchies.has("a"));
             assertNull(_greatLand.modelOf("a"));
             assertFalse(_greatLand.removeModel("a"));

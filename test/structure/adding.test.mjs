@@ -55,9 +55,17 @@ test('every question stands in the files of docs/adding.md, "A question"', () =>
 	assert.deepEqual(missing(questions, filesOf('docs/adding.md', 'A question'), known).filter((each) => !isAsked(each)), []);
 });
 
+test('a model that a reader has made passes Model its data alone, because Model refuses any other argument with them', () => {
+	const models = sourcesBelow('src/starlogo').filter((file) => /\bclass \w+ extends Model\b/.test(codeOf(read(file))));
+	const calls = models.map((file) => [simpleName(file), codeOf(read(file)).match(/\bsuper\(([^]*?)\);/)[1]]);
+	const passes = new Map(calls.filter(([, passed]) => passed.includes('ModelBuilder')));
+	assert.deepEqual([...passes.keys()].sort(), ['Away3dModel', 'ColladaModel', 'CookedModel', 'GltfModel', 'ObjModel', 'StlModel']);
+	for (const [name, passed] of passes) assert.match(passed, /^null, null, null, null, /, name);
+});
+
 test('every format stands in the files of docs/adding.md, "A format"', () => {
-	const makesReader = /\bpublic static function of\([^)]*\):ModelBuilder\b/;
-	const readers = sourcesBelow('src/starlogo/models').filter((file) => makesReader.test(codeOf(read(file)))).map(simpleName);
+	const isReader = /\bclass \w+ [^{]*\bimplements ModelReader\b/;
+	const readers = sourcesBelow('src/starlogo/models').filter((file) => isReader.test(codeOf(read(file)))).map(simpleName);
 	for (const known of ['ColladaReader', 'CookedReader', 'GltfReader', 'ObjReader', 'StlReader']) assert.ok(readers.includes(known), known);
 	// CookedLoadingTest damages cooked files
 	const known = ['test/starlogo/models/ModelMutationsTest.as: CookedReader', 'test/fuzz/kinds/files.mjs: CookedReader'];

@@ -4,7 +4,8 @@ package starlogo.away3d
 {
     import flash.geom.Vector3D;
     import starlogo.models.Model;
-    import starlogo.models.ModelData;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.building.ModelData;
 
     /**
      * A model made from Away3D's own objects or geometry. A point (x, y, z) of Away3D, with y up, becomes (x, z, y) in the engine.
@@ -32,7 +33,7 @@ package starlogo.away3d
          */
         public function Away3dModel(name:String, object:Object)
         {
-            super(name, null, null, Model.FOOTPRINT, object as ModelData || SourceReader.of(name, object).build());
+            super(null, null, null, null, object as ModelData || new ModelBuilder(new SourceReader(name, object)).build());
         }
 
         /**

@@ -2,7 +2,7 @@ package starlogo.away3d
 {
     import starlogo.models.Model;
     import starlogo.models.ModelMaker;
-    import starlogo.models.ModelBuilder;
+    import starlogo.models.building.ModelBuilder;
 
     /**
      * Makes an Away3dModel in steps, while a game runs. Give it to a ModelLoader.
@@ -26,7 +26,7 @@ package starlogo.away3d
          */
         public function Away3dModelReader(name:String, object:Object)
         {
-            _builder = SourceReader.of(name, object);
+            _builder = new ModelBuilder(new SourceReader(name, object));
         }
 
         /** @inheritDoc */

@@ -5,7 +5,7 @@ package starlogo.away3d
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.models.AffineTransform;
+    import starlogo.models.building.AffineTransform;
 
     use namespace engine;
 

@@ -2,9 +2,9 @@ package starlogo.away3d
 {
     import away3d.core.base.ISubGeometry;
     import starlogo.geometry.vertices.PointTable;
-    import starlogo.models.AffineTransform;
     import starlogo.models.ModelError;
-    import starlogo.models.refuseIf;
+    import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

@@ -6,16 +6,16 @@ package starlogo.away3d
     import away3d.entities.Mesh;
     import flash.utils.getQualifiedClassName;
     import starlogo.geometry.vertices.PointTable;
-    import starlogo.models.AffineTransform;
     import starlogo.models.Model;
-    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelBuilder;
+    import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /** Reads the source of an Away3dModel, in steps of about a millisecond. */
-    internal final class SourceReader extends StepSequence
+    internal final class SourceReader extends StepSequence implements ModelReader
     {
         // swaps y and z, which mirrors
         private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
@@ -25,21 +25,20 @@ package starlogo.away3d
         private var _parts:Vector.<PartReader> = new Vector.<PartReader>();
 
         /**
-         * @param data takes what is read
+         * @param name the model's name
          * @param object as for Away3dModel
          */
-        public function SourceReader(data:ModelData, object:Object)
+        public function SourceReader(name:String, object:Object)
         {
-            _data = data;
+            _data = ModelData.forFile(name, "z", Model.FOOTPRINT);
             _object = object;
             begin(readingParts);
         }
 
-        /** The work that makes a model of a source. @param object as for Away3dModel */
-        public static function of(name:String, object:Object):ModelBuilder
+        /** @inheritDoc */
+        public function get data():ModelData
         {
-            var data:ModelData = ModelData.forFile(name, "z", Model.FOOTPRINT);
-            return new ModelBuilder(data, new SourceReader(data, object));
+            return _data;
         }
 
         private function readingParts():Steps

@@ -4,11 +4,11 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
-    import starlogo.geometry.hull.ConvexHull;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.hull.ConvexHull;
     import starlogo.geometry.vertices.VertexBounds;
-    import starlogo.geometry.vertices.VertexData;
+    import starlogo.geometry.vertices.vertexProblem;
 
     use namespace engine;
 
@@ -76,7 +76,7 @@ package starlogo.bounding
         public function Hull(points:Vector.<Number>)
         {
             super(HULL);
-            var problem:String = VertexData.vertexProblem(points);
+            var problem:String = vertexProblem(points);
             if (problem != null)
             {
                 throw new ArgumentError(problem);

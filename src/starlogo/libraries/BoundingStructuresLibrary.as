@@ -36,13 +36,7 @@ package starlogo.libraries
          */
         public var keepHulls:Boolean = false;
 
-        /**
-         * The data of all models. Both libraries of a GreatLand share it. Read only.
-         *
-         * @private
-         */
-        engine var models:ModelTable = new ModelTable();
-
+        private var _models:ModelTable;
         private var _orientedBoxFitter:OrientedBoxFitter;
         private var _fitters:Vector.<Fitter>;
         private var _hullFitter:HullFitter = new HullFitter();
@@ -51,10 +45,12 @@ package starlogo.libraries
          * Creates a library without models, with the three fitters of the thesis.
          *
          * @param orientedBoxDegIncrement degrees between the rotations that the default fitters try
+         * @param models for the engine alone: the data of all models, which both libraries of a GreatLand share
          * @throws ArgumentError if that is not a positive, finite number
          */
-        public function BoundingStructuresLibrary(orientedBoxDegIncrement:Number = 10)
+        public function BoundingStructuresLibrary(orientedBoxDegIncrement:Number = 10, models:ModelTable = null)
         {
+            _models = models || new ModelTable();
             _orientedBoxFitter = new OrientedBoxFitter(orientedBoxDegIncrement);
             _fitters = new <Fitter>[new NaiveSphereFitter(), _orientedBoxFitter, new CapsuleFitter(_orientedBoxFitter)];
         }
@@ -126,13 +122,13 @@ package starlogo.libraries
         {
             var builder:StructuresBuilder = newBuilder(name, vertices);
             finish(builder);
-            models.entryToWrite(name).setStructures(builder.structures);
+            _models.entryToWrite(name).setStructures(builder.structures);
         }
 
         /** Whether the library has structures for a shape. */
         public function has(name:String):Boolean
         {
-            return models.entryOf(name).structures != null;
+            return _models.entryOf(name).structures != null;
         }
 
         /**
@@ -194,14 +190,14 @@ package starlogo.libraries
         /** Whether a sphere, a box and a capsule were kept for a shape. */
         public function hasAll(name:String):Boolean
         {
-            var shape:ModelStructures = models.entryOf(name).structures;
+            var shape:ModelStructures = _models.entryOf(name).structures;
             return shape != null && shape.keepsAll && shape.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape by now, or a sphere in its place. */
         public function hasHull(name:String):Boolean
         {
-            var shape:ModelStructures = models.entryOf(name).structures;
+            var shape:ModelStructures = _models.entryOf(name).structures;
             return shape != null && shape.hullOrSphere != null;
         }
 
@@ -246,10 +242,10 @@ package starlogo.libraries
 
         private function find(name:String):ModelStructures
         {
-            var shape:ModelStructures = models.entryOf(name).structures;
+            var shape:ModelStructures = _models.entryOf(name).structures;
             if (shape == null)
             {
-                throw models.missing("bounding structure", name, "loadTightestFit");
+                throw _models.missing("bounding structure", name, "loadTightestFit");
             }
             return shape;
         }

@@ -1,7 +1,8 @@
 package starlogo.libraries
 {
     import starlogo.engine;
-    import starlogo.geometry.vertices.VertexData;
+    import starlogo.geometry.vertices.triangleProblem;
+    import starlogo.geometry.vertices.vertexProblem;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
@@ -97,13 +98,12 @@ package starlogo.libraries
         {
             ModelTable.checkName(name);
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
-            var problem:String = VertexData.vertexProblem(vertices) || (hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
+            var problem:String = vertexProblem(vertices) || (hasTriangles ? triangleProblem(triangles, vertices.length / 3) : null);
             if (problem != null)
             {
                 throw ModelTable.errorOf(name, problem);
             }
-            var tree:ModelTree = new ModelTree(new BoxTree(vertices.concat(), hasTriangles ? triangles.concat() : null));
-            beginBuilding(tree);
+            var tree:ModelTree = newTree(vertices.concat(), hasTriangles ? triangles.concat() : null);
             tree.finishBuilding();
             _models.entryToWrite(name).setTree(tree);
         }
@@ -140,10 +140,12 @@ package starlogo.libraries
             return _models.entryOf(name).builtTree();
         }
 
-        /** @private Begins the work that makes the nodes of a tree, by the settings as they are now. */
-        engine function beginBuilding(tree:ModelTree):void
+        /** @private A tree whose nodes are not made yet. The work that makes them is begun, by the settings as they are now. Both lists are kept. */
+        engine function newTree(vertices:Vector.<Number>, triangles:Vector.<uint>):ModelTree
         {
+            var tree:ModelTree = new ModelTree(new BoxTree(vertices, triangles));
             tree.beginBuilding(minVerticesToSplit, maxDepth, splitByMean, prepareExact);
+            return tree;
         }
 
         private static function requirePositive(setting:String, value:int):void

@@ -5,7 +5,6 @@ package starlogo.libraries
     import starlogo.data.Fingerprint;
     import starlogo.engine;
     import starlogo.geometry.vertices.VertexBounds;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.libraries.cooked.CookedStructures;
     import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.Model;
@@ -50,11 +49,7 @@ package starlogo.libraries
         {
             _model = model;
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
-            if (hierarchiesLibrary != null)
-            {
-                modelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-                hierarchiesLibrary.beginBuilding(modelTree);
-            }
+            modelTree = hierarchiesLibrary == null ? null : hierarchiesLibrary.newTree(model.vertices, model.triangles);
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
@@ -84,7 +79,7 @@ package starlogo.libraries
                 modelTree.finishBuilding();
                 modelTree.prepareExact();
             }
-            return fileOf(modelKey, CookedWriter.of(_model));
+            return fileOf(modelKey, CookedWriter.write(_model));
         }
 
         // Whether all results that are wanted are there, or stored.

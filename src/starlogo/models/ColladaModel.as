@@ -1,6 +1,8 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.text.FileText;
 
@@ -42,7 +44,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, ColladaReader.of(name, text, upAxis, scaling).build());
+            super(null, null, null, null, new ModelBuilder(new ColladaReader(new ColladaDocument(name, text), upAxis, scaling)).build());
         }
 
         /**

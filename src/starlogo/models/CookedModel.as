@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.cooked.CookedReader;
 
     /**
@@ -20,7 +21,7 @@ package starlogo.models
          */
         public function CookedModel(name:String, bytes:ByteArray)
         {
-            super(null, null, null, null, CookedReader.of(name, bytes).build());
+            super(null, null, null, null, new ModelBuilder(new CookedReader(name, bytes)).build());
         }
 
         /**

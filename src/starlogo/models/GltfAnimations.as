@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.building.FileAnimation;
     import starlogo.models.gltf.GltfAnimation;
     import starlogo.models.gltf.GltfFile;
     import starlogo.steps.finish;
@@ -24,7 +25,7 @@ package starlogo.models
          */
         public function GltfAnimations(name:String, bytes:ByteArray, upAxis:Object = null, buffers:Object = null)
         {
-            super(animationsIn(GltfFile.of(name, bytes, buffers), upAxis));
+            super(animationsIn(GltfFile.read(name, bytes, buffers), upAxis));
         }
 
         private static function animationsIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>

@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
 
@@ -30,7 +31,7 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(null, null, null, null, GltfReader.of(GltfFile.of(name, bytes, buffers), upAxis, scaling).build());
+            super(null, null, null, null, new ModelBuilder(new GltfReader(GltfFile.read(name, bytes, buffers), upAxis, scaling)).build());
         }
 
         /**

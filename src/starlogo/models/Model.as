@@ -1,11 +1,15 @@
-// This room has models, and what reads them from files. A reader for each format fills a ModelData, as the first part of a ModelBuilder, which then
-// brings that to its place and scale, and a Model keeps it; a ModelLoader does the same in steps while a game runs. Read this file first, then
-// ModelBuilder and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
+// This room has models, and what reads them from files. A ModelReader for each format fills a ModelData, of which a ModelBuilder makes a Model: it
+// brings the vertices to their place and scale. building/ has these three and what readers share. A ModelLoader does the same in steps while a game
+// runs. Read this file first, then building/ModelBuilder and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
 package starlogo.models
 {
     import starlogo.engine;
     import starlogo.geometry.vertices.VertexBounds;
-    import starlogo.geometry.vertices.VertexData;
+    import starlogo.geometry.vertices.vertexProblem;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.TriangleLabels;
+    import starlogo.models.building.refuseIf;
 
     use namespace engine;
 
@@ -199,7 +203,7 @@ package starlogo.models
             var bounds:VertexBounds = VertexBounds.of(_posed);
             if (!bounds.areFinite)
             {
-                throw new ArgumentError("model \"" + name + "\": " + (VertexData.vertexProblem(vertices) || VertexData.vertexProblem(_posed)));
+                throw new ArgumentError("model \"" + name + "\": " + (vertexProblem(vertices) || vertexProblem(_posed)));
             }
             VertexBounds.requireWithin(bounds.largest);
             for (var i:int = 0; i < _posed.length; i++)

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.models.building.FileAnimation;
+
     /**
      * The animations of a file, as poses of the model of the same file. <code>GltfAnimations</code> and <code>ColladaAnimations</code> read them.
      *

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.models.building.shortened;
+
     /** Thrown if a model can't be loaded. The message says which model, where in the file, and what is wrong. */
     public class ModelError extends Error
     {

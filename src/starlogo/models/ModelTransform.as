@@ -2,7 +2,6 @@ package starlogo.models
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.models.text.Decimal;
 
     use namespace engine;
@@ -122,18 +121,6 @@ package starlogo.models
         public function toString():String
         {
             return "rotate " + wordsOf(_rotation) + "\nscale " + wordsOf(_scale) + "\ntranslate " + wordsOf(_translation) + "\n";
-        }
-
-        /**
-         * The rotation alone.
-         *
-         * @private
-         */
-        internal function rotationTransform():AffineTransform
-        {
-            var turned:Placement = new Placement();
-            turned.setRotation(_rotation.z, _rotation.y, _rotation.x);
-            return AffineTransform.of(turned);
         }
 
         private static function isFinitePoint(point:Vector3D):Boolean

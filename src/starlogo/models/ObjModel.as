@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.obj.ObjReader;
     import starlogo.models.text.FileText;
 
@@ -32,7 +33,7 @@ package starlogo.models
          */
         public function ObjModel(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, ObjReader.of(name, text, upAxis, scaling).build());
+            super(null, null, null, null, new ModelBuilder(new ObjReader(name, text, upAxis, scaling)).build());
         }
 
         /**

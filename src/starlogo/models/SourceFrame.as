@@ -3,6 +3,7 @@ package starlogo.models
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.models.building.AffineTransform;
 
     use namespace engine;
 

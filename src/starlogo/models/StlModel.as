@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.stl.StlReader;
 
     /**
@@ -23,7 +24,7 @@ package starlogo.models
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, StlReader.of(name, bytes, null, upAxis, scaling).build());
+            super(null, null, null, null, new ModelBuilder(new StlReader(name, bytes, null, upAxis, scaling)).build());
         }
 
         /**

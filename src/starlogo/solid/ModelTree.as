@@ -36,16 +36,14 @@ package starlogo.solid
         /** @private The tree of the model's triangles or vertices. */
         engine var boxTree:BoxTree;
 
-        /** @private The root, as clients see it. */
-        engine var root:HierarchyNode;
-
         /** @private The surface that the triangles make; null before it is known. One that was stored may be set, so that it need not be found. */
         engine var surface:SurfaceTopology = null;
 
         /** @private The work that makes the nodes, which was begun. It may have no steps left. Null if there is none to do. */
         engine var building:Steps = null;
 
-        // Null before they are prepared: the triangles; what is inside of them.
+        // Null before they are asked for: the root, as clients see it; the triangles; what is inside of them.
+        private var _root:HierarchyNode = null;
         private var _mesh:TriangleMesh = null;
         private var _interior:Interior = null;
 
@@ -53,7 +51,6 @@ package starlogo.solid
         public function ModelTree(tree:BoxTree)
         {
             boxTree = tree;
-            root = HierarchyNode.of(tree, 0);
         }
 
         /**
@@ -99,6 +96,13 @@ package starlogo.solid
                     _interior = builder.interior;
                     surface = builder.surface;
                 });
+        }
+
+        /** @private The root, as clients see it. */
+        engine function get root():HierarchyNode
+        {
+            _root ||= HierarchyNode.of(boxTree, 0);
+            return _root;
         }
 
         /** @private Whether the tree is one of triangles; otherwise it is one of vertices. */
@@ -160,7 +164,7 @@ package starlogo.solid
         {
             surface = null;
             _interior = null;
-            root = HierarchyNode.of(boxTree, 0);
+            _root = null;
             if (boxTree.isMade)
             {
                 finish(new BoxRefit(boxTree));

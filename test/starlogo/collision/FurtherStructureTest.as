@@ -6,8 +6,8 @@ package starlogo.collision
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ObjModel;
-    import support.FurtherCapsule;
     import support.Fixtures;
+    import support.FurtherCapsule;
     import support.SameAnswers;
 
     use namespace engine;
@@ -30,7 +30,7 @@ package starlogo.collision
             sLand.addModel(BuiltInModel.cylinder());
             sLand.addModel(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var capsule:Capsule = sLand.boundingStructures.capsule("cylinder");
-            sLand.boundingStructures.models.entryOf("cylinder").structures.hullOrSphere = new FurtherCapsule(capsule);
+            sLand.models.entryOf("cylinder").structures.hullOrSphere = new FurtherCapsule(capsule);
         }
 
         [Test]

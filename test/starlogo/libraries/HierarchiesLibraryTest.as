@@ -5,7 +5,6 @@ package starlogo.libraries
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -75,13 +74,13 @@ package starlogo.libraries
             var model:Model = BuiltInModel.sphere();
             _library.add("at first need", model.vertices, model.triangles);
             _library.prepareExact = true;
-            var plain:int = stepsOf(new ModelTree(new BoxTree(model.vertices, null)));
+            var plain:int = stepsOf(_library.newTree(model.vertices, null));
             _library.prepareExact = false;
-            assertEquals("points have no surface", plain, stepsOf(new ModelTree(new BoxTree(model.vertices, null))));
-            plain = stepsOf(new ModelTree(new BoxTree(model.vertices, model.triangles)));
+            assertEquals("points have no surface", plain, stepsOf(_library.newTree(model.vertices, null)));
+            plain = stepsOf(_library.newTree(model.vertices, model.triangles));
             assertFalse(_library.treeOf("at first need").isExactPrepared);
             _library.prepareExact = true;
-            var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
+            var tree:ModelTree = _library.newTree(model.vertices, model.triangles);
             assertTrue("many steps more", stepsOf(tree) > plain + 8);
             assertTrue(tree.isExactPrepared);
         }
@@ -89,7 +88,6 @@ package starlogo.libraries
         private function stepsOf(tree:ModelTree):int
         {
             var count:int = 1;
-            _library.beginBuilding(tree);
             while (tree.building.step())
             {
                 count++;

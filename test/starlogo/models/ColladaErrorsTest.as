@@ -34,7 +34,7 @@ package starlogo.models
             mesh("/source#p/float_array#f", "\"nan\"", "0 0 0 1 nan 0 1 1 0", Collada.triangles("0 1 2"));
             mesh("/source#p/float_array#f", "\"1e999\"", "0 0 0 1 1e999 0 1 1 0", Collada.triangles("0 1 2"));
             mesh("/source#p/float_array#f", "\"1,2,3\"", "0 0 0 1 1,2,3 0 1 1 0", Collada.triangles("0 1 2"));
-            replaced("/source#p/float_array#f", "its count is 1e9, but it has 9 numbers", 'count="9"', 'count="1e9"');
+            replaced("/source#p/float_array#f", "its count is 1e9, but it has 9 values", 'count="9"', 'count="1e9"');
             replaced("/source#p/float_array#f", "whole number", 'count="9"', 'count="-9"');
             replaced("/source#p/float_array#f", "whole number", 'count="9"', 'count="many"');
             replaced("/source#p/technique_common/accessor", "count of 1000000000", 'count="3"', 'count="1e9"');

@@ -6,6 +6,8 @@ package starlogo.models
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.building.ModelData;
     import support.Surfaces;
     import support.assertThrows;
     import support.create;

@@ -6,6 +6,8 @@ package starlogo.models
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.building.ModelData;
     import support.Collada;
     import support.Surfaces;
     import support.assertThrows;

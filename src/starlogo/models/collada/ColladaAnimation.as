@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.FileAnimation;
+    import starlogo.models.building.FileAnimation;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.steps.finish;
 
     /**
@@ -19,7 +20,7 @@ package starlogo.models.collada
 
         /**
          * @param document the document
-         * @param upAxis as for ColladaReader.of()
+         * @param upAxis as for ColladaReader
          * @param name its name
          * @param channels what moves
          * @param start the time in the document when it starts, in seconds
@@ -48,7 +49,7 @@ package starlogo.models.collada
          *
          * @param name the model's name
          * @param text the document's text
-         * @param upAxis as for ColladaReader.of()
+         * @param upAxis as for ColladaReader
          * @throws ModelError if the document is wrong
          */
         public static function allIn(name:String, text:String, upAxis:Object):Vector.<FileAnimation>
@@ -132,7 +133,8 @@ package starlogo.models.collada
         /** @inheritDoc */
         public function verticesAt(time:Number):Vector.<Number>
         {
-            return ColladaReader.verticesAt(_document, _upAxis, this, Math.min(_start + Math.max(time, 0), _end));
+            _document.limits.restart();
+            return ModelBuilder.verticesOf(new ColladaReader(_document, _upAxis, null, this, Math.min(_start + Math.max(time, 0), _end)));
         }
 
         /** The numbers of an element at a time of the document; null if they stay. */

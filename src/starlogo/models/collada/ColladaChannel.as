@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.shortened;
+    import starlogo.models.building.shortened;
 
     /** Which numbers of a COLLADA document move, and how: a channel of an animation. */
     internal final class ColladaChannel

@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
-    import starlogo.models.AffineTransform;
     import starlogo.models.ModelError;
-    import starlogo.models.shortened;
+    import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.shortened;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -85,7 +85,7 @@ package starlogo.models.collada
                 add(skin).begin(function():Steps
                     {
                         var palette:Vector.<AffineTransform> = _scene.document.skeletonOf(skin, instance).paletteOf(_scene, place);
-                        isMirror = palette[1].isMirror;
+                        isMirror = palette[0].isMirror;
                         return skin.moving(points, palette);
                     });
             }
@@ -102,8 +102,8 @@ package starlogo.models.collada
         private function morphing(morph:ColladaElement):Steps
         {
             var inputs:ColladaElement = morph.requiredChild("targets");
-            var targets:ColladaList = ColladaList.of(inputs, "MORPH_TARGET", ColladaList.NAMES, morph);
-            var list:ColladaList = ColladaList.of(inputs, "MORPH_WEIGHT", ["float_array"], morph);
+            var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
+            var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
             var moved:Vector.<Number> = _scene.numbersOf(list.array);
             var weights:Vector.<Number> = moved == null ? list.numbers : list.partOf(moved);
             morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");

@@ -1,7 +1,10 @@
 package starlogo.models.collada
 {
-    import starlogo.models.FileLimits;
-    import starlogo.models.refuseIf;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.refuseIf;
+    import starlogo.models.building.shortened;
+    import starlogo.models.text.Decimal;
+    import starlogo.models.text.TextWords;
 
     /**
      * A COLLADA document, and what its poses share: its geometries and its skins are read once.
@@ -39,6 +42,33 @@ package starlogo.models.collada
             refuseIf(xml.root == null, limits.modelName, "this is not XML: expected a COLLADA document");
             xml.root.refuseIf(xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + xml.root.name + ">");
             return xml.root;
+        }
+
+        /** The axis that points up: "x", "y" or "z"; y if none is named. @throws ModelError if there is no such axis */
+        internal function get upAxis():String
+        {
+            var element:ColladaElement = inAsset("up_axis");
+            if (element == null)
+            {
+                return "y";
+            }
+            var axis:String = TextWords.of(element.text).join(" ");
+            element.refuseIf(!/^[XYZ]_UP$/.test(axis), "expected X_UP, Y_UP or Z_UP, but found \"" + shortened(axis) + "\"");
+            return axis.charAt(0).toLowerCase();
+        }
+
+        /** The length of the unit in metres. A unit that is no length counts as a metre. */
+        internal function get unit():Number
+        {
+            var element:ColladaElement = inAsset("unit");
+            var metres:Number = element == null ? 1 : Decimal.of(TextWords.of(element.attribute("meter")).join(" "));
+            return metres > 0 && metres < Infinity ? metres : 1;
+        }
+
+        private function inAsset(name:String):ColladaElement
+        {
+            var asset:ColladaElement = root.child("asset");
+            return asset == null ? null : asset.child(name);
         }
 
         /** The mesh of a geometry, which may be in the scene many times. Whether all of its points are kept counts only before it is read. */

@@ -1,9 +1,9 @@
 package starlogo.models.collada
 {
-    import starlogo.models.AffineTransform;
-    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
-    import starlogo.models.shortened;
+    import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
 
@@ -160,6 +160,14 @@ package starlogo.models.collada
             var found:ColladaElement = child(name);
             refuseIf(found == null, "expected a <" + name + "> in it");
             return found;
+        }
+
+        /** The first input with a semantic. @throws ModelError if there is none */
+        public function requiredInput(semantic:String):ColladaElement
+        {
+            var input:ColladaElement = child("input", semantic);
+            refuseIf(input == null, "expected an <input> with the semantic " + semantic);
+            return input;
         }
 
         /**

@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
-    import starlogo.models.AffineTransform;
-    import starlogo.models.ModelData;
-    import starlogo.models.TriangleLabels;
+    import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.TriangleLabels;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.VertexFilter;
+    import starlogo.models.building.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -71,7 +71,7 @@ package starlogo.models.collada
                 {
                     symbols.push(element.attribute("material"));
                     starts.push(triangles.length / 3);
-                    var positions:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
+                    var positions:ColladaAccessor = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
                     return new StepSequence().add(positions).add(new ColladaPrimitive(element, positions, triangulator));
                 });
         }
@@ -92,16 +92,14 @@ package starlogo.models.collada
 
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement
         {
-            var input:ColladaElement = vertices.child("input", "POSITION");
-            vertices.refuseIf(input == null, "expected an <input> with the semantic POSITION");
-            return input.target("source", ["source"], _mesh);
+            return vertices.requiredInput("POSITION").target("source", ["source"], _mesh);
         }
 
         // The points of a source, which are read once: several primitives may share them.
-        private function pointsOf(source:ColladaElement):ColladaSource
+        private function pointsOf(source:ColladaElement):ColladaAccessor
         {
             // the "#" keeps the key different from every property that each Object has
-            return _sources["#" + source.id] ||= new ColladaSource(source, vertices);
+            return _sources["#" + source.id] ||= new ColladaAccessor(source, ColladaAccessor.NUMBERS, vertices);
         }
     }
 }

@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.AffineTransform;
+    import starlogo.models.building.AffineTransform;
 
     /** A node of a COLLADA document at one of its places in the scene. */
     internal final class ColladaPlace

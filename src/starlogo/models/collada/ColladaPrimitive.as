@@ -14,7 +14,7 @@ package starlogo.models.collada
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
         private var _element:ColladaElement;
-        private var _positions:ColladaSource;
+        private var _positions:ColladaAccessor;
         private var _triangulator:Triangulator;
 
         // A corner takes _stride indices. The one at _offset is its position's.
@@ -26,7 +26,7 @@ package starlogo.models.collada
          * @param positions its points; their steps come before this one's
          * @param triangulator takes the triangles, and cuts polygons
          */
-        public function ColladaPrimitive(element:ColladaElement, positions:ColladaSource, triangulator:Triangulator)
+        public function ColladaPrimitive(element:ColladaElement, positions:ColladaAccessor, triangulator:Triangulator)
         {
             _element = element;
             _positions = positions;
@@ -220,7 +220,7 @@ package starlogo.models.collada
         // Reads a corner, whose indices begin at the given one. Returns its point.
         private function readCorner(indices:Array, at:int):uint
         {
-            return _positions.first + _element.toWholeNumber(indices[int(at + _offset)], 0, _positions.count - 1, "a position's index");
+            return _positions.firstPoint + _element.toWholeNumber(indices[int(at + _offset)], 0, _positions.count - 1, "a position's index");
         }
     }
 }

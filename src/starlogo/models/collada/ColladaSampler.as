@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.lastKeyAt;
-    import starlogo.models.shortened;
+    import starlogo.models.building.lastNotAfter;
+    import starlogo.models.building.shortened;
 
     /** Numbers over time: the keys of a COLLADA sampler, and what is between them. */
     internal final class ColladaSampler
@@ -20,8 +20,8 @@ package starlogo.models.collada
         private var _interpolations:Array = null;
 
         // The control points of curves after each key and before it. Null if there is no curve.
-        private var _out:ColladaList = null;
-        private var _in:ColladaList = null;
+        private var _out:ColladaAccessor = null;
+        private var _in:ColladaAccessor = null;
 
         /**
          * @param sampler the sampler's element
@@ -30,8 +30,8 @@ package starlogo.models.collada
         public function ColladaSampler(sampler:ColladaElement)
         {
             _element = sampler;
-            _times = listOf("INPUT", ColladaList.NUMBERS).numbers;
-            var outputs:ColladaList = listOf("OUTPUT", ColladaList.NUMBERS);
+            _times = listOf("INPUT", ColladaAccessor.NUMBERS).numbers;
+            var outputs:ColladaAccessor = listOf("OUTPUT", ColladaAccessor.NUMBERS);
             width = outputs.width;
             _values = outputs.numbers;
             requireKeys("OUTPUT", outputs);
@@ -44,7 +44,7 @@ package starlogo.models.collada
             }
             if (sampler.child("input", "INTERPOLATION") != null)
             {
-                readInterpolations(listOf("INTERPOLATION", ColladaList.NAMES));
+                readInterpolations(listOf("INTERPOLATION", ColladaAccessor.NAMES));
             }
         }
 
@@ -57,7 +57,7 @@ package starlogo.models.collada
         /** The numbers at a time. Before the first key and after the last one they stay. @throws ModelError if one is not finite */
         public function valueAt(time:Number):Vector.<Number>
         {
-            var key:int = lastKeyAt(_times, time);
+            var key:int = lastNotAfter(_times, time);
             var next:int = Math.min(key + 1, _times.length - 1);
             var share:Number = time > _times[key] && next > key ? (time - _times[key]) / (_times[next] - _times[key]) : 0;
             var interpolation:String = _interpolations == null ? "LINEAR" : _interpolations[key];
@@ -109,7 +109,7 @@ package starlogo.models.collada
             return a + 3 * rest * rest * at * (b - a) + 3 * rest * at * at * (c - a) + at * at * at * (d - a);
         }
 
-        private function readInterpolations(list:ColladaList):void
+        private function readInterpolations(list:ColladaAccessor):void
         {
             requireKeys("INTERPOLATION", list);
             _element.refuseIf(list.width != 1, "expected one interpolation for each key");
@@ -130,21 +130,21 @@ package starlogo.models.collada
         }
 
         // A control point has a time and a value for each number, or the value alone. Then its times are at thirds.
-        private function controlPoints(semantic:String):ColladaList
+        private function controlPoints(semantic:String):ColladaAccessor
         {
-            var list:ColladaList = listOf(semantic, ColladaList.NUMBERS);
+            var list:ColladaAccessor = listOf(semantic, ColladaAccessor.NUMBERS);
             requireKeys(semantic, list);
             _element.refuseIf(list.width != width && list.width != 2 * width, "expected " + width + " or " + 2 * width + " numbers in each " + semantic +
                     ", but found " + list.width);
             return list;
         }
 
-        private function listOf(semantic:String, arrays:Array):ColladaList
+        private function listOf(semantic:String, arrays:Array):ColladaAccessor
         {
-            return ColladaList.of(_element, semantic, arrays, _element.parent);
+            return ColladaAccessor.read(_element, semantic, arrays, _element.parent);
         }
 
-        private function requireKeys(semantic:String, list:ColladaList):void
+        private function requireKeys(semantic:String, list:ColladaAccessor):void
         {
             _element.refuseIf(list.count != _times.length || list.count == 0, "expected as many of " + semantic + " as of INPUT, at least one, but found " +
                     list.count + " and " + _times.length);

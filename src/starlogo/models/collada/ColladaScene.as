@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.AffineTransform;
-    import starlogo.models.shortened;
+    import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.shortened;
     import starlogo.steps.StepSequence;
 
     /**

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.AffineTransform;
-    import starlogo.models.shortened;
+    import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.shortened;
     import starlogo.models.text.TextWords;
 
     /** The nodes that are the joints of a COLLADA skin, for an element that places it. */
@@ -22,7 +22,7 @@ package starlogo.models.collada
         }
 
         /**
-         * What moves points to the scene by joint -1, 0, 1, ...
+         * What moves points to the scene: by each joint, and last by joint -1.
          *
          * @param scene knows where joints are
          * @param place where the skin is in the scene; its steps must be done
@@ -32,17 +32,18 @@ package starlogo.models.collada
         {
             _nodes ||= jointsOf(_skin, _instance);
             _skin.element.limits.countNumbers(_nodes.length, _skin.element);
-            var palette:Vector.<AffineTransform> = new <AffineTransform>[_skin.shape];
+            var palette:Vector.<AffineTransform> = new Vector.<AffineTransform>();
             for (var i:int = 0; i < _nodes.length; i++)
             {
                 palette.push(scene.jointAt(_nodes[i], place, _skin.element).after(_skin.inverses[i]).after(_skin.shape));
             }
+            palette.push(_skin.shape);
             return palette;
         }
 
         private static function jointsOf(skin:ColladaSkin, instance:ColladaElement):Vector.<ColladaElement>
         {
-            var names:ColladaList = skin.names;
+            var names:ColladaAccessor = skin.names;
             var joints:Vector.<ColladaElement> = new Vector.<ColladaElement>();
             // names are sids in the skeletons; other references are ids
             var nodes:Object = names.array.name == "Name_array" ? nodesBySid(instance) : null;

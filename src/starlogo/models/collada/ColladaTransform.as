@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import flash.geom.Vector3D;
     import starlogo.geometry.Trigonometry;
-    import starlogo.models.AffineTransform;
+    import starlogo.models.building.AffineTransform;
 
     /**
      * Reads the transform elements of a COLLADA node, and the matrix of a skin, as the COLLADA 1.4 and 1.5 specifications define them. For
@@ -31,7 +31,6 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "matrix":
-                    return matrix(element, v);
                 case "bind_shape_matrix":
                     return matrix(element, v);
                 case "translate":

@@ -5,15 +5,15 @@ package starlogo.models.cooked
     import flash.utils.ByteArray;
     import starlogo.data.Fingerprint;
     import starlogo.engine;
-    import starlogo.models.FileLimits;
     import starlogo.models.Model;
-    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelBuilder;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.TriangleLabels;
-    import starlogo.models.refuseIf;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.TriangleLabels;
+    import starlogo.models.building.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -26,7 +26,7 @@ package starlogo.models.cooked
      *
      * @private
      */
-    public final class CookedReader extends StepSequence
+    public final class CookedReader extends StepSequence implements ModelReader
     {
         /** The form of coordinates as floats of 32 bits. A smaller form n has whole multiples of 1e-n. */
         internal static const SINGLE:int = 9;
@@ -42,13 +42,13 @@ package starlogo.models.cooked
         private var _bytes:ByteArray;
 
         /**
-         * @param data takes what is read
+         * @param name the model's name
          * @param bytes the bytes of a possible cooked file
          * @param modelKey the model key that the file must have: see <code>CookedFile.MODEL</code>. Null for any
          */
-        public function CookedReader(data:ModelData, bytes:ByteArray, modelKey:Fingerprint)
+        public function CookedReader(name:String, bytes:ByteArray, modelKey:Fingerprint = null)
         {
-            _data = data;
+            _data = new ModelData(name);
             var file:CookedFile = new CookedFile(bytes);
             add(file).begin(function():Steps
                 {
@@ -56,17 +56,10 @@ package starlogo.models.cooked
                 });
         }
 
-        /**
-         * The work that makes a model of a cooked file.
-         *
-         * @param name the model's name
-         * @param bytes as for the constructor
-         * @param modelKey as for the constructor
-         */
-        public static function of(name:String, bytes:ByteArray, modelKey:Fingerprint = null):ModelBuilder
+        /** @inheritDoc */
+        public function get data():ModelData
         {
-            var data:ModelData = new ModelData(name);
-            return new ModelBuilder(data, new CookedReader(data, bytes, modelKey));
+            return _data;
         }
 
         /** The divisor for the numbers of a form. */

@@ -5,12 +5,12 @@ package starlogo.models.cooked
     import starlogo.data.areSameNumbers;
     import starlogo.engine;
     import starlogo.models.Model;
-    import starlogo.models.ModelBuilder;
-    import starlogo.models.ModelData;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.TriangleLabels;
-    import starlogo.models.refuseIf;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.TriangleLabels;
+    import starlogo.models.building.refuseIf;
 
     use namespace engine;
 
@@ -25,7 +25,7 @@ package starlogo.models.cooked
         private static const LARGEST:Number = 1000000000;
 
         /** The bytes of a model's section. @throws ModelError if it needs the model's place in its source, which is not finite */
-        public static function of(model:Model):ByteArray
+        public static function write(model:Model):ByteArray
         {
             var source:Vector.<Number> = model.source.toSource(model.vertices);
             var transform:ModelTransform = model.data.transform;
@@ -36,11 +36,11 @@ package starlogo.models.cooked
                 var points:Vector.<Number> = form < CookedReader.SINGLE ? multiples(source, CookedReader.divisorOf(form)) : singles(source);
                 if (areSourceOf(points, model, transform))
                 {
-                    return write(model, form, points, transform);
+                    return writeAs(model, form, points, transform);
                 }
             }
             refuseIf(SourceFrame.of(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
-            return write(model, CookedReader.DOUBLE, model.vertices, null);
+            return writeAs(model, CookedReader.DOUBLE, model.vertices, null);
         }
 
         // Whether a model of these points and the model's triangles is the model: the vertices and the place in the source are equal to the last bit.
@@ -76,7 +76,7 @@ package starlogo.models.cooked
             return points;
         }
 
-        private static function write(model:Model, form:int, points:Vector.<Number>, transform:ModelTransform):ByteArray
+        private static function writeAs(model:Model, form:int, points:Vector.<Number>, transform:ModelTransform):ByteArray
         {
             var out:ByteArray = CookedFile.newBytes();
             var data:ModelData = model.data;

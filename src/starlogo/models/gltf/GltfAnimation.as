@@ -1,6 +1,7 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.FileAnimation;
+    import starlogo.models.building.FileAnimation;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.steps.StepSequence;
 
     /**
@@ -22,7 +23,7 @@ package starlogo.models.gltf
         /**
          * @param file the file; all its steps must be done
          * @param index the animation's index
-         * @param upAxis as for GltfReader.of()
+         * @param upAxis as for GltfReader
          * @throws ModelError if it is wrong
          */
         public function GltfAnimation(file:GltfFile, index:int, upAxis:Object)
@@ -73,7 +74,8 @@ package starlogo.models.gltf
         /** @inheritDoc */
         public function verticesAt(time:Number):Vector.<Number>
         {
-            return GltfReader.verticesAt(_file, _upAxis, this, time);
+            _file.limits.restart();
+            return ModelBuilder.verticesOf(new GltfReader(_file, _upAxis, null, this, time));
         }
 
         /** The numbers of a node's property at a time in seconds. Null if the property is not animated. */

@@ -2,9 +2,9 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.models.FileLimits;
-    import starlogo.models.refuseIf;
-    import starlogo.models.shortened;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.refuseIf;
+    import starlogo.models.building.shortened;
     import starlogo.models.text.FileAddress;
     import starlogo.models.text.FileText;
     import starlogo.models.text.TextWords;
@@ -90,7 +90,7 @@ package starlogo.models.gltf
         }
 
         /** Reads a file at once. @param buffers the content of each other file, by its address; null if there are none */
-        public static function of(name:String, bytes:ByteArray, buffers:Object):GltfFile
+        public static function read(name:String, bytes:ByteArray, buffers:Object):GltfFile
         {
             var file:GltfFile = new GltfFile(name, bytes, null, function(uri:String, take:Function):void
                 {

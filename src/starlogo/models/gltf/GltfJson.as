@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.ModelError;
-    import starlogo.models.shortened;
+    import starlogo.models.building.shortened;
 
     /**
      * An object in the JSON of a glTF file. Its methods check what they read, and errors name the place. Only texts are never refused, and

@@ -1,8 +1,8 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.ModelData;
-    import starlogo.models.ModelBuilder;
-    import starlogo.models.VertexFilter;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.VertexFilter;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -14,7 +14,7 @@ package starlogo.models.gltf
      *
      * @private
      */
-    public final class GltfReader extends StepSequence
+    public final class GltfReader extends StepSequence implements ModelReader
     {
         private var _data:ModelData;
         private var _file:GltfFile;
@@ -24,46 +24,27 @@ package starlogo.models.gltf
         private var _loosePoints:Vector.<Number> = new Vector.<Number>();
 
         /**
-         * @param data takes what is read
          * @param file the file; its steps may be done
+         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
+         * @param scaling as for Model's constructor; null if the vertices are not normalised
          * @param animation moves the scene; null at rest
          * @param time the time of the animation, in seconds
          */
-        public function GltfReader(data:ModelData, file:GltfFile, animation:GltfAnimation = null, time:Number = 0)
+        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, animation:GltfAnimation = null, time:Number = 0)
         {
-            _data = data;
+            _data = ModelData.forFile(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
             add(file).begin(function():Steps
                 {
                     _scene = new GltfScene(file, animation, time);
                     return _scene;
-                }).begin(readingNodes).call(takeLoosePoints).add(new VertexFilter(data.vertices, data.triangles));
+                }).begin(readingNodes).call(takeLoosePoints).add(new VertexFilter(_data.vertices, _data.triangles));
         }
 
-        /**
-         * The work that makes a model of a file.
-         *
-         * @param file the file; its steps may be done
-         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
-         * @param scaling as for Model's constructor
-         */
-        public static function of(file:GltfFile, upAxis:Object, scaling:String):ModelBuilder
+        /** @inheritDoc */
+        public function get data():ModelData
         {
-            var data:ModelData = dataFor(file, upAxis, scaling);
-            return new ModelBuilder(data, new GltfReader(data, file));
-        }
-
-        /** Reads the vertices at a time of an animation, in seconds. They are not normalised. @param upAxis as for of() */
-        public static function verticesAt(file:GltfFile, upAxis:Object, animation:GltfAnimation, time:Number):Vector.<Number>
-        {
-            var data:ModelData = dataFor(file, upAxis, null);
-            file.limits.restart();
-            return data.verticesBy(new GltfReader(data, file, animation, time));
-        }
-
-        private static function dataFor(file:GltfFile, upAxis:Object, scaling:String):ModelData
-        {
-            return ModelData.forFile(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
+            return _data;
         }
 
         private function readingNodes():Steps

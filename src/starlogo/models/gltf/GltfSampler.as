@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.geometry.Trigonometry;
-    import starlogo.models.lastKeyAt;
+    import starlogo.models.building.lastNotAfter;
     import starlogo.steps.StepSequence;
 
     /** A property of a node over time: the keys of an animation's sampler, and what is between them. */
@@ -52,7 +52,7 @@ package starlogo.models.gltf
         {
             var times:Vector.<Number> = _times.numbers;
             var last:int = _times.count - 1;
-            var low:int = lastKeyAt(times, time);
+            var low:int = lastNotAfter(times, time);
             var next:int = low < last ? low + 1 : last;
             var length:Number = times[next] - times[low];
             var share:Number = time > times[low] && length > 0 ? (time - times[low]) / length : 0;

@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.geometry.Placement;
-    import starlogo.models.AffineTransform;
+    import starlogo.models.building.AffineTransform;
     import starlogo.steps.StepSequence;
 
     /** Finds the nodes with meshes in a glTF file's scene, and their transforms, in steps. */

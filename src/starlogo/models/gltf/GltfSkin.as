@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.AffineTransform;
+    import starlogo.models.building.AffineTransform;
     import starlogo.steps.StepSequence;
 
     /** How the joints of a skin move points, at rest or in a pose, as the nodes of the scene are. Its steps find a transform for each joint. */

@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
+    import starlogo.models.building.FileLimits;
     import starlogo.models.text.Decimal;
     import starlogo.steps.Steps;
 

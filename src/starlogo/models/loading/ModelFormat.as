@@ -1,8 +1,9 @@
 package starlogo.models.loading
 {
     import flash.utils.ByteArray;
-    import starlogo.models.ModelBuilder;
     import starlogo.models.ModelTransform;
+    import starlogo.models.building.ModelReader;
+    import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
@@ -56,7 +57,7 @@ package starlogo.models.loading
         }
 
         /**
-         * The builder of a file's model.
+         * The reader of a file.
          *
          * @param name the model's name
          * @param bytes the file
@@ -66,20 +67,20 @@ package starlogo.models.loading
          * @param scaling as for Model's constructor
          * @param fetch gives the other files that a glTF file names: see GltfFile
          */
-        public static function newBuilder(name:String, bytes:ByteArray, text:String, url:String, upAxis:Object, scaling:String, fetch:Function):ModelBuilder
+        public static function newReader(name:String, bytes:ByteArray, text:String, url:String, upAxis:Object, scaling:String, fetch:Function):ModelReader
         {
             switch (text == null ? ofBytes(bytes) : ofText(text, url))
             {
                 case COOKED:
-                    return CookedReader.of(name, bytes);
+                    return new CookedReader(name, bytes);
                 case STL:
-                    return StlReader.of(name, bytes, text, upAxis, scaling);
+                    return new StlReader(name, bytes, text, upAxis, scaling);
                 case COLLADA:
-                    return ColladaReader.of(name, text, upAxis as ModelTransform, scaling);
+                    return new ColladaReader(new ColladaDocument(name, text), upAxis as ModelTransform, scaling);
                 case GLTF:
-                    return GltfReader.of(new GltfFile(name, bytes, text, fetch), upAxis as ModelTransform, scaling);
+                    return new GltfReader(new GltfFile(name, bytes, text, fetch), upAxis as ModelTransform, scaling);
                 default:
-                    return ObjReader.of(name, text, upAxis, scaling);
+                    return new ObjReader(name, text, upAxis, scaling);
             }
         }
     }

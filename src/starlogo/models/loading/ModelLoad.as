@@ -6,9 +6,10 @@ package starlogo.models.loading
     import starlogo.models.ModelMaker;
     import starlogo.models.ModelReceiver;
     import starlogo.models.ModelTransform;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.building.refuseIf;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
-    import starlogo.models.refuseIf;
     import starlogo.models.text.FileAddress;
     import starlogo.models.text.FileText;
     import starlogo.steps.StepSequence;
@@ -134,7 +135,7 @@ package starlogo.models.loading
                     }
                 }).call(function():void
                 {
-                    addMaking(ModelFormat.newBuilder(name, bytes, text, _url, _upAxis, _scaling, fetchBeside));
+                    addMaking(new ModelBuilder(ModelFormat.newReader(name, bytes, text, _url, _upAxis, _scaling, fetchBeside)));
                 });
         }
 
@@ -171,7 +172,7 @@ package starlogo.models.loading
             var file:FileDownload = download(address);
             call(function():void
                 {
-                    _maker = CookedReader.of(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
+                    _maker = new ModelBuilder(new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms)));
                 }).repeat(readCooked);
         }
 

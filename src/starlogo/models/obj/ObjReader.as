@@ -1,14 +1,14 @@
 package starlogo.models.obj
 {
-    import starlogo.models.FileLimits;
-    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelBuilder;
-    import starlogo.models.TriangleLabels;
-    import starlogo.models.VertexFilter;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.TriangleLabels;
+    import starlogo.models.building.VertexFilter;
+    import starlogo.models.building.refuseIf;
+    import starlogo.models.building.shortened;
     import starlogo.models.polygons.Triangulator;
-    import starlogo.models.refuseIf;
-    import starlogo.models.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
     import starlogo.steps.StepSequence;
@@ -19,7 +19,7 @@ package starlogo.models.obj
      *
      * @private
      */
-    public final class ObjReader extends StepSequence
+    public final class ObjReader extends StepSequence implements ModelReader
     {
         private var _data:ModelData;
         private var _lines:LineReader;
@@ -36,34 +36,22 @@ package starlogo.models.obj
         private var _highestIndex:int = -1;
         private var _highestLine:int;
 
-        /**
-         * @param data takes what is read
-         * @param text the text
-         */
-        public function ObjReader(data:ModelData, text:String)
+        /** The parameters are those of ObjModel. */
+        public function ObjReader(name:String, text:String, upAxis:Object, scaling:String)
         {
-            var name:String = data.name;
+            _data = ModelData.forFile(name, upAxis, scaling);
             refuseIf(text == null, name, "there is no text to read");
             refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             refuseMarkup(name, text);
-            _data = data;
             _lines = new LineReader(name, text);
             _limits = new FileLimits(name, text.length);
-            repeat(readSome).call(checkIndices).begin(cutting).add(new VertexFilter(data.vertices, data.triangles));
+            repeat(readSome).call(checkIndices).begin(cutting).add(new VertexFilter(_data.vertices, _data.triangles));
         }
 
-        /**
-         * The work that makes a model of text.
-         *
-         * @param name the model's name
-         * @param text the text
-         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
-         * @param scaling as for Model's constructor
-         */
-        public static function of(name:String, text:String, upAxis:Object, scaling:String):ModelBuilder
+        /** @inheritDoc */
+        public function get data():ModelData
         {
-            var data:ModelData = ModelData.forFile(name, upAxis, scaling);
-            return new ModelBuilder(data, new ObjReader(data, text));
+            return _data;
         }
 
         // Throws if the text begins with a tag. A server may answer with a web page if it has no such file.

@@ -1,7 +1,7 @@
 package starlogo.models.polygons
 {
     import starlogo.geometry.roundingOfProduct;
-    import starlogo.models.FileLimits;
+    import starlogo.models.building.FileLimits;
 
     /**
      * A polygon's outline and holes as rings of corners in a plane. The polygon is projected along the coordinate axis nearest to the
@@ -42,18 +42,10 @@ package starlogo.models.polygons
         private var _vertices:Vector.<Number>;
         private var _origin:uint;
 
-        // the indices of the two projected coordinates, and the scale that keeps their products finite
+        // the indices of the two projected coordinates, which are equal if the outline has no area; and the scale that keeps their products finite
         private var _axisX:int;
         private var _axisY:int;
         private var _scale:Number;
-
-        /** Use <code>of()</code> instead. */
-        public function PolygonRings(limits:FileLimits, vertices:Vector.<Number>, origin:uint)
-        {
-            this.limits = limits;
-            _vertices = vertices;
-            _origin = origin;
-        }
 
         /**
          * The plane of a polygon, without rings yet.
@@ -61,21 +53,21 @@ package starlogo.models.polygons
          * @param limits limit the tests of corners
          * @param vertices x, y, z, ...; corners are indices of these
          * @param outline the corners of the outline
-         * @return null if the outline has no area
          */
-        internal static function of(limits:FileLimits, vertices:Vector.<Number>, outline:Vector.<uint>):PolygonRings
+        public function PolygonRings(limits:FileLimits, vertices:Vector.<Number>, outline:Vector.<uint>)
         {
-            var rings:PolygonRings = new PolygonRings(limits, vertices, outline[0]);
-            return rings.chooseAxis(outline) ? rings : null;
+            this.limits = limits;
+            _vertices = vertices;
+            _origin = outline[0];
+            chooseAxis(outline);
         }
 
-        // Chooses the axis of projection. Returns whether the outline has an area along it.
-        private function chooseAxis(outline:Vector.<uint>):Boolean
+        private function chooseAxis(outline:Vector.<uint>):void
         {
             _scale = 1 / extentOf(outline);
             if (!(_scale > 0 && _scale < Number.POSITIVE_INFINITY))
             {
-                return false;
+                return;
             }
             var normal:Vector.<Number> = new <Number>[
                     doubleArea(outline, 1, 2), doubleArea(outline, 2, 0), doubleArea(outline, 0, 1)];
@@ -87,10 +79,18 @@ package starlogo.models.polygons
                     axis = i;
                 }
             }
-            var turnsLeft:Boolean = normal[axis] > 0;
-            _axisX = (axis + (turnsLeft ? 1 : 2)) % 3;
-            _axisY = (axis + (turnsLeft ? 2 : 1)) % 3;
-            return normal[axis] != 0;
+            if (normal[axis] != 0)
+            {
+                var turnsLeft:Boolean = normal[axis] > 0;
+                _axisX = (axis + (turnsLeft ? 1 : 2)) % 3;
+                _axisY = (axis + (turnsLeft ? 2 : 1)) % 3;
+            }
+        }
+
+        /** Whether the outline has an area. Otherwise there is no plane, and no ring can be added. */
+        internal function get hasArea():Boolean
+        {
+            return _axisX != _axisY;
         }
 
         /**

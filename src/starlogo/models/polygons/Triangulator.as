@@ -1,6 +1,6 @@
 package starlogo.models.polygons
 {
-    import starlogo.models.FileLimits;
+    import starlogo.models.building.FileLimits;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -94,8 +94,8 @@ package starlogo.models.polygons
                 addSmall(outline);
                 return null;
             }
-            var rings:PolygonRings = PolygonRings.of(_limits, _vertices, outline);
-            if (rings == null)
+            var rings:PolygonRings = new PolygonRings(_limits, _vertices, outline);
+            if (!rings.hasArea)
             {
                 return null;
             }

@@ -3,11 +3,11 @@ package starlogo.models.stl
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.geometry.vertices.PointTable;
-    import starlogo.models.FileLimits;
-    import starlogo.models.ModelData;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelBuilder;
-    import starlogo.models.refuseIf;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.ModelData;
+    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.refuseIf;
     import starlogo.models.text.FileText;
     import starlogo.models.text.LineReader;
     import starlogo.steps.StepSequence;
@@ -17,7 +17,7 @@ package starlogo.models.stl
      *
      * @private
      */
-    public final class StlReader extends StepSequence
+    public final class StlReader extends StepSequence implements ModelReader
     {
         private static const HEADER_LENGTH:int = 84;
         private static const COUNT_PLACE:int = 80;
@@ -36,38 +36,31 @@ package starlogo.models.stl
         private var _corners:int = 0;
 
         /**
-         * @param data takes what is read
+         * @param name the model's name
          * @param bytes a binary file, or the bytes of the text; their endianness is set; null if there is only text
          * @param text the text; null to use the bytes
+         * @param upAxis as for StlModel
+         * @param scaling as for Model
          */
-        public function StlReader(data:ModelData, bytes:ByteArray, text:String)
+        public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String)
         {
-            _data = data;
+            _data = ModelData.forFile(name, upAxis, scaling);
             if (text == null && bytes != null && isBinary(bytes))
             {
                 addBinary(bytes);
             }
             else
             {
-                addText(text == null ? FileText.decode(data.name, bytes, "STL file, or one that is cut off") : text);
+                addText(text == null ? FileText.decode(_data.name, bytes, "STL file, or one that is cut off") : text);
             }
-            data.vertices = _points.coordinates;
+            _data.vertices = _points.coordinates;
             call(checkEnd);
         }
 
-        /**
-         * The work that makes a model of a file.
-         *
-         * @param name the model's name
-         * @param bytes as for the constructor
-         * @param text as for the constructor
-         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
-         * @param scaling as for Model's constructor
-         */
-        public static function of(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String):ModelBuilder
+        /** @inheritDoc */
+        public function get data():ModelData
         {
-            var data:ModelData = ModelData.forFile(name, upAxis, scaling);
-            return new ModelBuilder(data, new StlReader(data, bytes, text));
+            return _data;
         }
 
         private function addText(text:String):void

@@ -1,9 +1,9 @@
 package starlogo.models.text
 {
     import flash.utils.ByteArray;
-    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
-    import starlogo.models.refuseIf;
+    import starlogo.models.building.FileLimits;
+    import starlogo.models.building.refuseIf;
 
     /**
      * Decodes the bytes of a model's file into text. It detects the encoding. Other encodings than UTF-8 are decoded here, because Adobe's VM

@@ -5,7 +5,7 @@ package starlogo.queries.rays
     import starlogo.geometry.Placement;
     import starlogo.geometry.copyVector;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.models.TriangleLabels;
+    import starlogo.models.building.TriangleLabels;
     import starlogo.queries.CastHit;
     import starlogo.search.Body;
 

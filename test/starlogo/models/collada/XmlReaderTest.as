@@ -2,8 +2,8 @@ package starlogo.models.collada
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
-    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
+    import starlogo.models.building.FileLimits;
     import starlogo.models.text.TextWords;
     import starlogo.steps.finish;
     import support.assertThrows;

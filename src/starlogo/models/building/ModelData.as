@@ -1,8 +1,8 @@
-package starlogo.models
+package starlogo.models.building
 {
+    import starlogo.models.ModelTransform;
+    import starlogo.models.SourceFrame;
     import starlogo.models.cooked.CookedFile;
-    import starlogo.steps.Steps;
-    import starlogo.steps.finish;
 
     /**
      * What a model is made of, as a record. First come the settings, then the content, then where it is from. The caller and the reader of a format
@@ -70,18 +70,6 @@ package starlogo.models
             data.transform = upAxis as ModelTransform;
             data.upAxis = data.transform == null ? String(upAxis) : "z";
             return data;
-        }
-
-        /**
-         * The vertices that a reader gives, z up and not normalised.
-         *
-         * @param reading the steps that fill this data
-         */
-        public function verticesBy(reading:Steps):Vector.<Number>
-        {
-            finish(reading);
-            finish(turnToZUp(upAxis).transformingPoints(vertices));
-            return vertices;
         }
 
         /**

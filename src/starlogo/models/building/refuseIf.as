@@ -1,5 +1,7 @@
-package starlogo.models
+package starlogo.models.building
 {
+    import starlogo.models.ModelError;
+
     /**
      * Throws a ModelError if something in a model's file is wrong. The message is built in any case, so long loops throw their errors
      * themselves.

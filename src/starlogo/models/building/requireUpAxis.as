@@ -1,7 +1,9 @@
-package starlogo.models
+package starlogo.models.building
 {
     import starlogo.data.textOf;
     import starlogo.engine;
+    import starlogo.models.Model;
+    import starlogo.models.ModelTransform;
 
     use namespace engine;
 

@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.building
 {
     import starlogo.steps.StepSequence;
 

@@ -1,5 +1,7 @@
-package starlogo.models
+package starlogo.models.building
 {
+    import starlogo.models.ModelError;
+
     /**
      * The largest numbers of vertices, triangles and other things that a file may have, and the tests of corners that cutting its polygons
      * may take. A reader asks before it reserves memory for a declared count, and before it reads or places something once more. The limits grow with the

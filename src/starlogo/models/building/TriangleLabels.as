@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.building
 {
     /**
      * The material or the mesh of each triangle: a number, which may have a name. A reader says where triangles with another number begin.
@@ -14,7 +14,7 @@ package starlogo.models
          * Triangles that follow one another and have the same number are a run. This is the first triangle of each run. <code>close()</code> adds the
          * number of triangles, so each run ends where the next entry begins. Read only.
          */
-        public var starts:Vector.<int> = new <int>[0];
+        public var starts:Vector.<Number> = new <Number>[0];
 
         /** The number of each run. That of the first run is -1, for triangles without a number. Only the first run may have no triangle. Read only. */
         public var numbersOfRuns:Vector.<int> = new <int>[-1];
@@ -102,21 +102,7 @@ package starlogo.models
         /** The number of a triangle, after <code>close()</code>; -1 if it has none. */
         public function numberOf(triangle:int):int
         {
-            var low:int = 0;
-            var high:int = numbersOfRuns.length - 1;
-            while (low < high)
-            {
-                var middle:int = (low + high + 1) >> 1;
-                if (starts[middle] <= triangle)
-                {
-                    low = middle;
-                }
-                else
-                {
-                    high = middle - 1;
-                }
-            }
-            return numbersOfRuns[low];
+            return numbersOfRuns[lastNotAfter(starts, triangle)];
         }
 
         /** The name of a number; null if it has none. */

@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.building
 {
     /**
      * An animation of a model's file.

@@ -1,9 +1,15 @@
-package starlogo.models
+package starlogo.models.building
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.vertices.VertexBounds;
-    import starlogo.geometry.vertices.VertexData;
+    import starlogo.geometry.vertices.triangleProblem;
+    import starlogo.geometry.vertices.vertexProblem;
+    import starlogo.models.Model;
+    import starlogo.models.ModelError;
+    import starlogo.models.ModelMaker;
+    import starlogo.models.ModelTransform;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -34,15 +40,16 @@ package starlogo.models
         private var _bounds:VertexBounds;
 
         /**
-         * @param data what is read; see <code>ModelData.forFile()</code>. The steps change it, and throw the errors of Model's constructor
-         * @param reading the steps that fill the data; null if its vertices and triangles are complete
+         * @param reader reads the data; none of its steps is done yet. Null if there is no file
+         * @param data what the model is made of, if there is no reader. The steps change it, and throw the errors of Model's constructor
          */
-        public function ModelBuilder(data:ModelData, reading:Steps = null)
+        public function ModelBuilder(reader:ModelReader, data:ModelData = null)
         {
             _data = data;
-            if (reading != null)
+            if (reader != null)
             {
-                add(reading);
+                _data = reader.data;
+                add(reader);
             }
             call(checkData).call(addParts);
         }
@@ -64,7 +71,16 @@ package starlogo.models
             data.triangles = triangles == null ? data.triangles : triangles.slice();
             data.scaling = scaling;
             data.transform = transform;
-            return new ModelBuilder(data).build();
+            return new ModelBuilder(null, data).build();
+        }
+
+        /** The vertices that a reader reads, z up and not normalised. None of its steps is done yet. */
+        public static function verticesOf(reader:ModelReader):Vector.<Number>
+        {
+            finish(reader);
+            var data:ModelData = reader.data;
+            finish(turnToZUp(data.upAxis).transformingPoints(data.vertices));
+            return data.vertices;
         }
 
         /** Does all steps that are left. Returns the data, which are complete then. */
@@ -151,14 +167,16 @@ package starlogo.models
             _bounds.add(_data.vertices, first, end);
             if (!_bounds.areFinite)
             {
-                throw new ModelError(_data.name, "", VertexData.vertexProblem(_data.vertices));
+                throw new ModelError(_data.name, "", vertexProblem(_data.vertices));
             }
         }
 
         private function turning():Steps
         {
-            var transform:ModelTransform = _data.transform;
-            return transform == null || transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
+            var degrees:Vector3D = _data.transform == null ? new Vector3D() : _data.transform.rotation;
+            var turn:Placement = new Placement();
+            turn.setRotation(degrees.z, degrees.y, degrees.x);
+            return degrees.lengthSquared == 0 ? null : transforming(AffineTransform.of(turn), 1);
         }
 
         private function stretching():Steps
@@ -244,7 +262,7 @@ package starlogo.models
 
         private function checkCorners(first:int, end:int):void
         {
-            var problem:String = VertexData.triangleProblem(_data.triangles, _data.vertices.length / 3, first, end);
+            var problem:String = triangleProblem(_data.triangles, _data.vertices.length / 3, first, end);
             refuseIf(problem != null, _data.name, problem);
         }
 

@@ -1,8 +1,12 @@
-package starlogo.models
+package starlogo.models.building
 {
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.models.ColladaModel;
+    import starlogo.models.GltfModel;
+    import starlogo.models.Model;
+    import starlogo.models.ModelError;
     import support.Collada;
     import support.Failures;
     import support.Gltf;

@@ -1,10 +1,11 @@
-package starlogo.models
+package starlogo.models.building
 {
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.models.ModelTransform;
 
     use namespace engine;
 

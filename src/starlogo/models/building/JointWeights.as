@@ -1,0 +1,70 @@
+package starlogo.models.building
+{
+    /**
+     * How much each point of a skin follows which joints. The lists have the influences of all points, one point after the other.
+     *
+     * @private
+     */
+    public final class JointWeights
+    {
+        /** The first influence of each point, and one entry more: the number of influences. */
+        public var starts:Vector.<int> = new <int>[0];
+
+        /** The index of each influence's joint. */
+        public var joints:Vector.<int> = new Vector.<int>();
+
+        /** The weight of each influence. */
+        public var weights:Vector.<Number> = new Vector.<Number>();
+
+        /** Weights for no points. */
+        public function JointWeights()
+        {
+        }
+
+        /**
+         * Moves some of the points to where their joints put them. The weights of a point are divided by their sum. A point without weights follows the
+         * first joint.
+         *
+         * @param points x, y, z of each point
+         * @param palette what each joint does to points
+         * @param first the index of the first point
+         * @param end the index after the last one
+         * @return whether all new coordinates are finite
+         */
+        public function move(points:Vector.<Number>, palette:Vector.<AffineTransform>, first:int, end:int):Boolean
+        {
+            var moved:Vector.<Number> = new Vector.<Number>(3);
+            var differences:Number = 0;
+            for (var i:int = first; i < end; i++)
+            {
+                var at:int = 3 * i;
+                var sum:Number = 0;
+                var x:Number = 0;
+                var y:Number = 0;
+                var z:Number = 0;
+                for (var k:int = starts[i]; k < starts[int(i + 1)]; k++)
+                {
+                    var weight:Number = weights[k];
+                    palette[joints[k]].transformPoints(points, i, i + 1, moved, 0);
+                    sum += weight;
+                    x += weight * moved[0];
+                    y += weight * moved[1];
+                    z += weight * moved[2];
+                }
+                if (sum == 0)
+                {
+                    palette[0].transformPoints(points, i, i + 1, points, i);
+                }
+                else
+                {
+                    points[at] = x / sum;
+                    points[int(at + 1)] = y / sum;
+                    points[int(at + 2)] = z / sum;
+                }
+                var all:Number = points[at] + points[int(at + 1)] + points[int(at + 2)];
+                differences += all - all;
+            }
+            return differences == 0;
+        }
+    }
+}

@@ -1,5 +1,7 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * Answers four questions about any two convex shapes: whether they touch, where they are closest, when a moving one first touches the other,
      * and how far they overlap. A shape is a core of points with a radius (ConvexShape). CoreDistance finds the distance of two cores with the help
@@ -18,11 +20,6 @@ package starlogo.convex
      */
     public final class ConvexKernel
     {
-        // A gap that is longer than this fraction of the extents has a certain direction, which is the contact's normal. It is less than
-        // Tolerances.DIRECTION, because these gaps are made perpendicular to the edges and faces that they end at. Smaller than 1e-12: rounding turns
-        // the normal by more than 4e-4. Larger: depths have an error of that fraction.
-        private static const CERTAIN_GAP:Number = 1e-11;
-
         private var _distance:CoreDistance = new CoreDistance();
         private var _overlap:CoreOverlap = new CoreOverlap();
         private var _common:CommonPoint = new CommonPoint();
@@ -102,7 +99,7 @@ package starlogo.convex
             beginContact(a, b, motion);
             _distance.find(_cores, _witness);
             var distance:Number = _witness.distance;
-            if (distance > CERTAIN_GAP * (a.extent + b.extent))
+            if (distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
             {
                 _witness.setAxis(_witness.gap.x / distance, _witness.gap.y / distance, _witness.gap.z / distance, distance);
             }

@@ -17,11 +17,6 @@ package starlogo.convex
      */
     internal final class CoreOverlap
     {
-        // The squared sine of the angle to z within which an axis counts as upright. A contact's normal that is perpendicular to an upright axis is
-        // along x. A normal that is perpendicular to another axis points upwards as far as possible. Smaller than 1e-14: that normal has no digits
-        // left. Larger: normals jump at axes that lean more.
-        private static const UPRIGHT:Number = 1e-6;
-
         // How many numbers describe an edge: 0 to 2 its vector, times the shape's scale; 3 to 5 and 6 to 8 a normal of each of its two faces, as long
         // as this vector times the height of the face's other point over it; 9 to 11 its start. The normals of bare edges are 0.
         private static const PER_EDGE:int = 12;
@@ -240,7 +235,7 @@ package starlogo.convex
         }
 
         // Replaces an axis by a unit vector perpendicular to it that points upwards as far as possible. If the axis is vertical, up to
-        // UPRIGHT, the vector is along x. If it is 0, the vector is along z.
+        // Tolerances.UPRIGHT, the vector is along x. If it is 0, the vector is along z.
         private static function turnUpwards(axis:Vector3D):void
         {
             var x:Number = axis.x;
@@ -252,7 +247,7 @@ package starlogo.convex
                 axis.setTo(0, 0, 1);
                 return;
             }
-            if (x * x + y * y > UPRIGHT * squared)
+            if (x * x + y * y > Tolerances.UPRIGHT * squared)
             {
                 axis.setTo(-x * z / squared, -y * z / squared, 1 - z * z / squared);
             }

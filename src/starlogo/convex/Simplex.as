@@ -1,15 +1,12 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * The simplex of CoreDistance: a point, segment, triangle or tetrahedron of differences of two cores' points. Its fields are read only.
      */
     internal final class Simplex
     {
-        // The rounding of the difference of a point of one convex core and a point of the other, as a fraction of the extents and of the distance of
-        // their places: about four units in the last place. Smaller: the search for the closest points goes on among rounding errors. Larger: it
-        // ends too early, with an error of that fraction.
-        private static const ROUNDING:Number = 4e-16;
-
         /** The origin is inside of the simplex. */
         public static const INSIDE:int = 0;
 
@@ -36,7 +33,7 @@ package starlogo.convex
         /** Begins without corners. */
         public function begin(cores:CorePair):void
         {
-            rounding = ROUNDING * (cores.first.extent + cores.second.extent + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
+            rounding = Tolerances.CORE_POINTS * (cores.first.extent + cores.second.extent + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
             count = 0;
         }
 

@@ -1,5 +1,7 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * Finds the point of a simplex that is nearest to the origin, a part at a time: a corner, an edge or a triangle. A part is tried together with the
      * smaller parts that it is made of.
@@ -13,12 +15,6 @@ package starlogo.convex
      */
     internal final class SimplexPart
     {
-        // The squared height of a triangle over its longest edge below which it counts as its edges, as a fraction of that edge squared. It is
-        // smaller than the ratio at which a TrianglePlane is flat, because a point in a needle has more digits than the needle's normal. Smaller:
-        // the height of a needle is a rounding error, and distances from it are wrong. Larger: the nearest point of a narrow triangle is taken from
-        // its edges, and is farther by its height.
-        private static const NARROW:Number = 1e-28;
-
         /** Tries a corner. */
         public static function tryCorner(w:Vector.<Number>, i:int, out:NearestPoint):void
         {
@@ -135,7 +131,7 @@ package starlogo.convex
             toZ += along * uz;
             var up:Number = -(toX * hx + toY * hy + toZ * hz) / hh;
             var low:Number = along - foot * up;
-            if (!(hh > NARROW * uu && up > 0 && low > 0 && low < 1 - up))
+            if (!(hh > Tolerances.NARROW_TRIANGLE * uu && up > 0 && low > 0 && low < 1 - up))
             {
                 tryEdges(w, i, j, k, newest, out);
                 return;

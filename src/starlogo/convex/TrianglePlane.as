@@ -6,7 +6,7 @@ package starlogo.convex
     /**
      * The plane of a triangle: a quick test by it, and contacts whose normal is the plane's. Its fields are read only.
      *
-     * <p>This class alone decides which triangles are flat: needles and points, whose normal would be a rounding error (FLAT). A
+     * <p>This class alone decides which triangles are flat: needles and points, whose normal would be a rounding error (Tolerances.FLAT_TRIANGLE). A
      * flat triangle has no plane. Its normal is 0 and its offset NaN, so all comparisons with places along the normal are false. ConvexKernel makes no
      * difference: to it a triangle is the hull of its corners, however narrow that is.</p>
      *
@@ -14,10 +14,6 @@ package starlogo.convex
      */
     public final class TrianglePlane
     {
-        // The squared height of a triangle over its longest edge below which the triangle is flat, as a fraction of that edge squared. A flat
-        // triangle has no plane, and no side. Smaller: the normal of a needle is a rounding error. Larger: needles lose their sides.
-        private static const FLAT:Number = 1e-24;
-
         // Points of a core are equally deep if their depths differ by less than this fraction of its extent along the normal.
         private static const SAME_DEPTH:Number = 1e-12;
 
@@ -61,7 +57,7 @@ package starlogo.convex
             var z:Number = ux * vy - uy * vx;
             doubleArea = Math.sqrt(x * x + y * y + z * z);
             // the height over the longest edge is the double area divided by that edge
-            if (!(doubleArea * doubleArea > FLAT * longest * longest))
+            if (!(doubleArea * doubleArea > Tolerances.FLAT_TRIANGLE * longest * longest))
             {
                 normal.setTo(0, 0, 0);
                 offset = least = greatest = NaN;

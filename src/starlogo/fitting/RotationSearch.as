@@ -2,9 +2,10 @@ package starlogo.fitting
 {
     import starlogo.bounding.Box;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
-    import starlogo.geometry.Trigonometry;
     import starlogo.geometry.hull.ConvexHull;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Trigonometry;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
@@ -25,10 +26,6 @@ package starlogo.fitting
      */
     internal final class RotationSearch extends StepSequence
     {
-        // The fraction by which a box must be smaller than the one before to replace it. Smaller: rounding chooses between rotations that are
-        // equally good. Larger: fits are looser by that fraction.
-        private static const TIE:Number = 1e-9;
-
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
 
@@ -122,7 +119,7 @@ package starlogo.fitting
                 var sine:Number = _sines[multiple];
                 var width:Number = extentAlong(corners, 0, cosine, -sine);
                 var depth:Number = extentAlong(corners, 2, sine, cosine);
-                var least:Number = _least * (1 - TIE);
+                var least:Number = _least * (1 - Tolerances.FIT_TIE);
                 if (thickness * width * depth >= least)
                 {
                     continue;
@@ -132,7 +129,7 @@ package starlogo.fitting
                 {
                     _least = volume;
                     _best.setRotation(multiple * _stepZ, aboutY, aboutX);
-                    if (volume <= _hull.volume * (1 + TIE))
+                    if (volume <= _hull.volume * (1 + Tolerances.FIT_TIE))
                     {
                         return false;
                     }

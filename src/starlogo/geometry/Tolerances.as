@@ -1,8 +1,7 @@
 package starlogo.geometry
 {
     /**
-     * The engine's tolerances, as far as several classes share them. Each says what it limits, in which unit, and what happens if it is smaller or
-     * larger. A tolerance that one class has alone stands in that class.
+     * The engine's tolerances. Each says what it limits, in which unit, and what happens if it is smaller or larger.
      *
      * <p>Nearly all are relative, so games of any scale behave in the same way. They come from two rounding errors: 1.1e-16 relative for a
      * Number, and 6e-8 relative for Flash Player's single-precision Matrix3D.</p>
@@ -63,10 +62,67 @@ package starlogo.geometry
         public static const PARALLEL:Number = 1e-28;
 
         /**
+         * A vertex above a triangle of the hull belongs to the triangle's plane up to this distance, in steps of the hull's grid (3e-8 of
+         * the extent). Smaller than 1.8: a flat side that is not along the axes keeps dozens of vertices that are not its corners.
+         * Larger: hulls are coarser.
+         */
+        public static const HULL_COPLANAR:Number = 2;
+
+        /**
+         * The distance from a plane beyond which its computed sign is right, in steps of the hull's grid. Smaller than 1e-7: hulls may be
+         * wrong. Larger: the slower, exact computation decides more often.
+         */
+        public static const HULL_CERTAIN:Number = 1e-6;
+
+        /**
+         * The thickness up to which vertices count as lying in a plane, on a line or in one place, as a fraction of their extent. Smaller:
+         * the rounding of a flat model counts as a shape. Larger: boxes around thin models are looser.
+         */
+        public static const HULL_FLAT:Number = 1e-12;
+
+        /**
          * The number up to which lengths, heights and determinants are rounding, where shapes have a size of about 1. Smaller: rounding
          * decides how a hull loses corners, and flat sides of a hull have edges inside. Larger: short edges and shallow ones are lost.
          */
         public static const UNIT_ROUNDING:Number = 1e-12;
+
+        /**
+         * This fraction of the largest coordinate is added to the thickness that HULL_FLAT allows. Smaller: a flat model far from the
+         * origin counts as a solid one. Larger: a thin model far from the origin counts as a flat one.
+         */
+        public static const HULL_ROUNDING:Number = 1e-14;
+
+        /**
+         * The share of their axis-aligned box that vertices must fill to get a grid along the coordinate axes. Vertices that fill less
+         * get a grid along axes of their own. Smaller: thin rotated models lose precision. Larger: models with flat sides along the axes
+         * get a rotated grid, on which these sides are not exactly flat.
+         */
+        public static const HULL_THIN:Number = 0.02;
+
+        /**
+         * The fraction by which a box must be smaller than the one before to replace it. Smaller: rounding chooses between rotations that
+         * are equally good. Larger: fits are looser by that fraction.
+         */
+        public static const FIT_TIE:Number = 1e-9;
+
+        /**
+         * How far a point may be outside of the smallest sphere through others, as a fraction of the squared radius. Smaller than 1e-14:
+         * rounding may leave no sphere that holds all points. Larger: smallest spheres are larger by that fraction.
+         */
+        public static const BALL_SLACK:Number = 1e-12;
+
+        /**
+         * A point counts as lying in the plane, line or place of other points if less than this share of its squared distance is
+         * perpendicular to it. No sphere is put through such points. Smaller: the search tries centres far away, which are rounding errors.
+         * Larger: the smallest sphere of nearly flat points may be missed.
+         */
+        public static const BALL_SINGULAR:Number = 1e-13;
+
+        /**
+         * A point is outside of the smallest sphere if it enlarges the squared radius by more than this fraction. Smaller: the search may
+         * never end. Larger: points outside count as inside, by half that fraction of the radius.
+         */
+        public static const BALL_GAIN:Number = 1e-14;
 
         /**
          * The gap across which the surfaces of two models touch, as a fraction of the sum of the radii of spheres around both. The nodes of
@@ -81,6 +137,13 @@ package starlogo.geometry
          * shapes with a gap collide.
          */
         public static const CORES:Number = 1e-15;
+
+        /**
+         * The rounding of the difference of a point of one convex core and a point of the other, as a fraction of the extents and of the distance of
+         * their places: about four units in the last place. Smaller: the search for the closest points goes on among rounding errors. Larger: it ends
+         * too early, with an error of that fraction.
+         */
+        public static const CORE_POINTS:Number = 4e-16;
 
         /**
          * How much larger a hierarchy's nodes are than the nodes of the next level, as a fraction of the model's radius. Smaller than
@@ -103,12 +166,39 @@ package starlogo.geometry
         public static const WELDING:Number = 2.5e-7;
 
         /**
+         * The squared height of a triangle over its longest edge below which the triangle is flat, as a fraction of that edge squared. A flat
+         * triangle has no plane, and no side. Smaller: the normal of a needle is a rounding error. Larger: needles lose their sides.
+         */
+        public static const FLAT_TRIANGLE:Number = 1e-24;
+
+        /**
+         * The same ratio, below which a triangle between two convex cores counts as its edges. It is smaller than FLAT_TRIANGLE, because a point in
+         * a needle has more digits than the needle's normal. Smaller: the height of a needle is a rounding error, and distances from it are wrong.
+         * Larger: the nearest point of a narrow triangle is taken from its edges, and is farther by its height.
+         */
+        public static const NARROW_TRIANGLE:Number = 1e-28;
+
+        /**
          * The least sine of an angle between directions of contacts that rounding leaves certain. Edges within this angle count as parallel to
          * each other or to a face. As a fraction of the structures' size it is a length: a gap that is longer has a certain direction, so the
          * normal is along it, and corners whose depths differ by less touch together. Smaller: normals have an error of 1e-16 divided by it.
          * Larger: depths have an error of that fraction.
          */
         public static const DIRECTION:Number = 1e-9;
+
+        /**
+         * As a length, DIRECTION for the gaps that the package convex finds. They are made perpendicular to the edges and faces that they end at, so
+         * shorter ones have a certain direction: the normal of the contact, if the cores are farther apart than this fraction of their extents. Smaller
+         * than 1e-12: rounding turns the normal by more than 4e-4. Larger: depths have an error of that fraction.
+         */
+        public static const PERPENDICULAR_GAP:Number = 1e-11;
+
+        /**
+         * The squared sine of the angle to z within which an axis counts as upright. A contact's normal that is perpendicular to an
+         * upright axis is along x. A normal that is perpendicular to another axis points upwards as far as possible. Smaller than 1e-14:
+         * that normal has no digits left. Larger: normals jump at axes that lean more.
+         */
+        public static const UPRIGHT:Number = 1e-6;
 
         /**
          * The largest difference between two computations of the same time of impact, as a fraction of the motion. Of the triangles that touch
@@ -125,6 +215,18 @@ package starlogo.geometry
         public static const SEPARATION:Number = 1e-9;
 
         /**
+         * The sine of the angle by which a position may be outside of a cone's border and still be in the cone. Smaller than 1e-15:
+         * rounding decides at the border. Larger: cones are wider by that angle.
+         */
+        public static const CONE:Number = 2e-14;
+
+        /**
+         * The squared length up to which nothing stops a motion, in square patches. Smaller than 1e-300: squares have no digits left, and
+         * directions are lost. Larger: an agent may move into another one by the square root of it.
+         */
+        public static const VANISHING:Number = 1e-290;
+
+        /**
          * The factor that enlarges the shapes of quick tests, which come before the deciding test. Smaller than 1 + 1e-14: because of
          * rounding, quick tests may separate shapes that touch. Larger: quick tests decide fewer pairs.
          */
@@ -135,5 +237,11 @@ package starlogo.geometry
          * 1e-14: agents that touch because of rounding may not be found. Larger: more agents are tested.
          */
         public static const EXTENTS:Number = 1e-13;
+
+        /**
+         * The boxes of EXTENTS are also enlarged by this factor times the gap of PLACES for the agent's position. Smaller than 2: agents
+         * that touch by PLACES may not be found. Larger: more agents are tested.
+         */
+        public static const EXTENTS_GAPS:Number = 100;
     }
 }

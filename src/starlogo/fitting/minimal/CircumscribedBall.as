@@ -1,6 +1,7 @@
 package starlogo.fitting.minimal
 {
     import starlogo.fitting.EnclosingStructures;
+    import starlogo.geometry.Tolerances;
 
     /**
      * The smallest ball with one to four given points on its surface. It is a part of SmallestEnclosingBall.
@@ -9,15 +10,6 @@ package starlogo.fitting.minimal
      */
     public final class CircumscribedBall
     {
-        // How far a point may be outside of the smallest sphere through others, as a fraction of the squared radius. Smaller than 1e-14: rounding
-        // may leave no sphere that holds all points. Larger: smallest spheres are larger by that fraction.
-        private static const SLACK:Number = 1e-12;
-
-        // A point counts as lying in the plane, line or place of other points if less than this share of its squared distance is perpendicular to
-        // it. No sphere is put through such points. Smaller: the search tries centres far away, which are rounding errors. Larger: the smallest
-        // sphere of nearly flat points may be missed.
-        private static const SINGULAR:Number = 1e-13;
-
         /** x of the centre. */
         public var x:Number;
 
@@ -62,7 +54,7 @@ package starlogo.fitting.minimal
                     toZ -= along * axes[k + 2];
                 }
                 var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
-                if (!(length * length > SINGULAR * lengthSquared))
+                if (!(length * length > Tolerances.BALL_SINGULAR * lengthSquared))
                 {
                     return null;
                 }
@@ -85,7 +77,7 @@ package starlogo.fitting.minimal
         {
             for (var i:int = 0; i < others.length; i += 3)
             {
-                if (EnclosingStructures.squaredDistance(others, i, x, y, z) > squaredRadius * (1 + SLACK))
+                if (EnclosingStructures.squaredDistance(others, i, x, y, z) > squaredRadius * (1 + Tolerances.BALL_SLACK))
                 {
                     return false;
                 }

@@ -1,6 +1,7 @@
 package starlogo.fitting.minimal
 {
     import starlogo.fitting.EnclosingStructures;
+    import starlogo.geometry.Tolerances;
 
     /**
      * Finds the smallest ball around points, exactly (Welzl, "Smallest Enclosing Disks (Balls and Ellipsoids)", 1991). At most four points
@@ -15,10 +16,6 @@ package starlogo.fitting.minimal
      */
     public final class SmallestEnclosingBall
     {
-        // A point is outside of the smallest sphere if it enlarges the squared radius by more than this fraction. Smaller: the search may never end.
-        // Larger: points outside count as inside, by half that fraction of the radius.
-        private static const GAIN:Number = 1e-14;
-
         // The ball so far, relative to the first point, because rounding would lose digits far from the origin.
         private var _origin:Vector.<Number>;
         private var _ball:CircumscribedBall = CircumscribedBall.through(new <Number>[0, 0, 0]);
@@ -74,7 +71,7 @@ package starlogo.fitting.minimal
 
         private function isLarger(square:Number):Boolean
         {
-            return square > _ball.squaredRadius * (1 + GAIN);
+            return square > _ball.squaredRadius * (1 + Tolerances.BALL_GAIN);
         }
 
         // Grows to the smallest ball through this point and around the points of the ball so far. Returns false if it does not grow any more.

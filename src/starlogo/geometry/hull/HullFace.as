@@ -1,5 +1,7 @@
 package starlogo.geometry.hull
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * A triangle of the hull that QuickHull is building: its corners counter-clockwise seen from outside, its neighbours, its plane, and
      * the list of points beyond that plane that QuickHull has not processed yet. Coordinates are those of QuickHull's grid.
@@ -8,14 +10,9 @@ package starlogo.geometry.hull
      */
     internal final class HullFace
     {
-        /**
-         * The distance from a plane beyond which its computed sign is right, in steps of the hull's grid. Smaller than 1e-7: hulls may be wrong.
-         * Larger: the slower, exact computation decides more often.
-         */
-        internal static const CERTAIN:Number = 1e-6;
-
         // The number at which a normal's components are split for exact products.
         private static const SPLIT:Number = 67108864;
+        private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
 
         /** A corner, as the index of a point. */
         public var a:int;

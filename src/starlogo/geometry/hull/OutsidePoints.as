@@ -1,15 +1,15 @@
 package starlogo.geometry.hull
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * The points outside of the hull that QuickHull is building. Each point is on the list of a face that it lies beyond, as long as it may
      * become a vertex.
      */
     internal final class OutsidePoints
     {
-        // A vertex above a triangle of the hull belongs to the triangle's plane up to this distance, in steps of the hull's grid (3e-8 of the
-        // extent). Smaller than 1.8: a flat side that is not along the axes keeps dozens of vertices that are not its corners. Larger: hulls are
-        // coarser.
-        private static const COPLANAR:Number = 2;
+        private static const COPLANAR:Number = Tolerances.HULL_COPLANAR;
+        private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
 
         // Level 0 holds faces whose farthest point is at most 1 step away, level n those with 2^(n-1) to 2^n steps. Every distance is below
         // 2^26.
@@ -152,7 +152,7 @@ package starlogo.geometry.hull
 
         /**
          * Puts a point on the list of a face that it lies beyond. If it lies beyond none of the faces, it is inside of the hull from now
-         * on. A point that is over a face, not more than COPLANAR above it, is left out like one inside.
+         * on. A point that is over a face, not more than HULL_COPLANAR above it, is left out like one inside.
          */
         public function assign(point:int, faces:Vector.<HullFace>):void
         {
@@ -171,7 +171,7 @@ package starlogo.geometry.hull
                     addTo(face, point, distance);
                     return;
                 }
-                if (distance > HullFace.CERTAIN)
+                if (distance > CERTAIN)
                 {
                     if (face.isAbove(_points, x, y, z))
                     {
@@ -192,12 +192,12 @@ package starlogo.geometry.hull
         {
             _next[point] = face.firstOutside;
             face.firstOutside = point;
-            if (distance > face.farthestDistance + HullFace.CERTAIN)
+            if (distance > face.farthestDistance + CERTAIN)
             {
                 face.farthestDistance = distance;
                 face.farthest = point;
             }
-            else if (distance >= face.farthestDistance - HullFace.CERTAIN && squaredFromMiddle(point) > squaredFromMiddle(face.farthest))
+            else if (distance >= face.farthestDistance - CERTAIN && squaredFromMiddle(point) > squaredFromMiddle(face.farthest))
             {
                 // If several points are equally far, they are on a side parallel to the face. Then the outermost one is taken.
                 face.farthest = point;

@@ -5,6 +5,7 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.pairs.PairTests;
@@ -21,10 +22,6 @@ package starlogo.queries.motion
      */
     public final class CoreSweep
     {
-        // The squared length up to which nothing stops a motion, in square patches. Smaller than 1e-300: squares have no digits left, and directions
-        // are lost. Larger: an agent may move into another one by the square root of it.
-        private static const VANISHING:Number = 1e-290;
-
         // The core meets a surface at a flat angle if the sine of the angle between the surface and the motion is at most this.
         private static const FLAT_SINE:Number = 0.1;
 
@@ -164,7 +161,7 @@ package starlogo.queries.motion
 
         private static function hasLength(motion:Vector3D):Boolean
         {
-            return motion.lengthSquared > VANISHING;
+            return motion.lengthSquared > Tolerances.VANISHING;
         }
 
         // Finds what stops the core first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies are not decided here,

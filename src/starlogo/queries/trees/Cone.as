@@ -2,6 +2,7 @@ package starlogo.queries.trees
 {
     import starlogo.broadphase.Points;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
 
     /**
@@ -11,10 +12,6 @@ package starlogo.queries.trees
      */
     public final class Cone
     {
-        // The sine of the angle by which a position may be outside of a cone's border and still be in the cone. Smaller than 1e-15: rounding decides
-        // at the border. Larger: cones are wider by that angle.
-        private static const BORDER:Number = 2e-14;
-
         private var _placement:Placement;
 
         // The angle between the axis and the border, in degrees below 180, with its sine and cosine.
@@ -56,7 +53,7 @@ package starlogo.queries.trees
             var across:Number = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
             var along:Number = axisX * toX + axisY * toY + axisZ * toZ;
             // the left side is the sine of the angle beyond the border. It is 0 half a turn away too, so the last condition excludes rows there
-            return across * _cosine - along * _sine <= BORDER * (across + Math.abs(along)) && (along >= 0 || _angle >= 45);
+            return across * _cosine - along * _sine <= Tolerances.CONE * (across + Math.abs(along)) && (along >= 0 || _angle >= 45);
         }
     }
 }

@@ -24,10 +24,6 @@ package starlogo.queries.trees
      */
     public final class RowTree
     {
-        // The boxes of EXTENTS are also enlarged by this factor times the gap of PLACES for the agent's position. Smaller than 2: agents that touch
-        // by PLACES may not be found. Larger: more agents are tested.
-        private static const GAPS:Number = 100;
-
         /** The number of the root. */
         public static const ROOT:int = 1;
 
@@ -348,7 +344,7 @@ package starlogo.queries.trees
         public static function slackOf(x:Number, y:Number, z:Number, halves:Number, offset:Number):Number
         {
             return Tolerances.EXTENTS * halves
-                + GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z) + offset);
+                + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z) + offset);
         }
 
         // Makes a node's box contain another box. Returns whether it has grown.

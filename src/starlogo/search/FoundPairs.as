@@ -278,7 +278,10 @@ package starlogo.search
             for (var i:int = 0; i < count; i++)
             {
                 _indices.add(i, _times[i]);
-                earlyCount += _times[i] < 1 ? 1 : 0;
+                if (_times[i] < 1)
+                {
+                    earlyCount++;
+                }
             }
             arrange(false);
             return earlyCount;

@@ -28,6 +28,18 @@ package starlogo.convex
          */
         public var triangle:int = -1;
 
+        /**
+         * A lower bound for the lengths of the ways out of b, known of the deepest point: that is half of the depth behind this one, and a point of a. NaN
+         * if it need not be a point of a. Tests of the ground write it.
+         */
+        public var leastExit:Number = NaN;
+
+        /** Whether the deepest point is known to be a point of a. */
+        public function get isDeepestOfA():Boolean
+        {
+            return leastExit >= 0;
+        }
+
         /** Becomes the same as another contact. */
         public function copyFrom(other:ContactPoint):void
         {
@@ -39,6 +51,7 @@ package starlogo.convex
             normalZ = other.normalZ;
             depth = other.depth;
             triangle = other.triangle;
+            leastExit = other.leastExit;
         }
 
         /**

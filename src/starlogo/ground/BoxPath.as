@@ -26,6 +26,10 @@ package starlogo.ground
         /** The latest time of the motion when the search began. It may have become earlier since. Read only. */
         public var latest:Number = 0;
 
+        /** The last column and the last row of cells. Read only. */
+        public var lastColumn:int = 0;
+        public var lastRow:int = 0;
+
         /** How the box moves along x and along y. Read only. */
         public var alongX:AxisPath = new AxisPath();
         public var alongY:AxisPath = new AxisPath();
@@ -49,6 +53,8 @@ package starlogo.ground
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
             latest = motion.latest;
+            lastColumn = grid.lastColumnAt(0);
+            lastRow = grid.lastRowAt(0);
             alongX.firstCell = grid.x - search.origin.x - border;
             alongY.firstCell = grid.y - search.origin.y - border;
             zeroHeight = -search.origin.z;
@@ -114,6 +120,12 @@ package starlogo.ground
             passage.besideSquared = 0;
             narrowAlong(alongX, column, level, passage);
             narrowAlong(alongY, row, level, passage);
+            findHeights(passage);
+        }
+
+        /** Finds the heights between which the box is in a passage over a square. */
+        public function findHeights(passage:SquarePassage):void
+        {
             var start:Number = search.box.z + passage.from * search.motion.z;
             var end:Number = search.box.z + passage.to * search.motion.z;
             // a triangle beside the box must be nearer in height to be near enough

@@ -12,10 +12,16 @@ package starlogo.ground
 
         private var _path:BoxPath;
 
-        // The cell, and the heights of its corners, counter-clockwise.
+        // The cell, its sides, the heights of its corners, counter-clockwise, and the least and the greatest of these.
         private var _column:int = 0;
         private var _row:int = 0;
+        private var _minX:Number = 0;
+        private var _maxX:Number = 0;
+        private var _minY:Number = 0;
+        private var _maxY:Number = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
+        private var _lowest:Number = 0;
+        private var _highest:Number = 0;
 
         // The index of the cell's next triangle, and the index after its last one. The first two are on top, then come two for each side.
         private var _next:int = 0;
@@ -43,27 +49,31 @@ package starlogo.ground
         /**
          * Goes on to a cell.
          *
-         * @param isAtBorder whether it is at a border of the grid
          * @param passage how the box passes over the cell; kept until the next cell
          */
-        public function enter(column:int, row:int, isAtBorder:Boolean, passage:SquarePassage):void
+        public function enter(column:int, row:int, passage:SquarePassage):void
         {
             var grid:HeightGrid = _path.search.grid;
             var at:int = row * grid.columns + column;
+            var hasHoles:Boolean = grid.holes != null;
             leave();
-            if (grid.isHole(at))
+            if (hasHoles && grid.isHole(at))
             {
                 return;
             }
-            var hasWalls:Boolean = isAtBorder || grid.isBlocky || grid.isBesideHole(at);
             _column = column;
             _row = row;
             _passage = passage;
             readTops(at);
-            var greatest:Number = Math.max(Math.max(_tops[0], _tops[1]), Math.max(_tops[2], _tops[3]));
-            var least:Number = Math.min(Math.min(_tops[0], _tops[1]), Math.min(_tops[2], _tops[3]));
-            if (_passage.low <= greatest && (hasWalls || _passage.high >= least))
+            var isAtBorder:Boolean = column == 0 || row == 0 || column == _path.lastColumn || row == _path.lastRow;
+            var hasWalls:Boolean = isAtBorder || grid.isBlocky || hasHoles && grid.isBesideHole(at);
+            if (passage.low <= _highest && (hasWalls || passage.high >= _lowest))
             {
+                var width:Number = grid.cellWidth;
+                _minX = _path.alongX.firstCell + column * width;
+                _maxX = _path.alongX.firstCell + (column + 1) * width;
+                _minY = _path.alongY.firstCell + row * width;
+                _maxY = _path.alongY.firstCell + (row + 1) * width;
                 _end = 2;
                 if (hasWalls)
                 {
@@ -82,11 +92,21 @@ package starlogo.ground
             var heights:Vector.<Number> = grid.heights;
             var next:int = grid.isBlocky ? 0 : 1;
             var far:int = next * grid.columns;
-            var z:Number = _path.zeroHeight;
-            _tops[0] = heights[at] + z;
-            _tops[1] = heights[int(at + next)] + z;
-            _tops[2] = heights[int(at + next + far)] + z;
-            _tops[3] = heights[int(at + far)] + z;
+            var first:Number = heights[at] + _path.zeroHeight;
+            var second:Number = heights[int(at + next)] + _path.zeroHeight;
+            var third:Number = heights[int(at + next + far)] + _path.zeroHeight;
+            var fourth:Number = heights[int(at + far)] + _path.zeroHeight;
+            _tops[0] = first;
+            _tops[1] = second;
+            _tops[2] = third;
+            _tops[3] = fourth;
+            // comparisons take the player less time than Math.min() and Math.max()
+            var low:Number = first < second ? first : second;
+            low = low < third ? low : third;
+            _lowest = low < fourth ? low : fourth;
+            var high:Number = first > second ? first : second;
+            high = high > third ? high : third;
+            _highest = high > fourth ? high : fourth;
         }
 
         /** Writes the next triangle near the box. Returns false if there is none. */
@@ -108,21 +128,38 @@ package starlogo.ground
             var corners:Vector.<Number> = out.corners;
             if (index < 2)
             {
-                writeCorner(0, corners, 0);
-                writeCorner(index + 1, corners, 3);
-                writeCorner(index + 2, corners, 6);
+                writeTop(index == 0, corners);
             }
             else if (!writeWall((index - 2) >> 1, (index & 1) == 1, corners))
             {
                 return false;
             }
-            var width:Number = _path.search.grid.cellWidth;
-            out.low = Math.min(corners[2], Math.min(corners[5], corners[8]));
-            out.high = Math.max(corners[2], Math.max(corners[5], corners[8]));
-            out.size = width + out.high - out.low;
-            out.cellX = _path.alongX.firstCell + (_column + 0.5) * width;
-            out.cellY = _path.alongY.firstCell + (_row + 0.5) * width;
-            return _passage.low <= out.high && _passage.high >= out.low;
+            var low:Number = corners[2] < corners[5] ? corners[2] : corners[5];
+            low = low < corners[8] ? low : corners[8];
+            var high:Number = corners[2] > corners[5] ? corners[2] : corners[5];
+            high = high > corners[8] ? high : corners[8];
+            out.minX = _minX;
+            out.maxX = _maxX;
+            out.minY = _minY;
+            out.maxY = _maxY;
+            out.minZ = low;
+            out.maxZ = high;
+            out.size = _path.search.grid.cellWidth + high - low;
+            return _passage.low <= high && _passage.high >= low;
+        }
+
+        // Writes half of the top: the first half is beside the side with the greatest x.
+        private function writeTop(isFirst:Boolean, corners:Vector.<Number>):void
+        {
+            corners[0] = _minX;
+            corners[1] = _minY;
+            corners[2] = _tops[0];
+            corners[3] = _maxX;
+            corners[4] = isFirst ? _minY : _maxY;
+            corners[5] = isFirst ? _tops[1] : _tops[2];
+            corners[6] = isFirst ? _maxX : _minX;
+            corners[7] = _maxY;
+            corners[8] = isFirst ? _tops[2] : _tops[3];
         }
 
         // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
@@ -167,9 +204,8 @@ package starlogo.ground
         // Writes a corner of the cell's top.
         private function writeCorner(corner:int, out:Vector.<Number>, to:int):void
         {
-            var width:Number = _path.search.grid.cellWidth;
-            out[to] = _path.alongX.firstCell + (_column + ((corner + 1) >> 1 & 1)) * width;
-            out[int(to + 1)] = _path.alongY.firstCell + (_row + (corner >> 1)) * width;
+            out[to] = corner == 1 || corner == 2 ? _maxX : _minX;
+            out[int(to + 1)] = corner > 1 ? _maxY : _minY;
             out[int(to + 2)] = _tops[corner];
         }
     }

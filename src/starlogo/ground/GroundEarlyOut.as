@@ -64,7 +64,8 @@ package starlogo.ground
             var slope:Number = grid.isBlocky ? Infinity : _around.stepX / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
-            if (above > height * Tolerances.OUTER + tolerance || isFar(grid, extents, isSphere, above, tolerance))
+            // an agent whose lowest height is in the ground under its middle is not far
+            if (above > height * Tolerances.OUTER + tolerance || above > extents.halfZ && isFar(grid, extents, isSphere, above, tolerance))
             {
                 return APART;
             }

@@ -103,6 +103,7 @@ package starlogo.ground
             motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
+                out.leastExit = 0;
                 _pairs.moveToWorld(out);
             }
         }

@@ -52,6 +52,7 @@ package starlogo.ground
         {
             if (findDeepestBehind(out) || findDeepestOverlap(out))
             {
+                _pairs.noteWayOut(out);
                 _pairs.moveToWorld(out);
             }
             else
@@ -73,21 +74,8 @@ package starlogo.ground
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
+            out.leastExit = NaN;
             _pairs.moveToWorld(out);
-        }
-
-        /** Whether a piece of the model touches the surface. */
-        public function isOnSurface():Boolean
-        {
-            _pairs.begin(RelativeMotion.NONE, 0);
-            while (_pairs.nextPiece())
-            {
-                if (_pairs.findWhere() == PieceTrianglePairs.REACHES_UNDER || _pairs.touchesTriangle())
-                {
-                    return true;
-                }
-            }
-            return false;
         }
 
         /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
@@ -125,12 +113,16 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
-                if (isClearlyDeeper(_tried, deepest) && isThrough(_pairs.triangle.corners, _tried) && isDepthProven(_tried))
+                var triangle:GroundTriangle = _pairs.triangle;
+                // findDeeper() is off by rounding, so it is asked for a little less than isClearlyDeeper() requires
+                _tried.depth = deepest > 0 ? deepest + triangle.margin / 2 : -triangle.margin;
+                if (_kernel.plane.findDeeper(_kernel.shape, _tried) && isClearlyDeeper(_tried, deepest) && isThrough(triangle.corners, _tried)
+                        && isDepthProven(_tried))
                 {
                     deepest = _tried.depth;
                     _pairs.leaveOutShallower(deepest);
                     out.copyFrom(_tried);
+                    out.leastExit = LEAST_SHARE_PROVEN * deepest;
                 }
             }
             return deepest != NONE;
@@ -157,6 +149,7 @@ package starlogo.ground
                     {
                         deepest = Math.max(depth, deepest);
                         out.copyFrom(_tried);
+                        out.leastExit = 0;
                     }
                 }
             }
@@ -166,12 +159,12 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap():Boolean
         {
-            if (_kernel.stayApart(RelativeMotion.NONE) || !_kernel.areTouching())
+            if (_kernel.stayApart(RelativeMotion.NONE))
             {
                 return false;
             }
             _kernel.findContact(RelativeMotion.NONE, _tried);
-            return true;
+            return _tried.depth > 0 || _kernel.areTouching();
         }
 
         // Whether the way out of a contact behind a triangle's plane passes through the triangle, seen along its normal. False if the triangle is flat.

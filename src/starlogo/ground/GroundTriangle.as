@@ -1,7 +1,6 @@
 package starlogo.ground
 {
     import starlogo.convex.TrianglePlane;
-    import starlogo.geometry.Touching;
 
     /**
      * A triangle of the ground's surface, as a record.
@@ -16,21 +15,19 @@ package starlogo.ground
         /** A ball with this radius around the triangle's middle contains it. */
         public var size:Number = 0;
 
-        /** The least and the greatest height of a corner. */
-        public var low:Number = 0;
-        public var high:Number = 0;
+        /**
+         * A box around it: around its cell as seen from above, and between the least and the greatest height of a corner. NearTriangles makes it larger, for
+         * rounding.
+         */
+        public var minX:Number = 0;
+        public var maxX:Number = 0;
+        public var minY:Number = 0;
+        public var maxY:Number = 0;
+        public var minZ:Number = 0;
+        public var maxZ:Number = 0;
 
-        /** The middle of the cell that it belongs to. */
-        public var cellX:Number = 0;
-        public var cellY:Number = 0;
-
-        /** Its plane, if whoever found it has set that. */
+        /** The margin of its surface (see Touching) and its plane. Only NearTriangles sets them. */
+        public var margin:Number = 0;
         public var plane:TrianglePlane = new TrianglePlane();
-
-        /** The margin that the triangle has because of its size. */
-        public function get margin():Number
-        {
-            return Touching.marginOfSurface(size);
-        }
     }
 }

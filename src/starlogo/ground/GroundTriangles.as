@@ -30,13 +30,19 @@ package starlogo.ground
         private var _squares:Vector.<int> = new Vector.<int>();
         private var _top:int = 0;
 
+        // Whether the box stands and nothing beside it counts. Then its passage is the same over all squares, because only those below it are visited.
+        private var _isStill:Boolean = false;
+
         /** Begins a search, which is kept until it ends. Returns whether the box comes to few cells. */
         public function begin(search:GroundSearch):Boolean
         {
             _path.begin(search);
             stop();
+            _isStill = search.motion.isStill && search.maxDistance == 0;
             _passage.from = 0;
             _passage.to = search.motion.latest;
+            _passage.besideSquared = 0;
+            _path.findHeights(_passage);
             var level:int = _path.firstLevel();
             addSquares(level, 0, 0, int.MAX_VALUE);
             return level == 0;
@@ -94,21 +100,16 @@ package starlogo.ground
             var level:int = _squares[_top];
             var column:int = _squares[int(_top + 1)];
             var row:int = _squares[int(_top + 2)];
-            _passage.from = 0;
-            _passage.to = _path.search.motion.latest;
-            _path.findPassage(level, column, row, _passage);
-            if (_passage.from > _passage.to)
+            if (!_isStill && !passesOver(level, column, row))
             {
                 return;
             }
-            var grid:HeightGrid = _path.search.grid;
-            var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastColumnAt(level) || row == grid.lastRowAt(level);
             if (level == 0)
             {
-                _cell.enter(column, row, isAtBorder, _passage);
+                _cell.enter(column, row, _passage);
                 return;
             }
-            readHeights(level, column, row, isAtBorder);
+            readHeights(level, column, row);
             if (_passage.low <= _heights.greatest && _passage.high >= _heights.least && !_path.stayApart(level, column, row, _heights))
             {
                 _path.narrowPassage(_heights, _passage);
@@ -116,10 +117,21 @@ package starlogo.ground
             }
         }
 
-        // Reads between which heights the triangles of the current square are. Walls go down to below the box.
-        private function readHeights(level:int, column:int, row:int, isAtBorder:Boolean):void
+        // Finds how the moving box passes over a square. Returns whether it does.
+        private function passesOver(level:int, column:int, row:int):Boolean
         {
-            _path.search.grid.pyramid.findRange(level, column, row, column, row, _heights);
+            _passage.from = 0;
+            _passage.to = _path.search.motion.latest;
+            _path.findPassage(level, column, row, _passage);
+            return _passage.from <= _passage.to;
+        }
+
+        // Reads between which heights the triangles of the current square are. Walls go down to below the box.
+        private function readHeights(level:int, column:int, row:int):void
+        {
+            var grid:HeightGrid = _path.search.grid;
+            var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastColumnAt(level) || row == grid.lastRowAt(level);
+            grid.pyramid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.zeroHeight;
             _heights.greatest += _path.zeroHeight;
             if (isAtBorder || _heights.hasHole)

@@ -3,8 +3,8 @@ package starlogo.ground
     import flash.geom.Vector3D;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
-    import starlogo.convex.TrianglePlane;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
 
     /**
      * Finds the triangles of the ground near the boxes of a model's tree. Those near a box that comes to few cells are found once, and kept for the boxes
@@ -34,20 +34,24 @@ package starlogo.ground
         private var _next:int = 0;
         private var _areKept:Boolean = false;
 
-        // Whether the source has not begun yet. Many questions need no triangle.
+        // Whether the source has not begun yet, because many questions need no triangle; and whether it may have more.
         private var _isBefore:Boolean = false;
+        private var _mayHaveMore:Boolean = false;
 
         // How many boxes were left when the triangles that are kept were looked for.
         private var _boxesLeft:int = 0;
 
-        // The box with all of its motion; and where its middle then is, relative to the box, and by how much it is larger.
-        private var _around:GroundBox = new GroundBox();
+        // By how much the box is larger with all of its motion, and where its middle then is, relative to the box.
         private var _more:GroundBox = new GroundBox();
+
+        // The least and the greatest corner of the box with all of its motion.
+        private var _least:Vector3D = new Vector3D();
+        private var _greatest:Vector3D = new Vector3D();
 
         /** Ends all searches. */
         public function stop():void
         {
-            _areKept = _isBefore = false;
+            _areKept = _isBefore = _mayHaveMore = false;
             _count = _next = 0;
             _source.stop();
         }
@@ -64,19 +68,22 @@ package starlogo.ground
             if (!_areKept || boxesLeft < _boxesLeft)
             {
                 _areKept = false;
-                _isBefore = true;
+                _isBefore = _mayHaveMore = true;
                 _count = 0;
                 _boxesLeft = boxesLeft;
                 search.box.copyFrom(box);
                 search.shape = shape;
                 findMore();
             }
-            _around.x = box.x + _more.x;
-            _around.y = box.y + _more.y;
-            _around.z = box.z + _more.z;
-            _around.halfX = box.halfX + _more.halfX;
-            _around.halfY = box.halfY + _more.halfY;
-            _around.halfZ = box.halfZ + _more.halfZ;
+            var halfX:Number = box.halfX + _more.halfX;
+            var halfY:Number = box.halfY + _more.halfY;
+            var halfZ:Number = box.halfZ + _more.halfZ;
+            _least.x = box.x + _more.x - halfX;
+            _least.y = box.y + _more.y - halfY;
+            _least.z = box.z + _more.z - halfZ;
+            _greatest.x = box.x + _more.x + halfX;
+            _greatest.y = box.y + _more.y + halfY;
+            _greatest.z = box.z + _more.z + halfZ;
         }
 
         private function findMore():void
@@ -95,23 +102,44 @@ package starlogo.ground
             _more.halfZ = Math.abs(_more.z) + wider;
         }
 
-        /** Goes on to the next triangle near the box. Returns false if there is none. */
+        /**
+         * Goes on to the next triangle near the box: the box comes near the triangle's own box, and is not all in front of its plane. Returns false if
+         * there is none.
+         */
         public function next():Boolean
         {
-            while (_next < _count || find())
+            var far:Number = search.maxDistance;
+            var front:Number = far - leastDepth;
+            var minX:Number = _least.x - far;
+            var minY:Number = _least.y - far;
+            var minZ:Number = _least.z - far;
+            var maxX:Number = _greatest.x + far;
+            var maxY:Number = _greatest.y + far;
+            var maxZ:Number = _greatest.z + far;
+            while (_next < _count || _mayHaveMore && find())
             {
-                var found:GroundTriangle = _found[_next];
+                var near:GroundTriangle = _found[_next];
                 _next++;
-                if (isNear(found))
+                if (minZ > near.maxZ || maxZ < near.minZ || minX > near.maxX || maxX < near.minX || minY > near.maxY || maxY < near.minY)
                 {
-                    triangle = found;
+                    continue;
+                }
+                // the corner of the box that is farthest behind the plane
+                var normal:Vector3D = near.plane.normal;
+                var x:Number = normal.x > 0 ? _least.x : _greatest.x;
+                var y:Number = normal.y > 0 ? _least.y : _greatest.y;
+                var z:Number = normal.z > 0 ? _least.z : _greatest.z;
+                // a flat triangle has no plane
+                if (!(normal.x * x + normal.y * y + normal.z * z - near.plane.greatest > front + WIDER * near.margin))
+                {
+                    triangle = near;
                     return true;
                 }
             }
             return false;
         }
 
-        // Finds one more triangle, and its plane. Returns false if there is none.
+        // Finds one more triangle, and sets what only tests of the model need: its margin and its plane. Returns false if there is none.
         private function find():Boolean
         {
             if (_isBefore)
@@ -130,42 +158,25 @@ package starlogo.ground
             var found:GroundTriangle = _source.triangle = _found[_count];
             if (!_source.next())
             {
+                _mayHaveMore = false;
                 return false;
             }
+            found.margin = Touching.marginOfSurface(found.size);
             found.plane.setTriangle(found.corners, 0);
+            widen(found, WIDER * found.margin);
             _count++;
             return true;
         }
 
-        // Whether the box comes near the triangle and its cell, and is not all in front of the triangle's plane.
-        private function isNear(near:GroundTriangle):Boolean
+        // Makes the box around a triangle larger.
+        private static function widen(found:GroundTriangle, by:Number):void
         {
-            var box:GroundBox = _around;
-            var far:Number = search.maxDistance + WIDER * near.margin;
-            var x:Number = box.x;
-            var y:Number = box.y;
-            var z:Number = box.z;
-            var halfX:Number = box.halfX;
-            var halfY:Number = box.halfY;
-            var halfZ:Number = box.halfZ;
-            var fromCell:Number = search.grid.cellWidth / 2 + far;
-            var besideX:Number = x > near.cellX ? x - near.cellX : near.cellX - x;
-            var besideY:Number = y > near.cellY ? y - near.cellY : near.cellY - y;
-            if (z - halfZ - far > near.high || z + halfZ + far < near.low || besideX > halfX + fromCell || besideY > halfY + fromCell)
-            {
-                return false;
-            }
-            var plane:TrianglePlane = near.plane;
-            var across:Vector3D = plane.normal;
-            var alongX:Number = across.x;
-            var alongY:Number = across.y;
-            var alongZ:Number = across.z;
-            // the corner that is farthest behind the plane
-            x = alongX > 0 ? x - halfX : x + halfX;
-            y = alongY > 0 ? y - halfY : y + halfY;
-            z = alongZ > 0 ? z - halfZ : z + halfZ;
-            // a flat triangle has no plane
-            return !(alongX * x + alongY * y + alongZ * z - plane.greatest > far - leastDepth);
+            found.minX -= by;
+            found.maxX += by;
+            found.minY -= by;
+            found.maxY += by;
+            found.minZ -= by;
+            found.maxZ += by;
         }
     }
 }

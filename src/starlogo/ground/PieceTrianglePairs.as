@@ -1,12 +1,9 @@
 package starlogo.ground
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
     import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
 
@@ -31,6 +28,18 @@ package starlogo.ground
         /** The pieces. A query may move the model before it begins. */
         public var pieces:ModelPieces = new ModelPieces();
 
+        /** Decides about the current piece and the current triangle. Both are relative to the origin. Read only. */
+        public var kernel:TriangleKernel;
+
+        /** The current triangle of the ground. Read only. */
+        public var triangle:GroundTriangle = null;
+
+        /** The ground. Read only. */
+        public var grid:HeightGrid = null;
+
+        /** The place that the model was set to: pieces, triangles and contacts are relative to it. Read only. */
+        public var origin:Placement;
+
         // Finds triangles near the current piece.
         private var _triangles:NearTriangles = new NearTriangles();
         private var _search:GroundSearch = _triangles.search;
@@ -38,42 +47,24 @@ package starlogo.ground
         // A place under the piece, and the ground there.
         private var _ground:GroundPoint = new GroundPoint();
 
-        // The direction out of the ground below the current piece, and how far the piece reaches against it; -Infinity if that is not known.
-        private var _out:Vector3D = new Vector3D();
-        private var _lowest:Number = 0;
+        // The lowest points of the current piece: along the direction out of the ground below it, and along the normal of the model's last contact.
+        private var _lowest:LowestPoint = new LowestPoint();
+        private var _lowestOnWayOut:LowestPoint = new LowestPoint();
+
+        public function PieceTrianglePairs()
+        {
+            kernel = pieces.kernel;
+            origin = _search.origin;
+        }
 
         /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            _search.grid = grid;
+            this.grid = _search.grid = grid;
             origin.x = placement.x;
             origin.y = placement.y;
             origin.z = placement.z;
             pieces.setTo(tree, structure, placement, depth, exact);
-        }
-
-        /** Decides about the current piece and the current triangle. Both are relative to the origin. Read only. */
-        public function get kernel():TriangleKernel
-        {
-            return pieces.kernel;
-        }
-
-        /** The ground. */
-        public function get grid():HeightGrid
-        {
-            return _search.grid;
-        }
-
-        /** The place that the model was set to: pieces, triangles and contacts are relative to it. Read only. */
-        public function get origin():Placement
-        {
-            return _search.origin;
-        }
-
-        /** The current triangle of the ground. Read only. */
-        public function get triangle():GroundTriangle
-        {
-            return _triangles.triangle;
         }
 
         /**
@@ -128,7 +119,7 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _lowest = -Infinity;
+                _lowest.isKnown = _lowestOnWayOut.isKnown = false;
                 _triangles.begin(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
                 if (!pieces.isDivisible || !_triangles.next())
                 {
@@ -146,8 +137,9 @@ package starlogo.ground
             {
                 return false;
             }
-            kernel.shape.margin = pieces.margin + triangle.margin;
-            kernel.setTriangle(triangle.corners, triangle.plane);
+            var near:GroundTriangle = triangle = _triangles.triangle;
+            kernel.shape.margin = pieces.margin + near.margin;
+            kernel.setTriangle(near.corners, near.plane);
             return true;
         }
 
@@ -156,7 +148,7 @@ package starlogo.ground
         {
             while (nextTriangle())
             {
-                if (!isBelowPiece() && !kernel.stayApart(RelativeMotion.NONE) && kernel.areTouching())
+                if (!isBelowPiece() && !kernel.stayApart(RelativeMotion.NONE) && !isBelowOnWayOut() && kernel.areTouching())
                 {
                     return true;
                 }
@@ -187,29 +179,39 @@ package starlogo.ground
             {
                 return ABOVE;
             }
-            var shape:ConvexShape = kernel.shape;
-            grid.findDirectionOut(_ground, _out);
-            var at:int = shape.support(_out, -1);
-            var x:Number = shape.x + shape.points[at] - shape.radius * _out.x;
-            var y:Number = shape.y + shape.points[int(at + 1)] - shape.radius * _out.y;
-            var z:Number = shape.z + shape.points[int(at + 2)] - shape.radius * _out.z;
-            _lowest = x * _out.x + y * _out.y + z * _out.z - Tolerances.EXTENTS * (shape.extent + shape.radius + Math.abs(x) + Math.abs(y) + Math.abs(z));
-            _ground.x = x + origin.x;
-            _ground.y = y + origin.y;
+            grid.findDirectionOut(_ground, _lowest.up);
+            _lowest.find(kernel.shape);
+            _ground.x = _lowest.x + origin.x;
+            _ground.y = _lowest.y + origin.y;
             grid.findHeight(_ground);
-            return _ground.height >= z + origin.z ? REACHES_UNDER : ABOVE;
+            return _ground.height >= _lowest.z + origin.z ? REACHES_UNDER : ABOVE;
         }
 
-        /**
-         * Whether the triangle is clearly below all of the piece, along the direction out of the ground. This direction is known after
-         * <code>findWhere()</code>; before, the answer is false.
-         */
-        public function isBelowPiece():Boolean
+        // Whether the triangle is clearly below all of the piece, along the direction out of the ground. This direction is known after findWhere();
+        // before, the answer is false.
+        private function isBelowPiece():Boolean
         {
-            var p:Vector.<Number> = triangle.corners;
-            var most:Number = _lowest - kernel.shape.margin * Tolerances.OUTER;
-            return _out.x * p[0] + _out.y * p[1] + _out.z * p[2] < most && _out.x * p[3] + _out.y * p[4] + _out.z * p[5] < most
-                && _out.x * p[6] + _out.y * p[7] + _out.z * p[8] < most;
+            return _lowest.isKnown && _lowest.isAbove(triangle.corners, kernel.shape);
+        }
+
+        // Whether the triangle is clearly below all of the piece, along the normal of the last contact. A model that is tried along its way out is
+        // above nearly all triangles there.
+        private function isBelowOnWayOut():Boolean
+        {
+            if (!_lowestOnWayOut.isKnown)
+            {
+                _lowestOnWayOut.find(kernel.shape);
+            }
+            return _lowestOnWayOut.isAbove(triangle.corners, kernel.shape);
+        }
+
+        /** Notes the normal of a contact of the model. It makes later tests quicker, of the model along this way out. No answer depends on it. */
+        public function noteWayOut(contact:ContactPoint):void
+        {
+            _lowestOnWayOut.isKnown = false;
+            _lowestOnWayOut.up.x = contact.normalX;
+            _lowestOnWayOut.up.y = contact.normalY;
+            _lowestOnWayOut.up.z = contact.normalZ;
         }
 
         /** Moves a contact of the piece and the triangle into the world. */

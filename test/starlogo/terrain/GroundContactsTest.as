@@ -168,6 +168,28 @@ package starlogo.terrain
             assertTrue(touches + " touches", touches > 20);
         }
 
+        /** A collider computes all contacts in one object. */
+        [Test]
+        public function aContactWithTheGroundChangesNoOtherContact():void
+        {
+            var terrain:Terrain = new Terrain(9, 9, 1, -4, -4);
+            for (var i:int = 0; i < 60; i++)
+            {
+                var name:String = i % 2 == 0 ? "hierarchies" : "triangles";
+                var ell:Agent = agentAt("ell", 0, 0, 0);
+                var other:Agent = agentAt("ell", _random.between(-0.5, 0.5), _random.between(-0.5, 0.5), _random.between(-0.5, 0.5));
+                other.heading = _random.between(0, 360);
+                other.pitch = _random.between(0, 360);
+                var collider:Collider = EachCollider.make(name, _land);
+                collider.contactOf(agentAt("cube", 0, 0, -0.4), terrain.agent);
+                var contact:Contact = collider.contactOf(ell, other);
+                var expected:Contact = EachCollider.make(name, _land).contactOf(ell, other);
+                var isSame:Boolean = contact.depth == expected.depth && contact.normal.equals(expected.normal) && contact.point.equals(expected.point);
+                _wrong.addIf(!isSame, name, [i, contact.depth, "along", contact.normal, "is not", expected.depth, "along", expected.normal].join(" "));
+            }
+            _wrong.assertNone();
+        }
+
         [Test]
         public function waysAreAboutTheShortest():void
         {

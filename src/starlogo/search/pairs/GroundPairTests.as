@@ -121,13 +121,20 @@ package starlogo.search.pairs
             queryOf(a, b).penetration.findLift(out);
         }
 
-        /** A contact that leads straight up may be the lift, whose deepest point need not be of the body. @inheritDoc */
-        public function isOfFirst(a:Body, b:Body, contact:ContactPoint):Boolean
+        /** A point of the body that is under the ground shows a touch. @inheritDoc */
+        override protected function showsTouch(a:Body, b:Body, contact:ContactPoint):Boolean
         {
-            return contact.normalZ != 1 || queryOf(a, b).penetration.isOnSurface();
+            return contact.leastExit > depthToleranceOf(a, b);
         }
 
         /** The deepest point is half of the depth behind the contact's point. @inheritDoc */
+        public function isInside(b:Body, contact:ContactPoint):Boolean
+        {
+            var back:Number = contact.depth / 2;
+            return gridOf(b).heightAt(contact.x - back * contact.normalX, contact.y - back * contact.normalY) > contact.z - back * contact.normalZ;
+        }
+
+        /** @inheritDoc */
         public function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number
         {
             var back:Number = contact.depth / 2;

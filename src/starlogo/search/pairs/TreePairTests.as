@@ -120,6 +120,8 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
+            // the contact's object may have been that of a contact with the ground
+            out.leastExit = NaN;
             _separation.find(a, b, motion, out);
         }
 
@@ -132,7 +134,7 @@ package starlogo.search.pairs
         }
 
         /** It is not known. @inheritDoc */
-        public function isOfFirst(a:Body, b:Body, contact:ContactPoint):Boolean
+        public function isInside(b:Body, contact:ContactPoint):Boolean
         {
             return false;
         }

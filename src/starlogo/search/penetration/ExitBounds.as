@@ -14,18 +14,12 @@ package starlogo.search.penetration
         /** Finds the contact of convex covers of two bodies, where they are. The way out of the covers leads out of the bodies too. */
         function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void;
 
-        /**
-         * Whether the deepest point of a contact is known to be of the first body. Then this point has to get out of the second one.
-         *
-         * @param a the first body, where the contact was found
-         * @param b the second body
-         * @param contact of parts of the two
-         */
-        function isOfFirst(a:Body, b:Body, contact:ContactPoint):Boolean;
+        /** Whether a contact's deepest point is known to be inside of a body. */
+        function isInside(b:Body, contact:ContactPoint):Boolean;
 
         /**
          * A lower bound for the lengths of the exits of a contact's deepest point from a body; 0 if none is known. Exits that are longer than
-         * <code>maxLength</code> do not count.
+         * <code>maxLength</code> do not count. If this point is known to be of the first body (<code>isDeepestOfA</code>), it has to get out.
          */
         function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number;
     }

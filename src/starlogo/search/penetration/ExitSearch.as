@@ -75,6 +75,8 @@ package starlogo.search.penetration
                 _other.copyFrom(_first);
                 _other.pointAgainst(motion);
                 _other.depth = 0;
+                // its point need not be the deepest
+                _other.leastExit = NaN;
                 _pushOut.find(_other, DirectionSearch.GAIN * out.depth, out);
             }
             if (!isShortEnough(out.depth))
@@ -94,15 +96,15 @@ package starlogo.search.penetration
             {
                 return true;
             }
-            _pair.putBack();
             // a point of the body that is deep where a push ended also has to get out from where the push began
-            return _bounds.isOfFirst(_pair.first, _pair.second, _first) && areExitsLong(_first, depth) || _pushOut.hasBlock && areExitsLong(_pushOut.lastBlock, depth);
+            return areExitsLong(_first, depth) || _pushOut.hasBlock && areExitsLong(_pushOut.lastBlock, depth);
         }
 
         // Whether a contact whose deepest point is of the first body shows that each exit is at least a share of a depth.
         private function areExitsLong(contact:ContactPoint, depth:Number):Boolean
         {
-            return _bounds.leastExit(_pair.second, contact, depth) >= LEAST_SHARE * depth;
+            var least:Number = LEAST_SHARE * depth;
+            return contact.leastExit >= least || contact.isDeepestOfA && _bounds.leastExit(_pair.second, contact, depth) >= least;
         }
 
         // Tries the shortest way out of covers of the two. It is taken if there is no push.

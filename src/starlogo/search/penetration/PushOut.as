@@ -83,7 +83,7 @@ package starlogo.search.penetration
             {
                 if (!goToBlocked())
                 {
-                    takePush(out);
+                    takePush(first, out);
                     return;
                 }
                 addBlock();
@@ -106,10 +106,12 @@ package starlogo.search.penetration
             blockedPlaces[blockedEnd++] = _push.displacement.x;
             blockedPlaces[blockedEnd++] = _push.displacement.y;
             _pair.findContactOfParts(_next);
-            if (_bounds.isOfFirst(_pair.first, _pair.second, _next))
+            if (_next.isDeepestOfA)
             {
                 hasBlock = true;
                 lastBlock.copyFrom(_next);
+                // its exits are known where the push ended, not where the body was
+                lastBlock.leastExit = 0;
                 lastBlock.x -= _tried.distance * _tried.x;
                 lastBlock.y -= _tried.distance * _tried.y;
                 lastBlock.z -= _tried.distance * _tried.z;
@@ -141,15 +143,25 @@ package starlogo.search.penetration
         }
 
         // Takes the push. If the two are free before its end, the depth is refined.
-        private function takePush(out:ContactPoint):void
+        private function takePush(first:ContactPoint, out:ContactPoint):void
         {
             out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _push.length;
             _tried.distance = _push.length - _pair.probeDistance;
-            if (_tried.distance > 0 && !_pair.testAt(_tried))
+            if (_tried.distance > 0 && !showsTouch(first) && !_pair.testAt(_tried))
             {
                 _directions.shorten(_tried, out);
             }
+        }
+
+        // Whether the deepest point of a contact, displaced as is tried, is known to be of the first body and inside of the second.
+        private function showsTouch(contact:ContactPoint):Boolean
+        {
+            _next.copyFrom(contact);
+            _next.x += _tried.distance * _tried.x;
+            _next.y += _tried.distance * _tried.y;
+            _next.z += _tried.distance * _tried.z;
+            return _next.isDeepestOfA && _bounds.isInside(_pair.second, _next);
         }
     }
 }

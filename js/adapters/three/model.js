@@ -215,7 +215,7 @@ class Surface {
 
 	/** Makes vertices and triangles of all that was added. A list that has its length at once is made in a quarter of the time of one that grows. */
 	weld() {
-		const triangles = (this.data.triangles = new Array(this.#cornerCount).fill(0));
+		const triangles = (this.data.triangles = zeros(this.#cornerCount));
 		const welder = new Welder(this.data.vertices);
 		let first = 0;
 		for (const { mesh, points, corners, place, part } of this.#pieces) {
@@ -336,6 +336,13 @@ function takeCorners(all, first, end, taken, corners) {
 /** Turns triangles over, from an index of their list to another. */
 function turnOver(triangles, first, end) {
 	for (let i = first; i < end; i += 3) [triangles[i + 1], triangles[i + 2]] = [triangles[i + 2], triangles[i + 1]];
+}
+
+/** A list of zeros without gaps. V8 takes for granted that `new Array(count)` has some, and looks for them at each reading. */
+function zeros(count) {
+	const some = [];
+	while (some.length < 1024) some.push(0);
+	return [].concat(...new Array(count >> 10).fill(some), some.slice(0, count & 1023));
 }
 
 /** Makes vertices of points. Equal positions become one vertex, because exporters repeat them for normals and textures. */

@@ -3,8 +3,15 @@
  */
 export const PLAIN_BYTES = new Set(["starlogo.GreatLand.cook", "starlogo.collision.Collision.snapshot"]);
 
-/** Members that classes have only in JavaScript: their code, and their declaration in index.d.ts. */
+/** Members that classes have only in JavaScript: their code, and their declaration in index.d.ts, unless they are for the adapters alone. */
 export const ADDED = {
+	// for the adapter to three.js, which fills the data of a model as a reader of files does
+	"starlogo.models.Model": {
+		text: `static get $parts() {
+  return [ModelData, ModelBuilder];
+}`,
+		declaration: null,
+	},
 	"starlogo.models.ModelLoader": {
 		text: `loadAsync(name, url, options = {}) {
   return $loadAsync(this, name, url, options);

@@ -29,7 +29,7 @@ if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
 
 const { version, repository } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
 const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.exportName(qname) ?? fail(qname));
-const text = moduleText(standinsText());
+const text = moduleText(standinsText(), classes);
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
@@ -37,7 +37,7 @@ const readable = `${NAME}.js`;
 const minified = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
 // the lines have the same numbers, for the map
-const users = moduleText(standinsForUsers());
+const users = moduleText(standinsForUsers(), withoutWarnings(classes));
 const hidden = shortNames(users, hiddenNames());
 const { code: small, map } = minify(users, hidden);
 mkdirSync(join(out, "maps"));
@@ -79,11 +79,17 @@ function cleaned(code) {
 		.replaceAll(/[\0-\x08\x0b-\x1f]/g, (control) => `\\x${control.charCodeAt(0).toString(16).padStart(2, "0")}`);
 }
 
-/** The whole module, with some text of the stand-ins. */
-function moduleText(standins) {
+/** Code that warns of nothing, with as many lines. What a warning alone depends on goes too. */
+function withoutWarnings(code) {
+	const warning = String.raw`\t*\$warn\w*\(.*\);`;
+	return code.replaceAll(new RegExp(`^\\t*if \\(.*\\) \\{\n${warning}\n\\t*\\}$`, "gm"), "\n\n").replaceAll(new RegExp(`^${warning}$`, "gm"), "");
+}
+
+/** The whole module, with some text of the stand-ins and of the classes. */
+function moduleText(standins, code) {
 	return cleaned(`/*! ${NAME} ${version}, MIT */
 ${standins}
-${classes}
+${code}
 export {
 	${[...values, "ArgumentError", "ByteArray"].sort().join(",\n\t")}
 };

@@ -112,7 +112,7 @@ class Writer {
 		const hasHandlers = type.members.some((member) => HANDLER.test(docOf(type, member, this.#exported)));
 		const parameters = this.#isGeneric(type) ? (hasHandlers ? OF_BREEDS : OF_AGENTS) : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
-		if (ADDED[type.qname]) members.push(ADDED[type.qname].declaration);
+		if (ADDED[type.qname]?.declaration) members.push(ADDED[type.qname].declaration);
 		return `${this.#eventsText(type)}${docComment(type.doc, "")}${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
 	}
 

@@ -9,6 +9,7 @@ const WARNINGS = new Map([
 		"$warnOfUnknownProperties(this, true);",
 		"$warnOfReplaced(this, model);",
 	]),
+	["GreatLand.modelOf", ["$warnOfModelName(this, name);"]],
 	["queries.LevelShapes.addStructure", ["$warnOfUnknownProperties(this, true);"]],
 	["collision.Collision.update", [
 		"$warnOfTime(\"Collision.update\", arguments);",

@@ -109,6 +109,37 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		assert.deepEqual([Math.max(...upright.vertices), upright.source.unit], [2, 2]);
 	});
 
+	test(`three ${version}: positions may be halves of floats, or the first three of more numbers`, () => {
+		const corners = [[0, 0, 0], [1, 0, 0.5], [0.25, 2, 0]];
+		const halves = new THREE.Float16BufferAttribute(corners.flat().map((value) => THREE.DataUtils.toHalfFloat(value)), 3);
+		const fours = new THREE.BufferAttribute(new Float32Array(corners.flatMap((corner) => [...corner, 1])), 4);
+		const plain = new THREE.Float32BufferAttribute(corners.flat(), 3);
+		const [expected, ...others] = [plain, halves, fours].map((position) => modelFromObject("any", new THREE.BufferGeometry().setAttribute("position", position), { scaling: Model.AS_GIVEN }));
+		for (const other of others) assert.deepEqual(other.vertices, expected.vertices);
+		assert.deepEqual([...expected.vertices], [0, 0, 0, 1, -0.5, 0, 0.25, 0, 2]);
+	});
+
+	test(`three ${version}: a level is the same model as one of its vertices and triangles`, () => {
+		const scenes = new Scenes(THREE, 60 + number);
+		const land = new THREE.Scene();
+		let triangles = 0;
+		for (let i = 0; i < 20; i++) {
+			const source = scenes.tree();
+			scenes.place(source);
+			land.add(source);
+			if (drawnCorners(THREE, source).corners.length === 0) continue;
+			const level = levelFromObject("level", source);
+			const same = new Model("level", level.vertices, level.triangles, Model.AS_GIVEN);
+			same.setMeshes(level.meshes, level.meshNames);
+			same.setMaterials(level.materials, level.materialNames);
+			assert.ok(level.vertices.every((value) => !Object.is(value, -0)));
+			for (const name of ["vertices", "triangles", "meshes", "meshNames", "materials", "materialNames"]) assert.deepEqual(level[name], same[name], name);
+			assert.deepEqual([level.source.unit, level.source.offset, level.source.matrix.rawData], [same.source.unit, same.source.offset, same.source.matrix.rawData]);
+			triangles += level.triangles.length / 3;
+		}
+		assert.ok(triangles > 1000);
+	});
+
 	test(`three ${version}: a level collides where it is drawn, without a binding`, () => {
 		const trees = new Scenes(THREE, 43);
 		const land = new THREE.Scene();

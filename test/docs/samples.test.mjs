@@ -5,7 +5,7 @@ import { cpSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { root } from '../structure/sources.mjs';
+import { read, root } from '../structure/sources.mjs';
 import { fencesIn, listingsIn, moduleOf, pages, preludeOf, testClasses, withPagesNamed } from './samples.mjs';
 
 const folder = path.join(root, 'bin/generated/docs-js');
@@ -46,6 +46,31 @@ for (const each of inJavaScript.filter(({ file }) => wanted.length === 0 || want
 		run(each);
 	});
 }
+
+/** A page's samples as a program in TypeScript. What its prelude has is of any type, but for what three.js has types of. */
+function typed({ slug, fences }) {
+	const prelude = preludeOf(slug, '.mjs');
+	const [declared, ...ofThree] = [/^export const (\w+)/gm, /^export const (\w+) = THREE\.\1;$/gm].map((pattern) => (prelude ? [...read(prelude).matchAll(pattern)].map(([, name]) => name) : []));
+	const text = moduleOf({ slug: 'none', file: slug, fences });
+	const given = declared.filter((name) => new RegExp(`\\b${name}\\b`).test(text) && !new RegExp(`\\bconst ${name}\\b`).test(text)).map((name) => (ofThree.flat().includes(name)
+		? `import { ${name} } from "three";` : `declare const ${name}: any;`));
+	return `${given.join('\n')}\n${text}`;
+}
+
+test('TypeScript accepts the samples, with its strict checks but for parameters without types', () => {
+	const tools = path.join(root, 'js/module/node_modules/typescript/bin/tsc');
+	mkdirSync(path.join(folder, 'node_modules/@types'), { recursive: true });
+	symlinkSync(path.join(root, 'js/adapters/three/node_modules/@types/three'), path.join(folder, 'node_modules/@types/three'));
+	const types = path.join(folder, 'types');
+	rmSync(types, { recursive: true, force: true });
+	mkdirSync(types);
+	for (const each of inJavaScript.filter(({ file }) => file.endsWith('.md'))) writeFileSync(path.join(types, `${each.slug}.mts`), typed(each));
+	const compilerOptions = { target: 'es2022', module: 'nodenext', strict: true, noImplicitAny: false, noEmit: true, skipLibCheck: true, types: [], lib: ['es2023', 'dom', 'dom.iterable'] };
+	writeFileSync(path.join(types, 'tsconfig.json'), JSON.stringify({ compilerOptions, include: ['*.mts'] }));
+	writeFileSync(path.join(types, 'wrong.mts'), typed({ slug: 'three', fences: [{ language: 'js', line: 1, text: 'new Mesh(new BoxGeometry(), [null]);' }] }));
+	const { stdout } = spawnSync(process.execPath, [tools, '-p', types], { encoding: 'utf8' });
+	assert.match(stdout, /^\S*\bwrong\.mts\(\d+,\d+\): error TS2322: Type 'null' is not assignable[^\n]*\n$/, 'nothing else is wrong');
+});
 
 test('a broken sample in JavaScript fails', () => {
 	assert.throws(() => run(page('import { Agent } from "starlogo-collision";\n', 'const agent = new Agent("bear").turn(30);\n')), /turn is not a function/);

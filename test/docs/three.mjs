@@ -1,6 +1,7 @@
 /** For docs/three.md: what it names and does not show. */
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
+import { adapter } from './engine.mjs';
 
 const THREE = createRequire(new URL('../../js/module/package.json', import.meta.url))('three');
 
@@ -25,7 +26,7 @@ body.position.y = 8;
 gltf.scene.add(body);
 
 /** Whether the samples have done what the page says. */
-export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, level, crate, crateMesh, heroGroup, coin, coinMesh, greatLand }) {
+export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, level, crate, crateMesh, heroGroup, coin, coinMesh, greatLand, placeCamera, openRoom, closedRoom }) {
 	let calls = 0;
 	collision.onCollision('bears', 'bears', () => calls++);
 	bear.heading = 90;
@@ -45,6 +46,15 @@ export async function check({ frame, bear, other, drawn, collision, wireframe, s
 	assert.ok(min.distanceTo(new THREE.Vector3(coin.x - 0.25, coin.z, -coin.y - 0.25)) < 1e-6);
 	assert.ok(max.distanceTo(new THREE.Vector3(coin.x + 0.25, coin.z + 0.5, -coin.y + 0.25)) < 1e-6);
 	assert.equal(Math.min(...greatLand.modelOf('crate').vertices), -1);
+	placeCamera();
+	assert.ok(camera.position.distanceTo(heroGroup.position.clone().add(new THREE.Vector3(-5, 3.1, 0))) < 1e-9, 'nothing is in its way');
+	heroGroup.rotation.z = 0.7;
+	placeCamera();
+	assert.ok(Math.abs(camera.position.y - 0.25) < 1e-6, 'it rests on the ground');
+	heroGroup.rotation.z = 0;
+	placeCamera();
+	assert.ok(camera.position.y > 0.25 && camera.position.y < 3.1, 'it goes back slowly');
+	for (const [room, triangles] of [[openRoom, 10], [closedRoom, 72]]) assert.equal(adapter.levelFromObject('room', room).triangles.length, 3 * triangles);
 	assert.equal(collision.terrain, terrain);
 	assert.ok(terrain.heightAt(3, 4) > 1.99 && Math.abs(ground.boundingBox.max.y - terrain.heightAt(3, 4)) < 1e-6);
 }

@@ -719,6 +719,23 @@ test("while a game is developed, handlers that are not there to be removed, and 
 	assert.deepEqual(run("starlogo-collision.min.js"), { said: [], removed });
 });
 
+test("while a game is developed, a model's name that is misspelt is warned of, once", () => {
+	const program = (module) => `import { BuiltInModel, GreatLand } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.sphere());
+		land.addModel(BuiltInModel.capsule(0.3, 1.8, "hero"));
+		land.expect("trees");
+		const found = ["hero", "Hero", "Hero", "heros", "trees", "bear", ""].map((name) => land.modelOf(name)?.name ?? null);
+		console.log(JSON.stringify({ said, found }));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const found = ["hero", null, null, null, null, null, null];
+	const said = ["Hero", "heros"].map((name) => `starlogo-collision: there is no model "${name}", so modelOf() is null; is "hero" meant?`);
+	assert.deepEqual(run("starlogo-collision.js"), { said, found });
+	assert.deepEqual(run("starlogo-collision.min.js"), { said: [], found });
+});
+
 test("it runs in Node", async () => {
 	const sampleModule = await import(pathToFileURL(bundle("sample.node.js", { external: ["starlogo-collision"] })));
 	check(await use(sampleModule, `${server.url}assets`, bear, new Uint8Array(bytes)));

@@ -1,4 +1,4 @@
-import { Matrix4, Mesh, Vector3 } from "three";
+import { BufferAttribute, Matrix4, Mesh, Vector3 } from "three";
 import { ArgumentError, Model, ModelError } from "starlogo-collision";
 import { optionsOf, textOf } from "./arguments.js";
 import { isYUp } from "./axes.js";
@@ -8,6 +8,9 @@ const origins = new WeakMap();
 
 /** The up axis of a model's source, or undefined. */
 export const upOf = (model) => origins.get(model)?.up;
+
+/** The engine's own: the record of what a model is made of, and the work that makes a model of it. */
+const [ModelData, ModelBuilder] = Model.$parts;
 
 const identity = new Matrix4();
 const point = new Vector3();
@@ -36,13 +39,10 @@ export function levelFromObject(name, object, options = {}) {
 	return modelOf(name, object, surfaceOf(name, object, up, true), { up, isPlaced: true }, Model.AS_GIVEN);
 }
 
-function modelOf(name, source, { vertices, triangles, parts, meshes, materials }, origin, scaling) {
-	if (vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
-	const model = new Model(name, vertices, triangles, scaling);
-	if (source.isObject3D) {
-		model.setMeshes(meshes.numbers, meshes.names);
-		model.setMaterials(materials.numbers, materials.names);
-	}
+function modelOf(name, source, { data, parts }, origin, scaling) {
+	if (data.vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
+	Object.assign(data, { scaling, isNormalised: scaling === Model.AS_GIVEN });
+	const model = new Model(null, null, null, null, new ModelBuilder(data).build());
 	origins.set(model, { ...origin, parts, isGeometry: !source.isObject3D, posed: null });
 	return model;
 }
@@ -123,56 +123,39 @@ function eachMesh(object, place, visit) {
 /** The vertices and triangles of an object or a geometry, z up. With `isPlaced` the object's own transform counts. */
 export function surfaceOf(name, source, up, isPlaced = false) {
 	if (typeof name !== "string") throw new ArgumentError(`a model's name must be a string, not ${textOf(name)}`);
-	const surface = new Surface(name, isYUp(up));
+	const surface = new Surface(name, isYUp(up), source?.isObject3D);
 	if (source?.isBufferGeometry) surface.addMesh(new Mesh(source), identity);
 	else if (source?.isObject3D) {
 		updateMatrices(source);
 		eachMesh(source, isPlaced ? source.matrix : identity, (mesh, place) => surface.addMesh(mesh, place));
 	} else throw new ModelError(name, "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}${source?.scene?.isObject3D ? ". Its scene is an Object3D" : ""}`);
-	return surface;
+	return surface.weld();
 }
 
-/** Which mesh, or which material, each triangle belongs to: a number for each triangle, and a name for each number. */
-class Labels {
-	numbers = [];
-	names = [];
-	#known = new Map();
-
-	/** Labels the next triangles. */
-	add(thing, name, count) {
-		if (count === 0) return;
-		if (!this.#known.has(thing)) {
-			this.#known.set(thing, this.names.length);
-			this.names.push(String(name ?? ""));
-		}
-		const number = this.#known.get(thing);
-		const before = this.numbers.length;
-		this.numbers.length += count;
-		this.numbers.fill(number, before);
-	}
-}
-
-/** Triangles and their corners, z up. Each position appears once. */
+/** Reads meshes, as a reader of the engine reads a file. Each position becomes one vertex, z up. */
 class Surface {
-	vertices = [];
-	triangles = [];
-	/** For each mesh or instance, in the order of eachMesh: how many vertices the mesh has, and those that have become the surface's next ones. */
+	/** What the model is made of: the engine's own record. */
+	data;
+	/** For each mesh or instance, in the order of eachMesh: how many vertices the mesh has, and those that have become the model's next ones. */
 	parts = [];
-	/** The mesh and the material of each triangle. */
-	meshes = new Labels();
-	materials = new Labels();
-	#name;
 	#isYUp;
-	#known = new PointTable(this.vertices);
+	#isLabelled;
+	#pieces = [];
+	#cornerCount = 0;
+	// the number of each mesh, and of each material
+	#meshes = new Map();
+	#materials = new Map();
 	// of the last mesh: instances have the same
 	#mesh = null;
 	#points;
 	#corners;
 	#runs;
 
-	constructor(name, isYUp) {
-		this.#name = name;
+	/** @param {boolean} isLabelled whether hits tell the mesh and the material of a triangle */
+	constructor(name, isYUp, isLabelled) {
+		this.data = new ModelData(name);
 		this.#isYUp = isYUp;
+		this.#isLabelled = isLabelled;
 	}
 
 	/** Adds a mesh, or an instance of it. The matrix is its place in the source. */
@@ -212,36 +195,49 @@ class Surface {
 		const part = [];
 		this.parts.push({ count: points.length / 3, vertices: part });
 		// scaled to 0, as hidden instances often are
-		if (place.getMaxScaleOnAxis() === 0) return;
-		this.#addTriangles(mesh, points, corners, place, part);
-		this.meshes.add(mesh, titleOf(mesh), corners.length / 3);
-		for (const { material, count } of runs) this.materials.add(material, material?.name, count);
+		if (place.getMaxScaleOnAxis() === 0 || corners.length === 0) return;
+		if (this.#isLabelled) this.#label(mesh, runs);
+		this.#pieces.push({ mesh, points, corners, place, part });
+		this.#cornerCount += corners.length;
 	}
 
-	/** Adds triangles by their corners, and the points whose positions are new to `part`. */
-	#addTriangles(mesh, points, corners, place, part) {
-		const { triangles } = this;
-		const before = triangles.length;
-		// the surface's vertex at each point, -1 before it is known
+	/** Labels the triangles that come next. */
+	#label(mesh, runs) {
+		const { meshes, materials } = this.data;
+		let first = this.#cornerCount / 3;
+		meshes.beginRun(numberOf(mesh, titleOf(mesh), this.#meshes, meshes), first);
+		for (const { material, count } of runs) {
+			if (count === 0) continue;
+			materials.beginRun(numberOf(material, material?.name, this.#materials, materials), first);
+			first += count;
+		}
+	}
+
+	/** Makes vertices and triangles of all that was added. A list that has its length at once is made in a quarter of the time of one that grows. */
+	weld() {
+		const triangles = (this.data.triangles = zeros(this.#cornerCount));
+		const welder = new Welder(this.data.vertices);
+		let first = 0;
+		for (const { mesh, points, corners, place, part } of this.#pieces) {
+			welder.begin(points, place, this.#isYUp, part);
+			this.#addTriangles(mesh, points, corners, welder, triangles, first);
+			first += corners.length;
+			if (place.determinant() < 0) turnOver(triangles, first - corners.length, first);
+		}
+		return this;
+	}
+
+	/** Writes triangles from a first place on. */
+	#addTriangles(mesh, points, corners, welder, triangles, first) {
+		// the model's vertex at each point, -1 before it is known
 		const numbers = new Int32Array(points.length / 3).fill(-1);
 		for (let i = 0; i < corners.length; i++) {
 			const corner = corners[i];
 			let number = numbers[corner];
 			if (number === undefined) throw this.#error(mesh, `a triangle names vertex ${corner}, the last one is ${numbers.length - 1}`);
-			if (number < 0) number = numbers[corner] = this.#vertexOf(points, corner, place, part);
-			triangles.push(number);
+			if (number < 0) number = numbers[corner] = welder.vertexAt(corner);
+			triangles[first + i] = number;
 		}
-		if (place.determinant() < 0) turnOver(triangles, before);
-	}
-
-	/** The surface's vertex at a point of a mesh. */
-	#vertexOf(points, corner, place, part) {
-		const { vertices } = this;
-		const { length } = vertices;
-		point.set(points[3 * corner], points[3 * corner + 1], points[3 * corner + 2]).applyMatrix4(place);
-		const number = this.#isYUp ? this.#known.indexOf(point.x, -point.z, point.y) : this.#known.indexOf(point.x, point.y, point.z);
-		if (vertices.length > length) part.push(corner);
-		return number;
 	}
 
 	#read(mesh) {
@@ -255,8 +251,14 @@ class Surface {
 
 	#error(mesh, problem) {
 		const title = titleOf(mesh);
-		return new ModelError(this.#name, title && `mesh "${title}"`, problem);
+		return new ModelError(this.data.name, title && `mesh "${title}"`, problem);
 	}
+}
+
+/** The number of a mesh or a material among its labels. A new one gets the next. */
+function numberOf(thing, name, known, labels) {
+	if (!known.has(thing)) known.set(thing, labels.names.push(String(name ?? "")) - 1);
+	return known.get(thing);
 }
 
 /** How many vertices a mesh has. */
@@ -267,8 +269,11 @@ const titleOf = (mesh) => mesh.name || mesh.geometry.name;
 
 /** The places of a mesh's vertices in its own space, x, y, z, ..., in its present pose: of all, or of some from a first one on. */
 function pointsOf(mesh, position, first = 0, count = position.count) {
-	const points = new Float64Array(3 * count);
 	const isPosed = mesh.isSkinnedMesh || mesh.geometry.morphAttributes.position !== undefined;
+	// others decode what they have: halves of floats, fractions, numbers among others
+	const isPlain = position.getX === BufferAttribute.prototype.getX && position.itemSize === 3 && !position.normalized;
+	if (isPlain && !isPosed) return position.array.subarray(3 * first, 3 * (first + count));
+	const points = new Float64Array(3 * count);
 	if (mesh.isSkinnedMesh) for (const bone of mesh.skeleton.bones) bone.updateWorldMatrix(true, false);
 	const at = new Vector3();
 	for (let i = 0; i < count; i++) {
@@ -328,64 +333,95 @@ function takeCorners(all, first, end, taken, corners) {
 	for (let i = first; i < end; i += 3) if (!taken[i]++) corners.push(all[i], all[i + 1], all[i + 2]);
 }
 
-/** Turns triangles over, from an index of their list on. */
-function turnOver(triangles, first) {
-	for (let i = first; i < triangles.length; i += 3) [triangles[i + 1], triangles[i + 2]] = [triangles[i + 2], triangles[i + 1]];
+/** Turns triangles over, from an index of their list to another. */
+function turnOver(triangles, first, end) {
+	for (let i = first; i < end; i += 3) [triangles[i + 1], triangles[i + 2]] = [triangles[i + 2], triangles[i + 1]];
 }
 
-/** Gives positions indices. Equal positions get one index, because exporters repeat them for normals and textures. */
-class PointTable {
-	#points;
-	#count = 0;
-	#slots = new Int32Array(1024).fill(-1); // by hash: the index of a point. The next free slot is taken if several have one hash
-	#hashes = [];
+/** A list of zeros without gaps. V8 takes for granted that `new Array(count)` has some, and looks for them at each reading. */
+function zeros(count) {
+	const some = [];
+	while (some.length < 1024) some.push(0);
+	return [].concat(...new Array(count >> 10).fill(some), some.slice(0, count & 1023));
+}
+
+/** Makes vertices of points. Equal positions become one vertex, because exporters repeat them for normals and textures. */
+class Welder {
+	#vertices;
+	#slots = new Int32Array(1024).fill(-1); // by hash: a vertex. The next free slot is taken if several have one hash
 	#bits = new Float64Array(3);
-	#words = new Uint32Array(this.#bits.buffer);
+	#words = new Int32Array(this.#bits.buffer);
+	// of the mesh at hand
+	#points;
+	#elements;
+	#isYUp;
+	#part;
 
-	/** @param {number[]} points x, y, z, ...: new positions are appended */
-	constructor(points) {
+	/** @param {number[]} vertices x, y, z, ...: new positions are appended */
+	constructor(vertices) {
+		this.#vertices = vertices;
+	}
+
+	/** Begins a mesh: its points, its place, and where the points are listed that become vertices. */
+	begin(points, place, isYUp, part) {
 		this.#points = points;
+		this.#elements = place.elements;
+		this.#isYUp = isYUp;
+		this.#part = part;
+		// at most half of the slots are taken in the end
+		const needed = 2 * ((this.#vertices.length + points.length) / 3);
+		if (needed > this.#slots.length) this.#grow(2 ** Math.ceil(Math.log2(2 * needed)));
 	}
 
-	indexOf(x, y, z) {
+	/** The vertex at a point, which is new if its position is. This is Vector3.applyMatrix4, and -0 becomes 0. */
+	vertexAt(corner) {
 		const points = this.#points;
-		const slots = this.#slots;
-		const last = slots.length - 1;
-		const hash = this.#hash(x, y, z);
-		let slot = hash & last;
-		for (let i = slots[slot]; i >= 0; i = slots[slot]) {
-			if (points[3 * i] === x && points[3 * i + 1] === y && points[3 * i + 2] === z) return i;
-			slot = (slot + 1) & last;
-		}
-		const added = this.#count++;
-		slots[slot] = added;
-		this.#hashes.push(hash);
-		points.push(x, y, z);
-		if (2 * this.#count > last) this.#grow();
-		return added;
+		const e = this.#elements;
+		const px = points[3 * corner];
+		const py = points[3 * corner + 1];
+		const pz = points[3 * corner + 2];
+		const w = 1 / (e[3] * px + e[7] * py + e[11] * pz + e[15]);
+		const x = (e[0] * px + e[4] * py + e[8] * pz + e[12]) * w + 0;
+		const second = (e[1] * px + e[5] * py + e[9] * pz + e[13]) * w + 0;
+		const third = (e[2] * px + e[6] * py + e[10] * pz + e[14]) * w + 0;
+		return this.#isYUp ? this.#vertexOf(x, 0 - third, second, corner) : this.#vertexOf(x, second, third, corner);
 	}
 
-	#grow() {
-		const slots = new Int32Array(4 * this.#slots.length).fill(-1);
-		for (let i = 0; i < this.#count; i++) {
-			let slot = this.#hashes[i] & (slots.length - 1);
-			while (slots[slot] >= 0) slot = (slot + 1) & (slots.length - 1);
+	#vertexOf(x, y, z, corner) {
+		const vertices = this.#vertices;
+		const slots = this.#slots;
+		let slot = this.#slotOf(x, y, z);
+		for (let i = slots[slot]; i >= 0; i = slots[slot]) {
+			const at = 3 * i;
+			// in one expression: V8 compiles again what it has not met before, such as a second comparison
+			if (Math.abs(vertices[at] - x) + Math.abs(vertices[at + 1] - y) + Math.abs(vertices[at + 2] - z) === 0) return i;
+			slot = (slot + 1) & (slots.length - 1);
+		}
+		const { length } = vertices;
+		vertices.push(x, y, z);
+		this.#part.push(corner);
+		return (slots[slot] = length / 3);
+	}
+
+	#grow(length) {
+		const vertices = this.#vertices;
+		const slots = (this.#slots = new Int32Array(length).fill(-1));
+		for (let i = 0; 3 * i < vertices.length; i++) {
+			let slot = this.#slotOf(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
+			while (slots[slot] >= 0) slot = (slot + 1) & (length - 1);
 			slots[slot] = i;
 		}
-		this.#slots = slots;
 	}
 
-	#hash(x, y, z) {
+	/** The first slot in which a position may be. */
+	#slotOf(x, y, z) {
 		const words = this.#words;
-		// turns -0 into 0
-		this.#bits[0] = x + 0;
-		this.#bits[1] = y + 0;
-		this.#bits[2] = z + 0;
-		let hash = 0;
-		for (let i = 0; i < 6; i++) {
-			hash = Math.imul(hash ^ words[i], 0x9e3779b1);
-			hash ^= hash >>> 15;
-		}
-		return hash;
+		this.#bits[0] = x;
+		this.#bits[1] = y;
+		this.#bits[2] = z;
+		let hash = Math.imul(words[0] ^ words[1], 0x9e3779b1);
+		hash = Math.imul(hash ^ (hash >>> 15) ^ words[2] ^ words[3], 0x9e3779b1);
+		hash = Math.imul(hash ^ (hash >>> 15) ^ words[4] ^ words[5], 0x9e3779b1);
+		return (hash ^ (hash >>> 15)) & (this.#slots.length - 1);
 	}
 }

@@ -65,7 +65,7 @@ export class TerrainGeometry extends BufferGeometry {
 export function terrainFromMesh(source, columns, rows, cellWidth = 1, x = 0, y = 0, options = {}) {
 	const { up } = optionsOf("terrainFromMesh", options, { up: "y" });
 	const terrain = new Terrain(columns, rows, cellWidth, x, y);
-	const { vertices, triangles } = surfaceOf("terrain", source, up, true);
+	const { vertices, triangles } = surfaceOf("terrain", source, up, true).data;
 	const heights = new Array(columns * rows).fill(-Infinity);
 	// the corners, counted in cells from the first height
 	const cornerOf = (i) => ({ x: (vertices[3 * i] - x) / cellWidth, y: (vertices[3 * i + 1] - y) / cellWidth, z: vertices[3 * i + 2] });

@@ -60,7 +60,7 @@ const $copy = {};
  * @param wanted the kind that is required, for example "an Agent"
  */
 export function $named(value, wanted = "") {
-	if (isOfOtherCopy(value, wanted)) return "one of another copy of the engine. There are two copies of the engine: import starlogo-collision from one address alone";
+	if (isOfOtherCopy(value, wanted)) return "one of another copy of the engine. There are two copies of the engine: import starlogo-collision from one address";
 	switch (typeof value) {
 		case "string":
 			return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}...` : value);

@@ -65,14 +65,8 @@ package starlogo.queries
         /** @private */
         override engine function checkNames(agents:Vector.<Agent>):void
         {
-            if (breeds != null)
-            {
-                warnOfBreeds(breeds, agents);
-            }
-            if (exceptBreeds != null)
-            {
-                warnOfBreeds(exceptBreeds, agents);
-            }
+            warnOfBreeds(breeds, agents);
+            warnOfBreeds(exceptBreeds, agents);
         }
 
         /** @private Whether agents of a breed count, unless they are excluded otherwise. */

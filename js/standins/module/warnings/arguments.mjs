@@ -1,4 +1,5 @@
 /** Arguments that a call takes, and does nothing with, or not what is probably meant. */
+import { $hintOfName } from "./spelling.mjs";
 import { $warn } from "./warn.mjs";
 
 /** How many arguments a constructor takes, and which others it gets: by their number. */
@@ -56,6 +57,15 @@ export function $warnOfReplaced(receiver, model) {
 	if (!$isBuiltIn(before) || before.vertices.join() === model.vertices.join()) return;
 	$warn(`a ${name} of other lengths takes the place of the first, because both are called "${name}": `
 		+ `BuiltInModel.${name}() takes a name last`);
+}
+
+/** Warns of a model's name that is not known, if a model is called nearly the same. Its model may still come, so it is no error. */
+export function $warnOfModelName(greatLand, name) {
+	if (typeof name !== "string") return;
+	const names = greatLand.modelNames;
+	if (names.includes(name) || greatLand.isLoading(name)) return;
+	const hint = $hintOfName(name, names);
+	if (hint !== "") $warn(`there is no model ${JSON.stringify(name)}, so modelOf() is null${hint}`);
 }
 
 /** Whether an object is a BuiltInModel itself, and none of a game's subclass. */

@@ -2,7 +2,6 @@ package starlogo.models.building
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.triangleProblem;
     import starlogo.geometry.vertices.vertexProblem;
@@ -173,10 +172,8 @@ package starlogo.models.building
 
         private function turning():Steps
         {
-            var degrees:Vector3D = _data.transform == null ? new Vector3D() : _data.transform.rotation;
-            var turn:Placement = new Placement();
-            turn.setRotation(degrees.z, degrees.y, degrees.x);
-            return degrees.lengthSquared == 0 ? null : transforming(AffineTransform.of(turn), 1);
+            var transform:ModelTransform = _data.transform;
+            return transform == null || transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
         }
 
         private function stretching():Steps

@@ -81,7 +81,7 @@ package starlogo.models
         {
             if (data != null && (name != null || vertices != null || triangles != null || scaling != null))
             {
-                throw new ArgumentError("a model of data has no other arguments: the data have the name \"" + data.name + "\"");
+                throw new ArgumentError("a model of data has no other arguments: \"" + data.name + "\"");
             }
             _data = data || ModelBuilder.dataOf(name, vertices, triangles, scaling);
         }

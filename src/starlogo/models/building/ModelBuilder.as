@@ -44,10 +44,9 @@ package starlogo.models.building
          */
         public function ModelBuilder(reader:ModelReader, data:ModelData = null)
         {
-            _data = data;
+            _data = reader == null ? data : reader.data;
             if (reader != null)
             {
-                _data = reader.data;
                 add(reader);
             }
             call(checkData).call(addParts);
@@ -157,12 +156,12 @@ package starlogo.models.building
 
         private function measuring():Steps
         {
+            _bounds = new VertexBounds();
             return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, measure);
         }
 
         private function measure(first:int, end:int):void
         {
-            _bounds = first == 0 ? new VertexBounds() : _bounds;
             _bounds.add(_data.vertices, first, end);
             if (!_bounds.areFinite)
             {

@@ -131,20 +131,23 @@ package starlogo.models.gltf
         // Reads the weights of some points, and moves the points.
         private function moveByJoints(sets:Vector.<GltfAccessor>, weights:JointWeights, first:int, end:int):void
         {
+            var at:int = weights.joints.length;
             for (var i:int = first; i < end; i++)
             {
                 for (var k:int = 0; k < sets.length; k += 2)
                 {
+                    var ofSet:Vector.<Number> = sets[k + 1].numbers;
                     for (var j:int = 4 * i; j < 4 * i + 4; j++)
                     {
-                        if (sets[k + 1].numbers[j] != 0)
+                        var weight:Number = ofSet[j];
+                        if (weight != 0)
                         {
-                            weights.joints.push(jointAt(sets[k], j));
-                            weights.weights.push(sets[k + 1].numbers[j]);
+                            weights.joints[at] = jointAt(sets[k], j);
+                            weights.weights[at++] = weight;
                         }
                     }
                 }
-                weights.starts.push(weights.joints.length);
+                weights.starts.push(at);
             }
             // placeVertices() finds coordinates that are not finite
             weights.move(_points, _skin.joints, first, end);

@@ -2,6 +2,8 @@ package starlogo.models
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.models.building.AffineTransform;
     import starlogo.models.text.Decimal;
 
     use namespace engine;
@@ -121,6 +123,14 @@ package starlogo.models
         public function toString():String
         {
             return "rotate " + wordsOf(_rotation) + "\nscale " + wordsOf(_scale) + "\ntranslate " + wordsOf(_translation) + "\n";
+        }
+
+        /** @private The rotation alone. A ModelBuilder calls it, so a game without a ModelTransform loads none of this. */
+        engine function rotationTransform():AffineTransform
+        {
+            var turned:Placement = new Placement();
+            turned.setRotation(_rotation.z, _rotation.y, _rotation.x);
+            return AffineTransform.of(turned);
         }
 
         private static function isFinitePoint(point:Vector3D):Boolean

@@ -101,8 +101,7 @@ package starlogo.solid
         /** @private The root, as clients see it. */
         engine function get root():HierarchyNode
         {
-            _root ||= HierarchyNode.of(boxTree, 0);
-            return _root;
+            return _root ||= HierarchyNode.of(boxTree, 0);
         }
 
         /** @private Whether the tree is one of triangles; otherwise it is one of vertices. */

@@ -2,7 +2,6 @@ package starlogo.models.building
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.triangleProblem;
     import starlogo.geometry.vertices.vertexProblem;
@@ -45,10 +44,9 @@ package starlogo.models.building
          */
         public function ModelBuilder(reader:ModelReader, data:ModelData = null)
         {
-            _data = data;
+            _data = reader == null ? data : reader.data;
             if (reader != null)
             {
-                _data = reader.data;
                 add(reader);
             }
             call(checkData).call(addParts);
@@ -158,12 +156,12 @@ package starlogo.models.building
 
         private function measuring():Steps
         {
+            _bounds = new VertexBounds();
             return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, measure);
         }
 
         private function measure(first:int, end:int):void
         {
-            _bounds = first == 0 ? new VertexBounds() : _bounds;
             _bounds.add(_data.vertices, first, end);
             if (!_bounds.areFinite)
             {
@@ -173,10 +171,8 @@ package starlogo.models.building
 
         private function turning():Steps
         {
-            var degrees:Vector3D = _data.transform == null ? new Vector3D() : _data.transform.rotation;
-            var turn:Placement = new Placement();
-            turn.setRotation(degrees.z, degrees.y, degrees.x);
-            return degrees.lengthSquared == 0 ? null : transforming(AffineTransform.of(turn), 1);
+            var transform:ModelTransform = _data.transform;
+            return transform == null || transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
         }
 
         private function stretching():Steps

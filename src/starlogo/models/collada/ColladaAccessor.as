@@ -136,21 +136,23 @@ package starlogo.models.collada
             firstPoint = _points.length / 3;
             return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
                 {
-                    for (var i:int = first; i < end; i++)
-                    {
-                        readPoint(all, _firstWord + i * width, columns, firstPoint + i);
-                    }
+                    readPoints(all, columns, first, end);
                 });
         }
 
-        // Reads the point whose numbers begin at a word.
-        private function readPoint(all:Array, at:int, columns:Vector.<int>, index:int):void
+        private function readPoints(all:Array, columns:Vector.<int>, first:int, end:int):void
         {
-            for (var k:int = 0; k < 3; k++)
+            var points:Vector.<Number> = _points;
+            var to:int = 3 * (firstPoint + first);
+            var last:int = _firstWord + end * width;
+            for (var at:int = _firstWord + first * width; at < last; at += width)
             {
-                var word:String = all[int(at + columns[k])];
-                var number:Number = Decimal.of(word);
-                _points[3 * index + k] = number - number == 0 ? number : array.toNumber(word);
+                for (var k:int = 0; k < 3; k++)
+                {
+                    var word:String = all[int(at + columns[k])];
+                    var number:Number = Decimal.of(word);
+                    points[to++] = number - number == 0 ? number : array.toNumber(word);
+                }
             }
         }
     }

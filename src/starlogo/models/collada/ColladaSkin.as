@@ -1,7 +1,6 @@
 package starlogo.models.collada
 {
     import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.JointWeights;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

@@ -31,6 +31,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "matrix":
+                    return matrix(element, v);
                 case "bind_shape_matrix":
                     return matrix(element, v);
                 case "translate":

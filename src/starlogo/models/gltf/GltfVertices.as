@@ -1,7 +1,6 @@
 package starlogo.models.gltf
 {
     import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.JointWeights;
     import starlogo.steps.StepSequence;
 
     /**
@@ -99,6 +98,7 @@ package starlogo.models.gltf
             _points = _points == _positions.numbers ? _points.slice() : _points;
         }
 
+        // The weights of a point are divided by their sum. A point without weights moves with the first joint.
         private function addSkin(file:GltfFile, attributes:GltfJson):void
         {
             // pairs: the indices of joints, and their weights
@@ -113,10 +113,9 @@ package starlogo.models.gltf
                 }
             }
             file.limits.countNumbers(2 * count * Number(sets.length), attributes.place);
-            var weights:JointWeights = new JointWeights();
             slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
                 {
-                    moveByJoints(sets, weights, first, end);
+                    moveByJoints(sets, first, end);
                 });
         }
 
@@ -128,36 +127,51 @@ package starlogo.models.gltf
             return accessor;
         }
 
-        // Reads the weights of some points, and moves the points.
-        private function moveByJoints(sets:Vector.<GltfAccessor>, weights:JointWeights, first:int, end:int):void
+        private function moveByJoints(sets:Vector.<GltfAccessor>, first:int, end:int):void
         {
+            var points:Vector.<Number> = _points;
+            var result:Vector.<Number> = new Vector.<Number>(3);
             for (var i:int = first; i < end; i++)
             {
+                var at:int = 3 * i;
+                var sum:Number = 0;
+                var x:Number = 0;
+                var y:Number = 0;
+                var z:Number = 0;
                 for (var k:int = 0; k < sets.length; k += 2)
                 {
                     for (var j:int = 4 * i; j < 4 * i + 4; j++)
                     {
-                        if (sets[k + 1].numbers[j] != 0)
+                        var weight:Number = sets[k + 1].numbers[j];
+                        if (weight != 0)
                         {
-                            weights.joints.push(jointAt(sets[k], j));
-                            weights.weights.push(sets[k + 1].numbers[j]);
+                            jointAt(sets[k], j).transformPoints(points, i, i + 1, result, 0);
+                            sum += weight;
+                            x += weight * result[0];
+                            y += weight * result[1];
+                            z += weight * result[2];
                         }
                     }
                 }
-                weights.starts.push(weights.joints.length);
+                if (sum == 0)
+                {
+                    _skin.joints[0].transformPoints(points, i, i + 1, points, i);
+                    continue;
+                }
+                points[at] = x / sum;
+                points[int(at + 1)] = y / sum;
+                points[int(at + 2)] = z / sum;
             }
-            // placeVertices() finds coordinates that are not finite
-            weights.move(_points, _skin.joints, first, end);
         }
 
-        private function jointAt(numbers:GltfAccessor, at:int):int
+        private function jointAt(numbers:GltfAccessor, at:int):AffineTransform
         {
             var joint:Number = numbers.numbers[at];
             if (!(joint >= 0 && joint < _skin.joints.length && int(joint) == joint))
             {
                 throw numbers.json.error("vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _skin.joints.length);
             }
-            return joint;
+            return _skin.joints[int(joint)];
         }
 
         private function placeVertices(first:int, end:int):void

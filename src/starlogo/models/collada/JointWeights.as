@@ -1,5 +1,7 @@
-package starlogo.models.building
+package starlogo.models.collada
 {
+    import starlogo.models.building.AffineTransform;
+
     /**
      * How much each point of a skin follows which joints. The lists have the influences of all points, one point after the other.
      *

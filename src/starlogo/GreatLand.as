@@ -212,7 +212,7 @@ package starlogo
         /** Whether a model of this name was added. */
         public function hasModel(name:String):Boolean
         {
-            return _models.entryOf(name).model != null;
+            return models.entryOf(name).model != null;
         }
 
         /** The model with a name, or null if no model of this name was added. */

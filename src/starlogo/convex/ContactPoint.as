@@ -30,7 +30,7 @@ package starlogo.convex
 
         /**
          * A lower bound for the lengths of the ways out of b, known of the deepest point: that is half of the depth behind this one, and a point of a. NaN
-         * if it need not be a point of a. Tests of the ground write it.
+         * if it need not be a point of a. Tests of the ground write it. It counts until the two are separated, and means nothing in other contacts.
          */
         public var leastExit:Number = NaN;
 

@@ -6,8 +6,8 @@ package starlogo.ground
 
     /**
      * Says over which squares of the ground the box of a GroundSearch passes in its motion: when, and between which heights. A square has a level, a
-     * column and a row. The squares of level 0 are the cells. A box also passes over a square if it comes as near as the search's
-     * <code>maxDistance</code>.
+     * column and a row. The squares of level 0 are the cells. A standing box also passes over a square if it is as near as the
+     * search's <code>maxDistance</code>, which is 0 for a moving one.
      */
     internal final class BoxPath
     {

@@ -201,12 +201,11 @@ package starlogo.ground
             return true;
         }
 
-        // Writes a corner of the cell's top.
+        // Writes x and y of a corner of the cell.
         private function writeCorner(corner:int, out:Vector.<Number>, to:int):void
         {
             out[to] = corner == 1 || corner == 2 ? _maxX : _minX;
             out[int(to + 1)] = corner > 1 ? _maxY : _minY;
-            out[int(to + 2)] = _tops[corner];
         }
     }
 }

@@ -103,7 +103,8 @@ package starlogo.ground
             motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                out.leastExit = 0;
+                // the contact of an overlap may be deep, and is turned; a turned contact's deepest point need not be of the model
+                out.leastExit = motion.time > 0 ? 0 : NaN;
                 _pairs.moveToWorld(out);
             }
         }

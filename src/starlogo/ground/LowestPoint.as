@@ -7,6 +7,10 @@ package starlogo.ground
     /** The lowest point of a convex shape along a direction that counts as upwards. What is clearly lower does not touch the shape. */
     internal final class LowestPoint
     {
+        // How far below the shape a triangle has to be, as a multiple of the margin. ConvexKernel adds Tolerances.CORES of the extents to the margin,
+        // which is less than half of Tolerances.SURFACES.
+        private static const MARGINS:Number = 1.5;
+
         /** The direction: a unit vector. Change it before <code>find()</code>. */
         public var up:Vector3D = new Vector3D(0, 0, 1);
 
@@ -32,10 +36,10 @@ package starlogo.ground
             isKnown = true;
         }
 
-        /** Whether a triangle of nine numbers is clearly lower than the shape, which has its margin now. The point is known. */
+        /** Whether a triangle of nine numbers is clearly lower than the shape, which has the margin of both now. The point is known. */
         public function isAbove(p:Vector.<Number>, shape:ConvexShape):Boolean
         {
-            var most:Number = _height - shape.margin * Tolerances.OUTER;
+            var most:Number = _height - MARGINS * shape.margin;
             return up.x * p[0] + up.y * p[1] + up.z * p[2] < most && up.x * p[3] + up.y * p[4] + up.z * p[5] < most
                 && up.x * p[6] + up.y * p[7] + up.z * p[8] < most;
         }

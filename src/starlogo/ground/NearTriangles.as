@@ -42,7 +42,7 @@ package starlogo.ground
         private var _boxesLeft:int = 0;
 
         // By how much the box is larger with all of its motion, and where its middle then is, relative to the box.
-        private var _more:GroundBox = new GroundBox();
+        private var _moved:GroundBox = new GroundBox();
 
         // The least and the greatest corner of the box with all of its motion.
         private var _least:Vector3D = new Vector3D();
@@ -73,20 +73,20 @@ package starlogo.ground
                 _boxesLeft = boxesLeft;
                 search.box.copyFrom(box);
                 search.shape = shape;
-                findMore();
+                measureMotion();
             }
-            var halfX:Number = box.halfX + _more.halfX;
-            var halfY:Number = box.halfY + _more.halfY;
-            var halfZ:Number = box.halfZ + _more.halfZ;
-            _least.x = box.x + _more.x - halfX;
-            _least.y = box.y + _more.y - halfY;
-            _least.z = box.z + _more.z - halfZ;
-            _greatest.x = box.x + _more.x + halfX;
-            _greatest.y = box.y + _more.y + halfY;
-            _greatest.z = box.z + _more.z + halfZ;
+            var halfX:Number = box.halfX + _moved.halfX;
+            var halfY:Number = box.halfY + _moved.halfY;
+            var halfZ:Number = box.halfZ + _moved.halfZ;
+            _least.x = box.x + _moved.x - halfX;
+            _least.y = box.y + _moved.y - halfY;
+            _least.z = box.z + _moved.z - halfZ;
+            _greatest.x = box.x + _moved.x + halfX;
+            _greatest.y = box.y + _moved.y + halfY;
+            _greatest.z = box.z + _moved.z + halfZ;
         }
 
-        private function findMore():void
+        private function measureMotion():void
         {
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
@@ -94,12 +94,12 @@ package starlogo.ground
             var toFirst:Number = Math.abs(grid.x - search.origin.x) + Math.abs(grid.y - search.origin.y);
             var wider:Number = WIDER * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + Math.abs(motion.x) + Math.abs(motion.y)
                     + Math.abs(motion.z) + box.halfX + box.halfY + box.halfZ + grid.cellWidth + toFirst);
-            _more.x = motion.latest * motion.x / 2;
-            _more.y = motion.latest * motion.y / 2;
-            _more.z = motion.latest * motion.z / 2;
-            _more.halfX = Math.abs(_more.x) + wider;
-            _more.halfY = Math.abs(_more.y) + wider;
-            _more.halfZ = Math.abs(_more.z) + wider;
+            _moved.x = motion.latest * motion.x / 2;
+            _moved.y = motion.latest * motion.y / 2;
+            _moved.z = motion.latest * motion.z / 2;
+            _moved.halfX = Math.abs(_moved.x) + wider;
+            _moved.halfY = Math.abs(_moved.y) + wider;
+            _moved.halfZ = Math.abs(_moved.z) + wider;
         }
 
         /**

@@ -47,7 +47,7 @@ package starlogo.ground
         // A place under the piece, and the ground there.
         private var _ground:GroundPoint = new GroundPoint();
 
-        // The lowest points of the current piece: along the direction out of the ground below it, and along the normal of the model's last contact.
+        // The lowest points of the current piece: along the direction out of the ground below it, and along the normal of the contact that was found last.
         private var _lowest:LowestPoint = new LowestPoint();
         private var _lowestOnWayOut:LowestPoint = new LowestPoint();
 

@@ -27,7 +27,7 @@ package starlogo.search
         // The rank of the oldest agent among those that are not listed. It is more than the number of agents in any list.
         private static const FIRST_UNLISTED:int = 1 << 30;
 
-        // The middle and half of the lengths of extents, within one method.
+        // The middle and half of the lengths of extents, within one call.
         private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** The shape; null while the agent's model is loading. */
@@ -123,7 +123,7 @@ package starlogo.search
             _isPlaced = false;
         }
 
-        // A shape of a structure, with its middle moved to the origin. The placement is upright afterwards.
+        // A shape of a structure, with its middle moved to the origin. The placement is the move afterwards.
         private function centred(structure:BoundingStructure, middle:Vector.<Number>):ModelShape
         {
             _ownShapes ||= new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);

@@ -87,9 +87,12 @@ package starlogo.search
          */
         internal function addPairs(row:int, others:Vector.<int>, othersCount:int, times:Vector.<Number>):void
         {
-            for (var time:int = 0; times != null && time < othersCount; time++)
+            if (times != null)
             {
-                _times[int(count + time)] = times[time];
+                for (var k:int = 0; k < othersCount; k++)
+                {
+                    _times[int(count + k)] = times[k];
+                }
             }
             var to:int = 2 * count;
             var ranks:Vector.<int> = list.ranks;

@@ -257,7 +257,7 @@ package starlogo.search
             out.z += back * motions.z[b];
         }
 
-        // Whether one of two rows sweeps and has a motion.
+        // Whether one of two rows sweeps, and has not come without a motion.
         private function eitherSweeps(a:int, b:int):Boolean
         {
             return _sweeps[a] || _sweeps[b];

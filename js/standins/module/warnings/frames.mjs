@@ -21,13 +21,13 @@ const $checkedBreeds = /* @__PURE__ */ new Map();
 export let $updates = 0;
 
 /**
- * Of a Collision that is updated: how many frames it called no handler from the first on, without end once it has called one; the id of
- * the last agent of the last list; how many lists in turn had new agents alone.
+ * Of a Collision that is updated: how many frames it called no handler from the first on, without end once it has called one; the
+ * greatest id of the last list; how many lists in turn had new agents alone.
  */
 const $collisions = /* @__PURE__ */ new WeakMap();
 
 function $newCollision() {
-	return { silentFrames: 0, lastId: Infinity, newFrames: 0 };
+	return { silentFrames: 0, greatestId: Infinity, newFrames: 0 };
 }
 
 /** Whether a Collision was ever updated. */
@@ -89,12 +89,13 @@ function $warnOfBreed(breed, breeds, agents) {
 
 /**
  * Warns of lists whose agents are all made anew in each frame: starts and ends of touches, sweeps and walks are about the same agents.
- * Ids grow, so it looks at the first of a list and the last of the one before.
+ * Ids grow, so each agent of a list then has a greater one than all of the list before.
  */
 export function $warnOfNewAgents(collision, agents) {
 	const kept = $keptOf($collisions, collision, $newCollision);
-	kept.newFrames = agents?.[0]?.id > kept.lastId ? kept.newFrames + 1 : 0;
-	kept.lastId = agents?.[agents.length - 1]?.id ?? Infinity;
+	const ids = (agents ?? []).map((agent) => agent?.id);
+	kept.newFrames = ids.length > 0 && ids.every((id) => id > kept.greatestId) ? kept.newFrames + 1 : 0;
+	kept.greatestId = ids.length > 0 ? ids.reduce((a, b) => Math.max(a, b)) : Infinity;
 	if (kept.newFrames !== $MANY_FRAMES) return;
 	$warn(`all agents are new in ${$MANY_FRAMES} frames in turn, so no touch lasts, and nothing sweeps: make each agent once, and move it`);
 }

@@ -25,7 +25,7 @@ package starlogo.models.collada
          * What moves points to the scene: by each joint, and last by joint -1.
          *
          * @param scene knows where joints are
-         * @param place where the skin is in the scene; its steps must be done
+         * @param place where the skin is in the scene
          * @throws ModelError if there is no such joint
          */
         public function paletteOf(scene:ColladaScene, place:ColladaPlace):Vector.<AffineTransform>

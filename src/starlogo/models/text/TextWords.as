@@ -13,7 +13,7 @@ package starlogo.models.text
         private static const CHARACTERS_PER_STEP:int = 200000;
         private static const SPACE:int = 0x20;
 
-        /** The words of a text, separated by any white space. Empty for a text without words. */
+        /** The words of a text, separated by spaces, tabs and ends of lines. Empty for a text without words. */
         public static function of(text:String):Array
         {
             text = replaceAll(text, "\n", " ");

@@ -7,8 +7,8 @@ package starlogo.queries.trees
     use namespace engine;
 
     /**
-     * Finds the rows of a tree whose boxes a moving box meets. It returns one row at a time, roughly the nearest first. A ray is a moving box
-     * without size. A box that stands still has a motion without length.
+     * Finds the rows of a tree whose boxes a moving box meets. It returns one row at a time. If the box moves, nearer nodes come first. The rows
+     * of a leaf come in no order. A ray is a moving box without size. A box that stands still has a motion without length.
      *
      * @private
      */

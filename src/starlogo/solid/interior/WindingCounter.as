@@ -195,7 +195,7 @@ package starlogo.solid.interior
             var pc:Number = points[int(p + _axisC)] - c;
             var qc:Number = points[int(q + _axisC)] - c;
             var rc:Number = points[int(r + _axisC)] - c;
-            if (pc > 0 == qc > 0 && qc > 0 == rc > 0)
+            if ((pc > 0) == (qc > 0) && (qc > 0) == (rc > 0))
             {
                 return;
             }
@@ -204,9 +204,9 @@ package starlogo.solid.interior
             var rb:Number = points[int(r + _axisB)] - b;
             var crossing:int = crossingOf(pb, pc, qb, qc) + crossingOf(qb, qc, rb, rc) + crossingOf(rb, rc, pb, pc);
             // One corner is alone on its side of the half-line's plane. It comes first.
-            var isPAlone:Boolean = qc > 0 == rc > 0;
-            var isQAlone:Boolean = pc > 0 == rc > 0;
-            var isRAlone:Boolean = pc > 0 == qc > 0;
+            var isPAlone:Boolean = (qc > 0) == (rc > 0);
+            var isQAlone:Boolean = (pc > 0) == (rc > 0);
+            var isRAlone:Boolean = (pc > 0) == (qc > 0);
             if (crossing == 0 || isPAlone && !isAhead(points, p, q, r) || isQAlone && !isAhead(points, q, r, p) || isRAlone && !isAhead(points, r, p, q))
             {
                 return;
@@ -228,7 +228,7 @@ package starlogo.solid.interior
         // q to p it is exactly the negative.
         private static function crossingOf(pb:Number, pc:Number, qb:Number, qc:Number):int
         {
-            if (pc > 0 == qc > 0)
+            if ((pc > 0) == (qc > 0))
             {
                 return 0;
             }

@@ -37,7 +37,7 @@ package starlogo.ground
         // Half the box's height, with a margin for rounding.
         private var _halfZ:Number = 0;
 
-        // What counts only beyond this distance counts in spite of rounding errors.
+        // No rounding error of the search's coordinates is larger.
         private var _slack:Number = 0;
 
         private var _separation:SquareSeparation = new SquareSeparation();

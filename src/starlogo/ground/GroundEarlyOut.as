@@ -61,6 +61,7 @@ package starlogo.ground
             // agents that are this close may touch, because of rounding
             var tolerance:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
                     + Math.abs(_around.least) + Math.abs(_around.greatest));
+            // a whole grid has the same bound along both axes
             var slope:Number = grid.isBlocky ? Infinity : _around.stepX / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);

@@ -1,6 +1,7 @@
 // This room says how shapes and rays meet the ground, a solid whose surface is triangles. HeightGrid has its heights, and HeightPyramid bounds of them.
 // GroundTriangles finds the triangles that a GroundSearch asks for, cell by cell (BoxPath, CellTriangles). GroundModelQuery tests a model with them:
-// each of its convex pieces (ModelPieces) with each triangle near it (PieceTrianglePairs, NearTriangles), by a TriangleKernel. GroundRayQuery tests a ray.
+// each of its convex pieces (ModelPieces) with each triangle near it (PieceTrianglePairs, NearTriangles), by a TriangleKernel. GroundPenetrationQuery
+// finds how deep a standing model is, and GroundRayQuery tests a ray.
 // GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground
 {

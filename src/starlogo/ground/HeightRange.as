@@ -13,10 +13,10 @@ package starlogo.ground
         /** The greatest height; -Infinity if there is none. */
         public var greatest:Number = -Infinity;
 
-        /** The greatest difference of two heights that are neighbours along x. */
+        /** No two heights that are neighbours along x differ by more. Of squares above level 0, and of a whole grid, it is the same along y. */
         public var stepX:Number = 0;
 
-        /** The greatest along y. */
+        /** The same along y. */
         public var stepY:Number = 0;
 
         /** Whether a cell there is a hole. The heights of holes count too. */

@@ -71,7 +71,7 @@ package starlogo.ground
          * Begins.
          *
          * @param motion of the pieces from where they are: triangles count that they may meet until its latest time. The motion is copied
-         * @param maxDistance triangles count that are at most this far away
+         * @param maxDistance triangles count that are at most this far away; 0 if the pieces move
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {

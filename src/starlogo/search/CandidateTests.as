@@ -72,7 +72,8 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            addPairs(row, others, _motions.areSwept ? _motions.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level));
+            count = _motions.areSwept ? _motions.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
+            addPairs(row, others, count);
         }
 
         /**

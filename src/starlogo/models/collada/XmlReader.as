@@ -18,6 +18,9 @@ package starlogo.models.collada
         /** The most attributes of an element. */
         private static const MAX_ATTRIBUTES:int = 100;
 
+        // The code of the last character of Unicode. An entity with a greater one stays text, as one with an unknown name does.
+        private static const LAST_CHARACTER:int = 0x10FFFF;
+
         private static const TAGS_PER_STEP:int = 100;
         private static const QUOTE:int = 0x22;
         private static const APOSTROPHE:int = 0x27;
@@ -104,8 +107,11 @@ package starlogo.models.collada
         private function readDeclaration():void
         {
             var isData:Boolean = _text.substr(_at, 8) == "![CDATA[";
+            var isComment:Boolean = _text.substr(_at, 3) == "!--";
             var start:int = _at + 8;
-            _at = endOf(isData ? "]]>" : (_text.substr(_at, 3) == "!--" ? "-->" : ">"));
+            // the dashes at a comment's beginning do not end it
+            _at += isComment ? 3 : 0;
+            _at = endOf(isData ? "]]>" : (isComment ? "-->" : ">"));
             if (isData && _open != null)
             {
                 _open.texts.push(_text.substring(start, _at - 3));
@@ -188,9 +194,17 @@ package starlogo.models.collada
 
         private static function characterOf(entity:String, name:String, ...rest):String
         {
+            if (name.charAt(0) != "#")
+            {
+                return ENTITIES[name];
+            }
             var code:Number = Number("0" + name.substr(1));
+            if (code == 0 || code > LAST_CHARACTER)
+            {
+                return entity;
+            }
             // a string has two units for a character above 0xFFFF
-            return name.charAt(0) != "#" ? ENTITIES[name] : (code > 0xFFFF ? String.fromCharCode(0xD7C0 + (code >> 10), 0xDC00 | code & 0x3FF) : String.fromCharCode(code));
+            return code > 0xFFFF ? String.fromCharCode(0xD7C0 + (code >> 10), 0xDC00 | code & 0x3FF) : String.fromCharCode(code);
         }
     }
 }

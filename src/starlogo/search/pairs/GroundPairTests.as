@@ -128,7 +128,7 @@ package starlogo.search.pairs
         }
 
         /** The deepest point is half of the depth behind the contact's point. @inheritDoc */
-        public function isInside(b:Body, contact:ContactPoint):Boolean
+        public function isDeepestInside(b:Body, contact:ContactPoint):Boolean
         {
             var back:Number = contact.depth / 2;
             return gridOf(b).heightAt(contact.x - back * contact.normalX, contact.y - back * contact.normalY) > contact.z - back * contact.normalZ;

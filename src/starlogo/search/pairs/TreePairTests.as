@@ -134,7 +134,7 @@ package starlogo.search.pairs
         }
 
         /** It is not known. @inheritDoc */
-        public function isInside(b:Body, contact:ContactPoint):Boolean
+        public function isDeepestInside(b:Body, contact:ContactPoint):Boolean
         {
             return false;
         }

@@ -15,7 +15,7 @@ package starlogo.search.penetration
         function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void;
 
         /** Whether a contact's deepest point is known to be inside of a body. */
-        function isInside(b:Body, contact:ContactPoint):Boolean;
+        function isDeepestInside(b:Body, contact:ContactPoint):Boolean;
 
         /**
          * A lower bound for the lengths of the exits of a contact's deepest point from a body; 0 if none is known. Exits that are longer than

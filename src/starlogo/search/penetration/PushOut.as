@@ -148,20 +148,20 @@ package starlogo.search.penetration
             out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _push.length;
             _tried.distance = _push.length - _pair.probeDistance;
-            if (_tried.distance > 0 && !showsTouch(first) && !_pair.testAt(_tried))
+            if (_tried.distance > 0 && !isDeepestStillInside(first) && !_pair.testAt(_tried))
             {
                 _directions.shorten(_tried, out);
             }
         }
 
         // Whether the deepest point of a contact, displaced as is tried, is known to be of the first body and inside of the second.
-        private function showsTouch(contact:ContactPoint):Boolean
+        private function isDeepestStillInside(contact:ContactPoint):Boolean
         {
             _next.copyFrom(contact);
             _next.x += _tried.distance * _tried.x;
             _next.y += _tried.distance * _tried.y;
             _next.z += _tried.distance * _tried.z;
-            return _next.isDeepestOfA && _bounds.isInside(_pair.second, _next);
+            return _next.isDeepestOfA && _bounds.isDeepestInside(_pair.second, _next);
         }
     }
 }

@@ -39,6 +39,7 @@ package starlogo.models.collada
             var root:ColladaElement = read("<a b='&lt;&#65;&#x42;&gt;'>&amp;&quot;&apos;&other;&LT;</a>");
             assertEquals("<AB>", root.attribute("b"));
             assertEquals("&\"'&other;&LT;", root.texts.join(""));
+            assertEquals("no characters", "&#0;&#x110000;&#99999999999;", read("<a>&#0;&#x110000;&#99999999999;</a>").text);
             assertEquals("\uD83D\uDE00 \uFFFD \uDBFF\uDFFF", read("<a>&#x1F600; &#xFFFD; &#1114111;</a>").text);
         }
 
@@ -58,7 +59,7 @@ package starlogo.models.collada
         [Test]
         public function refusesWhatIsNotWellFormed():void
         {
-            for each (var source:String in ["<a", "<a>", "<a></b>", "</a>", "<a/><b/>", "<a b></a>", "<a b=1/>", "<a b='1/>", "<a b='1'c/>", "<a 'b'/>", "<a><!-- ></a>",
+            for each (var source:String in ["<a", "<a>", "<a></b>", "</a>", "<a/><b/>", "<a b></a>", "<a b=1/>", "<a b='1/>", "<a b='1'c/>", "<a 'b'/>", "<a><!-- ></a>", "<a><!--></a>",
                         "<a><![CDATA[</a>", "<a><b></a></b>", "< a/>", "<?a", "<a b='1' c></a>", "<a b='1'c='2'/>"])
             {
                 assertThrows(ModelError, /not well-formed/, read, source);

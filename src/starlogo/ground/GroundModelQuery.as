@@ -103,8 +103,12 @@ package starlogo.ground
             motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                // the contact of an overlap may be deep, and is turned; a turned contact's deepest point need not be of the model
-                out.leastExit = motion.time > 0 ? 0 : NaN;
+                out.leastExit = 0;
+                if (motion.time == 0)
+                {
+                    // an overlap's contact may be deep, and is turned; then its deepest point need not be of the model
+                    out.leastExit = NaN;
+                }
                 _pairs.moveToWorld(out);
             }
         }

@@ -163,14 +163,15 @@ package starlogo.ground
             }
             found.margin = Touching.marginOfSurface(found.size);
             found.plane.setTriangle(found.corners, 0);
-            widen(found, WIDER * found.margin);
+            widen(found);
             _count++;
             return true;
         }
 
-        // Makes the box around a triangle larger.
-        private static function widen(found:GroundTriangle, by:Number):void
+        // Makes the box around a triangle larger. V8 would make an object of a Number that is passed.
+        private static function widen(found:GroundTriangle):void
         {
+            var by:Number = WIDER * found.margin;
             found.minX -= by;
             found.maxX += by;
             found.minY -= by;

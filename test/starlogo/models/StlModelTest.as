@@ -86,10 +86,12 @@ package starlogo.models
             refuses("line 5", "a facet has more than three vertices", "solid\nvertex 1 2 3\nvertex 1 2 3\nvertex 1 2 3\nvertex 1 2 3\n");
             refuses("line 3", "a loop begins before", "solid\nvertex 1 2 3\nouter loop\n");
             refuses("line 4", "the file is cut off", "solid\nvertex 1 2 3\nvertex 1 2 3");
-            Failures.assertFails("triangle 1", "three finite numbers for a vertex, but found 1, NaN, 3", function():void
-                {
-                    StlModel.fromBytes("a", binaryOf([TETRAHEDRON[0], [0, 0, 0, 1, NaN, 3, 0, 0, 0]]));
-                });
+            for each (var vertex:Array in [[NaN, 2, 3], [1, NaN, 3], [1, 2, NaN]])
+            {
+                var triangle:Array = [0, 0, 0].concat(vertex, [0, 0, 0]);
+                Failures.assertFails("triangle 1", "three finite numbers for a vertex, but found " + vertex.join(", "), StlModel.fromBytes, "a",
+                        binaryOf([TETRAHEDRON[0], triangle]));
+            }
             Failures.assertFails("", "no vertices", StlModel.fromBytes, "a", binaryOf([]));
             var other:ByteArray = binaryOf([]);
             other.length = 200;

@@ -45,6 +45,36 @@ package starlogo.queries
             sGreatLand.addModel(new ObjModel("fortress", Fixtures.text("/assets/fortress.obj")));
         }
 
+        // A slide along a wall that is touched, after one along the wall on the other side, is as it would be alone.
+        [Test]
+        public function dependsOnNoSlideBefore():void
+        {
+            var land:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.box(1, 40, 4, "wall"));
+            for each (var name:String in ["tightest fits", "hierarchies", "triangles"])
+            {
+                var agents:Vector.<Agent> = new <Agent>[new Agent("sphere"), new Agent("wall"), new Agent("wall")];
+                agents[1].moveTo(-5, 0, 0);
+                agents[2].moveTo(5, 0, 0);
+                var used:AgentQueries = new AgentQueries(EachCollider.make(name, land));
+                for each (var side:int in [-1, 1, -1])
+                {
+                    var alone:AgentQueries = new AgentQueries(EachCollider.make(name, land));
+                    assertEquals(name, slideBeside(side, agents, alone), slideBeside(side, agents, used));
+                    assertTrue(name, used.distance(agents[0], agents[1]) > 0 && used.distance(agents[0], agents[2]) > 0);
+                }
+            }
+        }
+
+        // Slides the first agent along a wall that it touches. Returns where it is then.
+        private static function slideBeside(side:int, agents:Vector.<Agent>, queries:AgentQueries):String
+        {
+            var mover:Agent = agents[0];
+            mover.moveTo(4 * side, 0, 0);
+            queries.update(agents);
+            queries.slide(mover, 0, 1, 0);
+            return mover.x + ", " + mover.y + ", " + mover.z;
+        }
+
         [Test]
         public function amongBoxesAsFarAsCanBe():void
         {

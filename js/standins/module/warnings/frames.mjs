@@ -93,9 +93,15 @@ function $warnOfBreed(breed, breeds, agents) {
  */
 export function $warnOfNewAgents(collision, agents) {
 	const kept = $keptOf($collisions, collision, $newCollision);
-	const ids = (agents ?? []).map((agent) => agent?.id);
-	kept.newFrames = ids.length > 0 && ids.every((id) => id > kept.greatestId) ? kept.newFrames + 1 : 0;
-	kept.greatestId = ids.length > 0 ? ids.reduce((a, b) => Math.max(a, b)) : Infinity;
+	let least = Infinity;
+	let greatest = -Infinity;
+	for (let i = 0; i < agents?.length; i++) {
+		const id = agents[i]?.id;
+		if (id < least) least = id;
+		if (id > greatest) greatest = id;
+	}
+	kept.newFrames = least < Infinity && least > kept.greatestId ? kept.newFrames + 1 : 0;
+	kept.greatestId = least < Infinity ? greatest : Infinity;
 	if (kept.newFrames !== $MANY_FRAMES) return;
 	$warn(`all agents are new in ${$MANY_FRAMES} frames in turn, so no touch lasts, and nothing sweeps: make each agent once, and move it`);
 }

@@ -65,7 +65,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pairs.findWhere() != PieceTrianglePairs.ABOVE || _pairs.touchesTriangle())
+                if (_pairs.reachesUnder() || _pairs.touchesTriangle())
                 {
                     return true;
                 }

@@ -16,15 +16,6 @@ package starlogo.ground
      */
     internal final class PieceTrianglePairs
     {
-        /** Where a piece is: a point of it is under the ground. */
-        public static const UNDER:int = 0;
-
-        /** Where a piece is: that point is not under the ground, but another one is. */
-        public static const REACHES_UNDER:int = 1;
-
-        /** Where a piece is: both points are above the ground. Only triangles decide whether the piece touches it. */
-        public static const ABOVE:int = 2;
-
         /** The pieces. A query may move the model before it begins. */
         public var pieces:ModelPieces = new ModelPieces();
 
@@ -143,7 +134,7 @@ package starlogo.ground
             return true;
         }
 
-        /** Whether the piece touches a triangle near it. It is quicker after <code>findWhere()</code>. */
+        /** Whether the piece touches a triangle near it. It is quicker after <code>reachesUnder()</code>. */
         public function touchesTriangle():Boolean
         {
             while (nextTriangle())
@@ -166,28 +157,28 @@ package starlogo.ground
         }
 
         /**
-         * Finds where the piece is, as far as two of its points know: UNDER, REACHES_UNDER or ABOVE. The second point is the lowest one above the slope
-         * below the first. Nearly all pieces that reach under the ground do so there.
+         * Whether one of two points of the piece is under the ground. If not, only triangles decide whether the piece touches it. The second point is
+         * the lowest one above the slope below the first. Nearly all pieces that reach under the ground do so there.
          */
-        public function findWhere():int
+        public function reachesUnder():Boolean
         {
             if (isUnder(0))
             {
-                return UNDER;
+                return true;
             }
             if (pieces.isDivisible)
             {
-                return ABOVE;
+                return false;
             }
             grid.findDirectionOut(_ground, _lowest.up);
             _lowest.find(kernel.shape);
             _ground.x = _lowest.x + origin.x;
             _ground.y = _lowest.y + origin.y;
             grid.findHeight(_ground);
-            return _ground.height >= _lowest.z + origin.z ? REACHES_UNDER : ABOVE;
+            return _ground.height >= _lowest.z + origin.z;
         }
 
-        // Whether the triangle is clearly below all of the piece, along the direction out of the ground. This direction is known after findWhere();
+        // Whether the triangle is clearly below all of the piece, along the direction out of the ground. This direction is known after reachesUnder();
         // before, the answer is false.
         private function isBelowPiece():Boolean
         {

@@ -91,8 +91,8 @@ package starlogo.search
             _input.listMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.numbers;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            addPairs(worldRow, others, _motions.areSwept ? _motions.keepTouching(worldRow, others, count, RowMotions.NO_EXTENTS, _times)
-                    : keepTouchingWorld(worldRow, others, count));
+            count = _motions.areSwept ? _motions.keepTouching(worldRow, others, count, RowMotions.NO_EXTENTS, _times) : keepTouchingWorld(worldRow, others, count);
+            addPairs(worldRow, others, count);
         }
 
         // Adds the pairs of a row with the first of the others. In a search with motions they have times.

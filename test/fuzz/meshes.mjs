@@ -47,16 +47,21 @@ const READERS = {
 const AXES = [0, 1, 2];
 const isModel = (file) => extname(file).toLowerCase() in READERS;
 
-/** The levels of a file, as the engine has them and as plain triangles with their extents. */
+/** A level's plain triangles, with their extents and those of all. */
+export function plainLevel(bodies) {
+	const corners = bodies.flatMap((body) => body.corners);
+	const extents = Float64Array.from(bodies.flatMap((body) => [...leastIn(body.corners), ...mostIn(body.corners)]));
+	return { bodies, extents, least: leastIn(corners), most: mostIn(corners) };
+}
+
+/** The levels of a file, as the engine has them and as plain triangles. */
 export const levelsOf = (file) => READERS[extname(file).toLowerCase()](readFileSync(file)).map((model, i) => {
 	const { vertices, triangles } = model;
 	const bodies = Array.from({ length: triangles.length / 3 }, (_, k) => {
 		const corners = AXES.map((corner) => AXES.map((axis) => vertices[3 * triangles[3 * k + corner] + axis]));
 		return triangleBody(corners);
 	});
-	const corners = bodies.flatMap((body) => body.corners);
-	const extents = Float64Array.from(bodies.flatMap((body) => [...leastIn(body.corners), ...mostIn(body.corners)]));
-	return { name: `${file}, reading ${i + 1}`, land: landOf(model), bodies, extents, least: leastIn(corners), most: mostIn(corners) };
+	return { name: `${file}, reading ${i + 1}`, land: landOf(model), ...plainLevel(bodies) };
 });
 
 /** The levels of all files of a folder whose names have this text. */
@@ -129,6 +134,18 @@ function gapToTriangle(body, triangle, limit) {
 function gapToLevel(body, level, limit) {
 	const near = trianglesNear(level, leastOfBody(body), mostOfBody(body), Math.max(0, limit));
 	return Math.min(Infinity, ...near.map((triangle) => gapToTriangle(body, triangle, limit)));
+}
+
+/**
+ * Whether a body stays farther than so much from all triangles of a level on a straight way. A few places on it rule out most ways. The gap to one
+ * triangle is a convex function of the way's part, so its least is found.
+ */
+export function isFreeWay(level, body, way, clear) {
+	const bodyAt = (part) => movedBy(body, way.map((each) => part * each));
+	if ([0, 0.25, 0.5, 0.75, 1].some((part) => gapToLevel(bodyAt(part), level, clear) <= clear)) return false;
+	const end = bodyAt(1);
+	const near = trianglesNear(level, leastIn([leastOfBody(body), leastOfBody(end)]), mostIn([mostOfBody(body), mostOfBody(end)]), clear);
+	return near.every((triangle) => leastOf((part) => gapToTriangle(bodyAt(part), triangle, Infinity)) > clear);
 }
 
 /** Whether a straight way crosses the inside of a triangle. */
@@ -210,7 +227,7 @@ function faultsOf({ level, footing, body, size, radius, place, speed }, { begin,
 	if (!footing.stands && isOnFloor(level, body, Math.cos((options.slopeDegrees - 0.01) * Math.PI / 180), 1e-9 * size)) faults.push(["afloat", "does not stand on a floor"]);
 	// a longer way downhill may meet more than the eight surfaces after which a slide ends
 	if (footing.part < MOST && Math.hypot(dx, dy) < radius) {
-		const isFree = (rise) => [0, 0.25, 0.5, 0.75, 1].every((part) => gapToLevel(movedBy(before, [part * dx, part * dy, rise]), level, CLEAR * size) > CLEAR * size);
+		const isFree = (rise) => isFreeWay(level, movedBy(before, [0, 0, rise]), [dx, dy, 0], CLEAR * size);
 		const climbs = stood && speed <= 0 && options.stepHeight > LOW * size;
 		if (isFree(0) || climbs && isFree(LOW * size)) faults.push(["stuck", `has gone ${footing.part} of a free way`]);
 	}

@@ -186,10 +186,10 @@ package starlogo.convex
         }
 
         /**
-         * Finds what findBehind() does of a shape that stands, if it is deeper behind the plane than another contact is. This is quicker if it is not. The
-         * shape's margin counts as rounding: it may be less deep by so much. A flat triangle has none.
+         * Finds what findBehind() does of a shape that stands, if it is deeper behind the plane than another contact is, up to rounding. This is quicker
+         * if it is not. A flat triangle has none.
          *
-         * @param than the other contact, of which the depth counts
+         * @param than the other contact. Its depth counts
          * @param out receives the contact
          * @return whether it is deeper
          */
@@ -197,7 +197,7 @@ package starlogo.convex
         {
             shape.project(normal, _ofShape);
             var front:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z + _ofShape.least - shape.radius;
-            if (!(offset - front > than.depth - shape.margin))
+            if (!(offset - front > than.depth))
             {
                 return false;
             }

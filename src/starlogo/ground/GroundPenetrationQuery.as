@@ -3,6 +3,7 @@ package starlogo.ground
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.intersection.TriangleKernel;
 
@@ -17,7 +18,8 @@ package starlogo.ground
      */
     public final class GroundPenetrationQuery
     {
-        // A depth is proven if the least length of an exit is at least this fraction of it.
+        // A depth is proven if no exit is shorter than this fraction of it. The fraction is larger than the one that ExitSearch requires, so a proven depth
+        // needs no search for other ways out. Larger: more contacts need one.
         private static const LEAST_SHARE_PROVEN:Number = 0.8;
 
         // A depth behind a triangle's plane is off by at most this many margins of the triangle, because of rounding.
@@ -113,12 +115,12 @@ package starlogo.ground
         private function findDeepestBehind(out:ContactPoint):Boolean
         {
             var isFound:Boolean = false;
-            out.depth = 0;
+            // less than any depth, so that rounding hides no piece that just touches
+            out.depth = -Tolerances.SEPARATION * _pairs.grid.cellWidth;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                if (_kernel.plane.findDeeper(_kernel.shape, out, _tried) && (!isFound || isClearlyDeeper(_tried, out))
-                        && isThrough(_pairs.triangle.corners, _tried))
+                if (_kernel.plane.findDeeper(_kernel.shape, out, _tried) && isClearlyDeeper(_tried, out) && isThrough(_pairs.triangle.corners, _tried))
                 {
                     _pairs.moveToWorld(_tried);
                     if (isDepthProven(_tried))

@@ -1,8 +1,10 @@
-// This room says how shapes and rays meet the ground, a solid whose surface is triangles. HeightGrid has its heights, and HeightPyramid bounds of them.
-// GroundTriangles finds the triangles that a GroundSearch asks for, cell by cell (BoxPath, CellTriangles). GroundModelQuery tests a model with them:
-// each of its convex pieces (ModelPieces) with each triangle near it (PieceTrianglePairs, NearTriangles), by a TriangleKernel. GroundPenetrationQuery
-// finds how deep a standing model is, and GroundRayQuery tests a ray.
-// GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
+// This room says how shapes and rays meet the ground, a solid whose surface is triangles over a grid of heights. HeightGrid has the heights, and
+// HeightPyramid bounds of them. Three parts build on these:
+// - GroundTriangles finds the triangles near the box of a GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
+// - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPieces), each with the triangles near it (NearTriangles).
+// PieceTouchTest decides whether a piece touches, GroundPenetrationQuery how deep the model is, GroundExits how long its way out is at least.
+// - GroundRayQuery tests a ray, and GroundEarlyOut decides about most agents by the heights alone.
+// Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground
 {
     import flash.geom.Vector3D;

@@ -53,10 +53,15 @@ package starlogo.ground
             _under.y = extents.y;
             grid.findHeight(_under);
             var above:Number = extents.z - _under.height;
-            if (!(above > inner))
+            if (above <= inner)
             {
-                // the middle of a hull's extents may be outside of the hull; without ground below, the height is NaN
-                return above <= inner && form != BoundingStructure.HULL ? TOUCHING : UNKNOWN;
+                // the middle of a hull's extents may be outside of the hull
+                return form == BoundingStructure.HULL ? UNKNOWN : TOUCHING;
+            }
+            if (isNaN(above))
+            {
+                // no ground is below
+                return UNKNOWN;
             }
             grid.pyramid.findWhole(_whole);
             // agents that are this close may touch, because of rounding

@@ -22,8 +22,8 @@ package starlogo.ground
         // needs no search for other ways out. Larger: more contacts need one.
         private static const LEAST_SHARE_PROVEN:Number = 0.8;
 
-        // A depth behind a triangle's plane is off by at most this many margins of the triangle, because of rounding.
-        private static const MARGINS_OF_ROUNDING:Number = 10;
+        // How many computed positions a depth behind a plane is a sum of, of the shape and of the plane. Each may be off by the triangle's margin.
+        private static const POSITIONS:Number = 10;
 
         private var _pairs:PieceTrianglePairs;
         private var _pieceTest:PieceTouchTest;
@@ -215,7 +215,7 @@ package starlogo.ground
         private function roundingHere():Number
         {
             var origin:Placement = _pairs.origin;
-            return MARGINS_OF_ROUNDING * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            return POSITIONS * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
         // Whether a contact is deeper than another one by more than rounding.

@@ -109,12 +109,14 @@ package starlogo.ground
          * Narrows a passage to the part in which the box is over a square, and finds the heights between which the box is then.
          *
          * @param passage a part of the motion; receives the part and the heights
+         * @return whether there is such a part
          */
-        public function findPassage(level:int, column:int, row:int, passage:SquarePassage):void
+        public function findPassage(level:int, column:int, row:int, passage:SquarePassage):Boolean
         {
             narrowAlong(alongX, column, level, passage);
             narrowAlong(alongY, row, level, passage);
             findHeights(passage);
+            return passage.from <= passage.to;
         }
 
         /** Finds the heights between which the box is in a passage over a square. */
@@ -138,10 +140,7 @@ package starlogo.ground
             {
                 var beside:Number = Math.max(0, Math.abs(axis.middle - axis.firstCell - (square + 0.5) * width) - width / 2 - axis.half);
                 passage.besideSquared += beside * beside;
-                if (beside > search.maxDistance)
-                {
-                    passage.empty();
-                }
+                passage.to = beside > search.maxDistance ? -1 : passage.to;
                 return;
             }
             var low:Number = (axis.firstCell + square * width - (axis.middle + axis.half)) / travel;

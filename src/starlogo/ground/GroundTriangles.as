@@ -116,8 +116,7 @@ package starlogo.ground
         private function passesOver(level:int, column:int, row:int):Boolean
         {
             _passage.begin(_path.search.motion.latest);
-            _path.findPassage(level, column, row, _passage);
-            return !_passage.isEmpty;
+            return _path.findPassage(level, column, row, _passage);
         }
 
         // Reads between which heights the triangles of the current square are. Walls go down to below the box.

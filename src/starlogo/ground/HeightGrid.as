@@ -113,7 +113,7 @@ package starlogo.ground
             return _spare;
         }
 
-        /** Writes the surface for a snapshot. */
+        /** Writes the surface for a snapshot: a method, so that a game without ground does not load HeightBytes. */
         public function writeTo(bytes:ByteArray):void
         {
             HeightBytes.write(bytes, this);

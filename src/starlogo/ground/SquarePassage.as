@@ -6,7 +6,7 @@ package starlogo.ground
      */
     internal final class SquarePassage
     {
-        /** When the part begins and ends, as multiples of the motion. */
+        /** When the part begins and ends, as multiples of the motion. There is no such part if it ends before it begins. */
         public var from:Number = 0;
         public var to:Number = 0;
 
@@ -23,18 +23,6 @@ package starlogo.ground
             from = 0;
             to = latest;
             besideSquared = 0;
-        }
-
-        /** Makes it end before it begins. */
-        public function empty():void
-        {
-            to = -1;
-        }
-
-        /** Whether there is no such part. */
-        public function get isEmpty():Boolean
-        {
-            return !(from <= to);
         }
     }
 }

@@ -4,7 +4,8 @@ import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import {
-	Agent, AgentFilter, AgentQueries, BuiltInModel, ColladaModel, Collision, CombinationCollider, CookedModel, GltfModel, GreatLand, ObjModel, TightestFitCollider,
+	Agent, AgentFilter, AgentQueries, BuiltInModel, ColladaModel, Collision, CombinationCollider, CookedModel, GltfModel, GreatLand, ObjModel, Terrain,
+	TightestFitCollider,
 } from "../../bin/module/starlogo-collision.js";
 import { beginCoverage } from "../runner/coverage.mjs";
 
@@ -70,6 +71,33 @@ test("docs/calls.md lists the classes of queries that nearest passes", () => {
 	assert.equal(found.breed, "sheep");
 	const listed = namesIn(section("A question").match(/^1\. [^]*?\n\n/m)[0]);
 	assert.deepEqual(listed.sort(), ran.filter((name) => name !== "AgentFilter").sort());
+});
+
+test("docs/calls.md lists the classes that a contact with the ground passes, and those that it leaves out", () => {
+	const rooms = classesOf("ground", "search/penetration");
+	const land = new GreatLand();
+	land.addModel(BuiltInModel.capsule(0.3, 1.2, "hero"));
+	const collision = new Collision(new TightestFitCollider(land));
+	const terrain = collision.terrain = new Terrain(41, 41, 1, -20, -20);
+	terrain.raiseMound(0, 0, 30, 4);
+	let depth = 0;
+	collision.onCollision("turtles", Collision.TERRAIN, (agent, ground, contact) => depth = contact.depth);
+	const hero = new Agent("hero");
+	const ran = new Set();
+	for (let i = 0; i < 20; i++) {
+		hero.moveTo(0.5 * i, 3, terrain.heightAt(0.5 * i, 3) - 0.1);
+		depth = 0;
+		// the first frame makes all objects
+		const ofFrame = classesThatRun(rooms, () => collision.update([hero]));
+		assert.ok(depth > 0.05 && depth < 0.15, `a contact of depth ${depth}`);
+		if (i > 0) ofFrame.forEach((name) => ran.add(name));
+	}
+	const page = section("A contact with the ground");
+	const listed = [...page.matchAll(/^\d+\. `(\w+)`/gm)].map(([, name]) => name);
+	const leftOut = namesIn(page.match(/leaves out ([^]*?)\.\n\n/)[1]);
+	assert.match(page, new RegExp(`passes ${listed.length} classes`));
+	assert.deepEqual(listed.filter((name) => !ran.has(name)), []);
+	assert.deepEqual([...ran].filter((name) => !listed.includes(name) && !leftOut.includes(name)), []);
 });
 
 test("docs/calls.md names the classes of queries that a walk passes", () => {

@@ -29,16 +29,13 @@ package starlogo.convex
         public var triangle:int = -1;
 
         /**
-         * A lower bound for the lengths of the ways out of b, known of the deepest point: that is half of the depth behind this one, and a point of a. NaN
-         * if it need not be a point of a. Tests of the ground write it. It counts until the two are separated, and means nothing in other contacts.
+         * Whether the deepest point is known to be a point of a, so that it has to get out of b. Tests of the ground write it. It counts until the two are
+         * separated, and means nothing in other contacts.
          */
-        public var leastExit:Number = NaN;
+        public var isDeepestOfA:Boolean = false;
 
-        /** Whether the deepest point is known to be a point of a. */
-        public function get isDeepestOfA():Boolean
-        {
-            return leastExit >= 0;
-        }
+        /** If so, no way out of b is shorter for the deepest point: a length. 0 if no bound is known. */
+        public var exitBound:Number = 0;
 
         /** Becomes the same as another contact. */
         public function copyFrom(other:ContactPoint):void
@@ -51,7 +48,24 @@ package starlogo.convex
             normalZ = other.normalZ;
             depth = other.depth;
             triangle = other.triangle;
-            leastExit = other.leastExit;
+            isDeepestOfA = other.isDeepestOfA;
+            exitBound = other.exitBound;
+        }
+
+        /** Writes the deepest point. The contact's point is the middle of the overlap, so it is half of the depth behind that one. */
+        public function deepestPointInto(out:Vector3D):void
+        {
+            var back:Number = depth / 2;
+            out.x = x - back * normalX;
+            out.y = y - back * normalY;
+            out.z = z - back * normalZ;
+        }
+
+        /** Makes the deepest point unknown: it need not be a point of a. */
+        public function forgetDeepest():void
+        {
+            isDeepestOfA = false;
+            exitBound = 0;
         }
 
         /**

@@ -189,14 +189,15 @@ package starlogo.convex
          * Finds what findBehind() does of a shape that stands, if it is deeper behind the plane than another contact is, up to rounding. This is quicker
          * if it is not. A flat triangle has none.
          *
-         * @param out has the other contact's depth; receives the contact
+         * @param than the other contact. Its depth counts
+         * @param out receives the contact
          * @return whether it is deeper
          */
-        public function findDeeper(shape:ConvexShape, out:ContactPoint):Boolean
+        public function findDeeper(shape:ConvexShape, than:ContactPoint, out:ContactPoint):Boolean
         {
             shape.project(normal, _ofShape);
             var front:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z + _ofShape.least - shape.radius;
-            if (!(offset - front > out.depth))
+            if (!(offset - front > than.depth))
             {
                 return false;
             }

@@ -1,6 +1,6 @@
 package starlogo.ground
 {
-    /** How the box of a GroundSearch moves along x or along y, as a record. All is relative to the search's origin. */
+    /** How the box of a BoxPath moves along x or along y, as a record, so that one function serves both axes. All is relative to the search's origin. */
     internal final class AxisPath
     {
         /** The box's middle at time 0. */

@@ -11,11 +11,13 @@ package starlogo.ground
      */
     internal final class BoxPath
     {
-        // The search begins with squares of which the box is at most this many long, because most boxes are small.
+        // The search begins with squares of which the box is at most this many long. Most boxes are small, and then these are the cells. Smaller: more
+        // boxes begin with squares that are larger than needed. Larger: long boxes begin with many squares.
         private static const FIRST_SQUARES:int = 3;
 
-        // The box is farther from what is left out than rounding errors may be, by this factor.
-        private static const FARTHER:Number = 4;
+        // How many computed positions are compared with one another: the box's middle, half its length, how far it has moved, and a square's border. Each may be
+        // off by Tolerances.ROUNDING of the lengths.
+        private static const POSITIONS:Number = 4;
 
         /** The height 0 of the ground, relative to the search's origin. Read only. */
         public var zeroHeight:Number = 0;
@@ -25,10 +27,6 @@ package starlogo.ground
 
         /** The latest time of the motion when the search began. It may have become earlier since. Read only. */
         public var latest:Number = 0;
-
-        /** The last column and the last row of cells. Read only. */
-        public var lastColumn:int = 0;
-        public var lastRow:int = 0;
 
         /** How the box moves along x and along y. Read only. */
         public var alongX:AxisPath = new AxisPath();
@@ -51,14 +49,11 @@ package starlogo.ground
             var grid:HeightGrid = search.grid;
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
-            var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
             latest = motion.latest;
-            lastColumn = grid.lastColumnAt(0);
-            lastRow = grid.lastRowAt(0);
-            alongX.firstCell = grid.x - search.origin.x - border;
-            alongY.firstCell = grid.y - search.origin.y - border;
+            alongX.firstCell = grid.x - search.origin.x - grid.border;
+            alongY.firstCell = grid.y - search.origin.y - grid.border;
             zeroHeight = -search.origin.z;
-            _slack = FARTHER * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.firstCell) + Math.abs(box.y) + Math.abs(alongY.firstCell) + Math.abs(box.z)
+            _slack = POSITIONS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.firstCell) + Math.abs(box.y) + Math.abs(alongY.firstCell) + Math.abs(box.z)
                     + Math.abs(zeroHeight) + grid.cellWidth
                     + latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
@@ -114,13 +109,14 @@ package starlogo.ground
          * Narrows a passage to the part in which the box is over a square, and finds the heights between which the box is then.
          *
          * @param passage a part of the motion; receives the part and the heights
+         * @return whether there is such a part
          */
-        public function findPassage(level:int, column:int, row:int, passage:SquarePassage):void
+        public function findPassage(level:int, column:int, row:int, passage:SquarePassage):Boolean
         {
-            passage.besideSquared = 0;
             narrowAlong(alongX, column, level, passage);
             narrowAlong(alongY, row, level, passage);
             findHeights(passage);
+            return passage.from <= passage.to;
         }
 
         /** Finds the heights between which the box is in a passage over a square. */
@@ -154,7 +150,7 @@ package starlogo.ground
         }
 
         /** Narrows a passage over a square to the part in which the box is between the heights of the square. */
-        public function narrowPassage(heights:HeightRange, passage:SquarePassage):void
+        public function narrowPassage(heights:HeightBounds, passage:SquarePassage):void
         {
             var box:GroundBox = search.box;
             var speed:Number = search.motion.z;
@@ -168,7 +164,7 @@ package starlogo.ground
         }
 
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
-        public function stayApart(level:int, column:int, row:int, heights:HeightRange):Boolean
+        public function stayApart(level:int, column:int, row:int, heights:HeightBounds):Boolean
         {
             if (search.shape == null)
             {

@@ -10,6 +10,10 @@ package starlogo.ground
         private static const TO_COLUMN:Vector.<int> = new <int>[0, 1, 0, -1];
         private static const TO_ROW:Vector.<int> = new <int>[-1, 0, 1, 0];
 
+        // A cell's triangles in their order: two on top, then two for each of the four sides.
+        private static const TOPS_END:int = 2;
+        private static const WALLS_END:int = 10;
+
         private var _path:BoxPath;
 
         // The cell, its sides, the heights of its corners, counter-clockwise, and the least and the greatest of these.
@@ -23,7 +27,7 @@ package starlogo.ground
         private var _lowest:Number = 0;
         private var _highest:Number = 0;
 
-        // The index of the cell's next triangle, and the index after its last one. The first two are on top, then come two for each side.
+        // The index of the cell's next triangle, and the end of its triangles: 0, TOPS_END or WALLS_END.
         private var _next:int = 0;
         private var _end:int = 0;
 
@@ -65,7 +69,7 @@ package starlogo.ground
             _row = row;
             _passage = passage;
             readTops(at);
-            var isAtBorder:Boolean = column == 0 || row == 0 || column == _path.lastColumn || row == _path.lastRow;
+            var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastColumn || row == grid.lastRow;
             var hasWalls:Boolean = isAtBorder || grid.isBlocky || hasHoles && grid.isBesideHole(at);
             if (passage.low <= _highest && (hasWalls || passage.high >= _lowest))
             {
@@ -74,13 +78,12 @@ package starlogo.ground
                 _maxX = _path.alongX.firstCell + (column + 1) * width;
                 _minY = _path.alongY.firstCell + row * width;
                 _maxY = _path.alongY.firstCell + (row + 1) * width;
-                _end = 2;
+                _end = TOPS_END;
                 if (hasWalls)
                 {
-                    _wholePassage.from = 0;
-                    _wholePassage.to = _path.latest;
+                    _wholePassage.begin(_path.latest);
                     _path.findPassage(0, column, row, _wholePassage);
-                    _end = 10;
+                    _end = WALLS_END;
                 }
             }
         }
@@ -126,11 +129,11 @@ package starlogo.ground
         private function writeTriangle(index:int, out:GroundTriangle):Boolean
         {
             var corners:Vector.<Number> = out.corners;
-            if (index < 2)
+            if (index < TOPS_END)
             {
                 writeTop(index == 0, corners);
             }
-            else if (!writeWall((index - 2) >> 1, (index & 1) == 1, corners))
+            else if (!writeWall((index - TOPS_END) >> 1, (index & 1) == 1, corners))
             {
                 return false;
             }
@@ -144,7 +147,7 @@ package starlogo.ground
             out.maxY = _maxY;
             out.minZ = low;
             out.maxZ = high;
-            out.size = _path.search.grid.cellWidth + high - low;
+            out.radius = _path.search.grid.cellWidth + high - low;
             return _passage.low <= high && _passage.high >= low;
         }
 

@@ -1,7 +1,7 @@
 package starlogo.ground
 {
     /**
-     * An axis-aligned box, as a record.
+     * An axis-aligned box, as a record: what a GroundSearch looks near, or the extents of an agent.
      *
      * @private
      */

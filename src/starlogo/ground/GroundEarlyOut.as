@@ -25,9 +25,10 @@ package starlogo.ground
         /** No answer. Only a test of the agent's shape decides. */
         public static const UNKNOWN:int = 2;
 
-        // The place under the agent's middle, and bounds of the heights: of all, then of those around it.
+        // The place under the agent's middle, and bounds of all heights and of those around it.
         private var _under:GroundPoint = new GroundPoint();
-        private var _around:HeightRange = new HeightRange();
+        private var _whole:HeightBounds = new HeightBounds();
+        private var _around:HeightBounds = new HeightBounds();
 
         /**
          * Decides about an agent. Nothing is known about trees, about hulls whose extents have their middle in the ground, and about agents whose middle
@@ -52,17 +53,22 @@ package starlogo.ground
             _under.y = extents.y;
             grid.findHeight(_under);
             var above:Number = extents.z - _under.height;
-            if (!(above > inner))
+            if (above <= inner)
             {
-                // the middle of a hull's extents may be outside of the hull; without ground below, the height is NaN
-                return above <= inner && form != BoundingStructure.HULL ? TOUCHING : UNKNOWN;
+                // the middle of a hull's extents may be outside of the hull
+                return form == BoundingStructure.HULL ? UNKNOWN : TOUCHING;
             }
-            grid.pyramid.findWhole(_around);
+            if (isNaN(above))
+            {
+                // no ground is below
+                return UNKNOWN;
+            }
+            grid.pyramid.findWhole(_whole);
             // agents that are this close may touch, because of rounding
             var tolerance:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
-                    + Math.abs(_around.least) + Math.abs(_around.greatest));
+                    + Math.abs(_whole.least) + Math.abs(_whole.greatest));
             // a whole grid has the same bound along both axes
-            var slope:Number = grid.isBlocky ? Infinity : _around.stepX / grid.cellWidth;
+            var slope:Number = grid.isBlocky ? Infinity : _whole.riseX / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
             // an agent whose lowest height is in the ground under its middle is not far
@@ -85,8 +91,8 @@ package starlogo.ground
             {
                 return true;
             }
-            var riseX:Number = _around.stepX * halfX / width;
-            var riseY:Number = _around.stepY * halfY / width;
+            var riseX:Number = _around.riseX * halfX / width;
+            var riseY:Number = _around.riseY * halfY / width;
             var height:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
             return !grid.isBlocky && above > height;
         }

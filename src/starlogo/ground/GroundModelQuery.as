@@ -25,9 +25,10 @@ package starlogo.ground
     public final class GroundModelQuery extends ImpactQuery
     {
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
+        private var _pieceTest:PieceTouchTest = new PieceTouchTest(_pairs);
 
         /** Finds how deep the model is in the ground, and how far up it has to be lifted. */
-        public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
+        public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs, _pieceTest);
 
         // The motion of the search for the first touch, and what chooses it. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
@@ -65,7 +66,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pairs.reachesUnder() || _pairs.touchesTriangle())
+                if (_pieceTest.isTouching())
                 {
                     return true;
                 }
@@ -103,12 +104,9 @@ package starlogo.ground
             motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                out.leastExit = 0;
-                if (motion.time == 0)
-                {
-                    // an overlap's contact may be deep, and is turned; then its deepest point need not be of the model
-                    out.leastExit = NaN;
-                }
+                // an overlap's contact may be deep, and is turned; then its deepest point need not be of the model
+                out.forgetDeepest();
+                out.isDeepestOfA = motion.time > 0;
                 _pairs.moveToWorld(out);
             }
         }

@@ -3,6 +3,7 @@ package starlogo.ground
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.intersection.TriangleKernel;
 
@@ -17,28 +18,33 @@ package starlogo.ground
      */
     public final class GroundPenetrationQuery
     {
-        // A depth is proven if the least length of an exit is at least this fraction of it.
+        // A depth is proven if no exit is shorter than this fraction of it. The fraction is larger than the one that ExitSearch requires, so a proven depth
+        // needs no search for other ways out. Larger: more contacts need one.
         private static const LEAST_SHARE_PROVEN:Number = 0.8;
 
-        // A depth behind a triangle's plane is off by at most this many margins of the triangle, because of rounding.
-        private static const MARGINS_OF_ROUNDING:Number = 10;
-
-        // No contact yet. A depth that counts is at least 0.
-        private static const NONE:Number = -1;
+        // How many computed positions a depth behind a plane is a sum of, of the shape and of the plane. Each may be off by the triangle's margin.
+        private static const POSITIONS:Number = 10;
 
         private var _pairs:PieceTrianglePairs;
+        private var _pieceTest:PieceTouchTest;
         private var _kernel:TriangleKernel;
 
         // A contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
 
-        // Bounds of the heights around the model.
-        private var _around:HeightRange = new HeightRange();
+        private var _exits:GroundExits = new GroundExits();
 
-        /** @param pairs of the model, where it stands */
-        public function GroundPenetrationQuery(pairs:PieceTrianglePairs)
+        // Bounds of the heights around the model.
+        private var _around:HeightBounds = new HeightBounds();
+
+        /**
+         * @param pairs of the model, where it stands
+         * @param pieceTest of these pairs
+         */
+        public function GroundPenetrationQuery(pairs:PieceTrianglePairs, pieceTest:PieceTouchTest)
         {
             _pairs = pairs;
+            _pieceTest = pieceTest;
             _kernel = pairs.kernel;
         }
 
@@ -52,8 +58,7 @@ package starlogo.ground
         {
             if (findDeepestBehind(out) || findDeepestOverlap(out))
             {
-                _pairs.noteWayOut(out);
-                _pairs.moveToWorld(out);
+                _pieceTest.noteWayOut(out);
             }
             else
             {
@@ -74,7 +79,7 @@ package starlogo.ground
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
-            out.leastExit = NaN;
+            out.forgetDeepest();
             _pairs.moveToWorld(out);
         }
 
@@ -97,7 +102,7 @@ package starlogo.ground
                     }
                 }
                 // the point of a flat piece of a tree may be on the surface
-                if ((isApart || !_pairs.pieces.isTree) && _pairs.isUnder(depth))
+                if ((isApart || !_pairs.pieces.isTree) && _pieceTest.isUnder(depth))
                 {
                     return true;
                 }
@@ -109,23 +114,26 @@ package starlogo.ground
         // through, and only depths that are proven. Returns whether there is one.
         private function findDeepestBehind(out:ContactPoint):Boolean
         {
-            var deepest:Number = NONE;
+            var isFound:Boolean = false;
+            // less than any depth, so that rounding hides no piece that just touches
+            out.depth = -Tolerances.SEPARATION * _pairs.grid.cellWidth;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                var triangle:GroundTriangle = _pairs.triangle;
-                // findDeeper() is off by rounding, so it is asked for a little less than isClearlyDeeper() requires
-                _tried.depth = deepest > 0 ? deepest + triangle.margin / 2 : -triangle.margin;
-                if (_kernel.plane.findDeeper(_kernel.shape, _tried) && isClearlyDeeper(_tried, deepest) && isThrough(triangle.corners, _tried)
-                        && isDepthProven(_tried))
+                if (_kernel.plane.findDeeper(_kernel.shape, out, _tried) && isClearlyDeeper(_tried, out) && isThrough(_pairs.triangle.corners, _tried))
                 {
-                    deepest = _tried.depth;
-                    _pairs.leaveOutShallower(deepest);
-                    out.copyFrom(_tried);
-                    out.leastExit = LEAST_SHARE_PROVEN * deepest;
+                    _pairs.moveToWorld(_tried);
+                    if (isDepthProven(_tried))
+                    {
+                        isFound = true;
+                        out.copyFrom(_tried);
+                        out.isDeepestOfA = true;
+                        out.exitBound = LEAST_SHARE_PROVEN * out.depth;
+                        _pairs.leaveOutShallower(out.depth);
+                    }
                 }
             }
-            return deepest != NONE;
+            return isFound;
         }
 
         // Finds the contact with the triangle that the model overlaps most. Of overlaps that are equally deep, up to rounding, the one with the shorter
@@ -133,7 +141,8 @@ package starlogo.ground
         // there is one.
         private function findDeepestOverlap(out:ContactPoint):Boolean
         {
-            var deepest:Number = NONE;
+            var isFound:Boolean = false;
+            var deepest:Number = 0;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
@@ -145,15 +154,18 @@ package starlogo.ground
                 {
                     var depth:Number = _tried.depth;
                     _kernel.plane.leadOutside(_kernel.shape, RelativeMotion.NONE, _tried);
-                    if (deepest == NONE || depth > deepest + roundingFor(_tried.depth - out.depth, rounding))
+                    if (!isFound || depth > deepest + roundingFor(_tried.depth - out.depth, rounding))
                     {
+                        isFound = true;
                         deepest = Math.max(depth, deepest);
+                        _pairs.moveToWorld(_tried);
                         out.copyFrom(_tried);
-                        out.leastExit = 0;
+                        out.isDeepestOfA = true;
+                        out.exitBound = 0;
                     }
                 }
             }
-            return deepest != NONE;
+            return isFound;
         }
 
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
@@ -203,28 +215,19 @@ package starlogo.ground
         private function roundingHere():Number
         {
             var origin:Placement = _pairs.origin;
-            return MARGINS_OF_ROUNDING * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            return POSITIONS * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
-        // Whether a contact is deeper than the deepest one so far by more than rounding.
-        private function isClearlyDeeper(contact:ContactPoint, deepest:Number):Boolean
+        // Whether a contact is deeper than another one by more than rounding.
+        private function isClearlyDeeper(contact:ContactPoint, than:ContactPoint):Boolean
         {
-            return deepest > 0 ? contact.depth >= deepest + _pairs.triangle.margin : contact.depth > deepest;
+            return contact.depth >= than.depth + _pairs.triangle.margin;
         }
 
-        // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
+        // Whether each exit from the ground is at least about as long as a contact in the world is deep, because the piece's deepest point has to get out.
         private function isDepthProven(contact:ContactPoint):Boolean
         {
-            var depth:Number = contact.depth;
-            if (!(depth >= 0))
-            {
-                return false;
-            }
-            var origin:Placement = _pairs.origin;
-            var x:Number = origin.x + contact.x - depth / 2 * contact.normalX;
-            var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
-            var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || _pairs.grid.leastExit(x, y, z, depth) >= LEAST_SHARE_PROVEN * depth;
+            return contact.depth >= 0 && _exits.boundOf(_pairs.grid, contact, contact.depth) >= LEAST_SHARE_PROVEN * contact.depth;
         }
     }
 }

@@ -22,11 +22,12 @@ package starlogo.ground
 
         private var _search:GroundSearch = new GroundSearch();
         private var _triangles:GroundTriangles = new GroundTriangles();
+        private var _triangle:GroundTriangle = new GroundTriangle();
         private var _sheared:ShearedRay = new ShearedRay();
         private var _first:TriangleCrossing = new TriangleCrossing();
 
-        // Bounds of all heights, and a size that no triangle between them has.
-        private var _whole:HeightRange = new HeightRange();
+        // Bounds of all heights, and a radius that no triangle between them has.
+        private var _whole:HeightBounds = new HeightBounds();
         private var _largest:Number = 0;
 
         /**
@@ -47,10 +48,10 @@ package starlogo.ground
             _first.slot = -1;
             while (nextTriangle())
             {
-                if (_sheared.findEarlier(_triangles.triangle.corners, 0, 3, 6, 0, _first))
+                if (_sheared.findEarlier(_triangle.corners, 0, 3, 6, 0, _first))
                 {
                     _search.motion.latest = _first.distance;
-                    _sheared.writeEntry(_triangles.triangle.corners, _first, -1, out);
+                    _sheared.writeEntry(_triangle.corners, _first, -1, out);
                 }
             }
             return _first.slot >= 0;
@@ -71,7 +72,7 @@ package starlogo.ground
             begin(grid, ray);
             while (nextTriangle())
             {
-                _sheared.addCrossing(_triangles.triangle.corners, -1, out);
+                _sheared.addCrossing(_triangle.corners, -1, out);
             }
         }
 
@@ -79,11 +80,11 @@ package starlogo.ground
         // than the ground is high are only long because the ray is.
         private function nextTriangle():Boolean
         {
-            if (!_triangles.next())
+            if (!_triangles.next(_triangle))
             {
                 return false;
             }
-            _sheared.setRadius(Math.min(_triangles.triangle.size, _largest));
+            _sheared.setRadius(Math.min(_triangle.radius, _largest));
             return true;
         }
 

@@ -12,8 +12,8 @@ package starlogo.ground
         /** The corners, nine numbers; counter-clockwise as seen from outside of the ground. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** A ball with this radius around the triangle's middle contains it. */
-        public var size:Number = 0;
+        /** A sphere with this radius around the triangle's middle contains it. It need not be the smallest. */
+        public var radius:Number = 0;
 
         /**
          * A box around it: around its cell as seen from above, and between the least and the greatest height of a corner. NearTriangles makes it larger, for

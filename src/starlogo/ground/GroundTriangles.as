@@ -16,14 +16,11 @@ package starlogo.ground
      */
     public final class GroundTriangles
     {
-        /** The triangle that <code>next()</code> has found. Another record may take its place before. */
-        public var triangle:GroundTriangle = new GroundTriangle();
-
         private var _path:BoxPath = new BoxPath();
 
         // Of the current square: how the box passes over it, its heights, and if it is a cell, its triangles.
         private var _passage:SquarePassage = new SquarePassage();
-        private var _heights:HeightRange = new HeightRange();
+        private var _heights:HeightBounds = new HeightBounds();
         private var _cell:CellTriangles = new CellTriangles(_path);
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
@@ -39,19 +36,17 @@ package starlogo.ground
             _path.begin(search);
             stop();
             _isStill = search.motion.isStill && search.maxDistance == 0;
-            _passage.from = 0;
-            _passage.to = search.motion.latest;
-            _passage.besideSquared = 0;
+            _passage.begin(search.motion.latest);
             _path.findHeights(_passage);
             var level:int = _path.firstLevel();
             addSquares(level, 0, 0, int.MAX_VALUE);
             return level == 0;
         }
 
-        /** Goes on to the next triangle. Returns false if there is none. */
-        public function next():Boolean
+        /** Writes the next triangle. Returns false if there is none. */
+        public function next(out:GroundTriangle):Boolean
         {
-            while (!_cell.next(triangle))
+            while (!_cell.next(out))
             {
                 if (_top == 0)
                 {
@@ -75,8 +70,8 @@ package starlogo.ground
         {
             var motion:RelativeMotion = _path.search.motion;
             var grid:HeightGrid = _path.search.grid;
-            var lastColumn:int = Math.min(firstColumn + most - 1, grid.lastColumnAt(level));
-            var lastRow:int = Math.min(firstRow + most - 1, grid.lastRowAt(level));
+            var lastColumn:int = Math.min(firstColumn + most - 1, HeightPyramid.squareOf(grid.lastColumn, level));
+            var lastRow:int = Math.min(firstRow + most - 1, HeightPyramid.squareOf(grid.lastRow, level));
             var left:int = Math.max(firstColumn, _path.firstOf(_path.alongX, _passage, level));
             var right:int = Math.min(lastColumn, _path.lastOf(_path.alongX, _passage, level));
             var bottom:int = Math.max(firstRow, _path.firstOf(_path.alongY, _passage, level));
@@ -120,17 +115,16 @@ package starlogo.ground
         // Finds how the moving box passes over a square. Returns whether it does.
         private function passesOver(level:int, column:int, row:int):Boolean
         {
-            _passage.from = 0;
-            _passage.to = _path.search.motion.latest;
-            _path.findPassage(level, column, row, _passage);
-            return _passage.from <= _passage.to;
+            _passage.begin(_path.search.motion.latest);
+            return _path.findPassage(level, column, row, _passage);
         }
 
         // Reads between which heights the triangles of the current square are. Walls go down to below the box.
         private function readHeights(level:int, column:int, row:int):void
         {
             var grid:HeightGrid = _path.search.grid;
-            var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastColumnAt(level) || row == grid.lastRowAt(level);
+            var isAtBorder:Boolean = column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastColumn, level)
+                || row == HeightPyramid.squareOf(grid.lastRow, level);
             grid.pyramid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.zeroHeight;
             _heights.greatest += _path.zeroHeight;

@@ -1,8 +1,10 @@
-// This room says how shapes and rays meet the ground, a solid whose surface is triangles. HeightGrid has its heights, and HeightPyramid bounds of them.
-// GroundTriangles finds the triangles that a GroundSearch asks for, cell by cell (BoxPath, CellTriangles). GroundModelQuery tests a model with them:
-// each of its convex pieces (ModelPieces) with each triangle near it (PieceTrianglePairs, NearTriangles), by a TriangleKernel. GroundPenetrationQuery
-// finds how deep a standing model is, and GroundRayQuery tests a ray.
-// GroundEarlyOut decides about most agents before. Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
+// This room says how shapes and rays meet the ground, a solid whose surface is triangles over a grid of heights. HeightGrid has the heights, and
+// HeightPyramid bounds of them. Three parts build on these:
+// - GroundTriangles finds the triangles near the box of a GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
+// - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPieces), each with the triangles near it (NearTriangles).
+// PieceTouchTest decides whether a piece touches, GroundPenetrationQuery how deep the model is, GroundExits how long its way out is at least.
+// - GroundRayQuery tests a ray, and GroundEarlyOut decides about most agents by the heights alone.
+// Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground
 {
     import flash.geom.Vector3D;
@@ -49,9 +51,6 @@ package starlogo.ground
         private var _holders:int = 0;
 
         private var _point:GroundPoint = new GroundPoint();
-
-        // Bounds of the heights around a place.
-        private var _around:HeightRange = new HeightRange();
 
         // A grid that has been a copy of this one, or of which this one is a copy; or null.
         private var _spare:HeightGrid = null;
@@ -114,7 +113,7 @@ package starlogo.ground
             return _spare;
         }
 
-        /** Writes the surface for a snapshot. */
+        /** Writes the surface for a snapshot: a method, so that a game without ground does not load HeightBytes. */
         public function writeTo(bytes:ByteArray):void
         {
             HeightBytes.write(bytes, this);
@@ -137,11 +136,10 @@ package starlogo.ground
             return atX >= x - border && atY >= y - border && atX <= x + (columns - 1) * cellWidth + border && atY <= y + (rows - 1) * cellWidth + border;
         }
 
-        // Whether a point is not outside of the ground, as seen from above. Slopes are between heights. Blocks begin half a cell before their heights.
-        private function isInside(at:GroundPoint):Boolean
+        /** How far beyond the outermost heights the ground goes on: half a cell of blocks. Slopes end at these heights. */
+        public function get border():Number
         {
-            var border:Number = isBlocky ? cellWidth / 2 : 0;
-            return at.x >= x - border && at.y >= y - border && at.x <= x + (columns - 1) * cellWidth + border && at.y <= y + (rows - 1) * cellWidth + border;
+            return isBlocky ? cellWidth / 2 : 0;
         }
 
         /** Whether the cell of a height is a hole. */
@@ -159,21 +157,19 @@ package starlogo.ground
         /** Whether there is a cell at a column and a row, and it is no hole. */
         public function hasCell(column:int, row:int):Boolean
         {
-            return column >= 0 && row >= 0 && column <= lastColumnAt(0) && row <= lastRowAt(0) && !isHole(row * columns + column);
+            return column >= 0 && row >= 0 && column <= lastColumn && row <= lastRow && !isHole(row * columns + column);
         }
 
-        /** The last column of a level's squares: see HeightPyramid. The squares of level 0 are the cells. */
-        public function lastColumnAt(level:int):int
+        /** The last column of cells. Blocks are around heights, slopes between them. */
+        public function get lastColumn():int
         {
-            var lastColumn:int = isBlocky ? columns - 1 : columns - 2;
-            return lastColumn >> level * HeightPyramid.SHIFT;
+            return isBlocky ? columns - 1 : columns - 2;
         }
 
-        /** The last row of a level's squares. */
-        public function lastRowAt(level:int):int
+        /** The last row of cells. */
+        public function get lastRow():int
         {
-            var lastRow:int = isBlocky ? rows - 1 : rows - 2;
-            return lastRow >> level * HeightPyramid.SHIFT;
+            return isBlocky ? rows - 1 : rows - 2;
         }
 
         /** Makes the cell of a height a hole, or fills it. */
@@ -196,7 +192,7 @@ package starlogo.ground
         /** Finds the height at a point's x and y, and on slopes its triangle. */
         public function findHeight(at:GroundPoint):void
         {
-            if (!isInside(at))
+            if (!isWithin(at.x, at.y, border))
             {
                 at.height = NaN;
             }
@@ -346,41 +342,6 @@ package starlogo.ground
         private function isOfCell(column:int, row:int):Boolean
         {
             return hasCell(column, row) || !isBlocky && (hasCell(column - 1, row) || hasCell(column, row - 1) || hasCell(column - 1, row - 1));
-        }
-
-        /**
-         * A lower bound for the lengths of the exits from the ground at a place; 0 if none is known. Exits that are longer than
-         * <code>maxLength</code> do not count.
-         */
-        public function leastExit(atX:Number, atY:Number, atZ:Number, maxLength:Number):Number
-        {
-            var high:Number = heightAt(atX, atY);
-            if (!(high > atZ && distanceToEnd(atX, atY) >= maxLength))
-            {
-                return 0;
-            }
-            pyramid.findAround(atX, atY, maxLength, maxLength, _around);
-            if (_around.hasHole)
-            {
-                return 0;
-            }
-            var least:Number = Math.max(0, _around.least - atZ);
-            if (isBlocky)
-            {
-                return least;
-            }
-            var slopeX:Number = _around.stepX / cellWidth;
-            var slopeY:Number = _around.stepY / cellWidth;
-            return Math.max(least, (high - atZ) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
-        }
-
-        // How far a place of the ground is from where the ground ends, along x or y.
-        private function distanceToEnd(atX:Number, atY:Number):Number
-        {
-            var alongX:Number = Math.min(atX - x, x + (columns - 1) * cellWidth - atX);
-            var alongY:Number = Math.min(atY - y, y + (rows - 1) * cellWidth - atY);
-            var border:Number = isBlocky ? cellWidth / 2 : 0;
-            return Math.min(alongX, alongY) + border;
         }
     }
 }

@@ -13,10 +13,11 @@ package starlogo.ground
         /** How many squares of a level a square of the next level is wide, as a shift. */
         public static const SHIFT:int = 3;
 
-        // A range is not read square by square if it is longer than this, along x or along y.
+        // A range is not read square by square if it is longer than this, along x or along y. Smaller: bounds are wider, and decide about fewer agents.
+        // Larger: finding them takes longer.
         private static const MOST_SQUARES:int = 16;
 
-        // For each square: the least height, the greatest height, the greatest difference of two heights that are neighbours along x or y, and 1 if a
+        // How many numbers a square has: the least height, the greatest height, the greatest difference of two heights that are neighbours along x or y, and 1 if a
         // cell there is a hole, or 0.
         private static const NUMBERS:int = 4;
 
@@ -29,7 +30,7 @@ package starlogo.ground
         private var _bounds:Vector.<Number>;
         private var _begins:Vector.<int> = new <int>[0];
 
-        private var _range:HeightRange = new HeightRange();
+        private var _range:HeightBounds = new HeightBounds();
 
         /** @param grid has the heights, which are 0 */
         public function HeightPyramid(grid:HeightGrid)
@@ -45,10 +46,16 @@ package starlogo.ground
             _bounds = new Vector.<Number>(size, true);
         }
 
-        // How many squares of a level there are along a row or a column with this many heights.
+        /** In which column or row of a level's squares a column or a row of cells is. */
+        public static function squareOf(cell:int, level:int):int
+        {
+            return cell >> level * SHIFT;
+        }
+
+        // How many squares of a level there are along a row or a column with this many heights. The last height counts too, which ends the last slope.
         private static function countSquares(heights:int, level:int):int
         {
-            return ((heights - 1) >> (level * SHIFT)) + 1;
+            return squareOf(heights - 1, level) + 1;
         }
 
         /** Takes the bounds of another grid with the same numbers of columns and rows. */
@@ -61,13 +68,13 @@ package starlogo.ground
         }
 
         /** Finds bounds of all heights. */
-        public function findWhole(out:HeightRange):void
+        public function findWhole(out:HeightBounds):void
         {
             findRange(lastLevel, 0, 0, 0, 0, out);
         }
 
         /** Finds bounds of a range of a level's squares. At level 0 they are of the heights themselves. */
-        public function findRange(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightRange):void
+        public function findRange(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightBounds):void
         {
             if (level == 0)
             {
@@ -92,11 +99,11 @@ package starlogo.ground
             }
             out.least = low;
             out.greatest = high;
-            out.stepX = out.stepY = step;
+            out.riseX = out.riseY = step;
         }
 
         // Finds bounds of a range of heights, all of which are read.
-        private function findRangeOfHeights(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightRange):void
+        private function findRangeOfHeights(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightBounds):void
         {
             var all:Vector.<Number> = _grid.heights;
             var hasHoles:Boolean = _grid.holes != null;
@@ -128,15 +135,15 @@ package starlogo.ground
             }
             out.least = low;
             out.greatest = high;
-            out.stepX = alongX;
-            out.stepY = alongY;
+            out.riseX = alongX;
+            out.riseY = alongY;
         }
 
         /**
          * Finds bounds of the heights that the grid has in a rectangle around a place, and of how much neighbours differ. A large rectangle
          * is extended to whole squares.
          */
-        public function findAround(x:Number, y:Number, halfX:Number, halfY:Number, out:HeightRange):void
+        public function findAround(x:Number, y:Number, halfX:Number, halfY:Number, out:HeightBounds):void
         {
             var grid:HeightGrid = _grid;
             var toX:Number = (x - grid.x) / grid.cellWidth;
@@ -195,7 +202,7 @@ package starlogo.ground
             var at:int = _begins[level] + NUMBERS * (row * countSquares(_grid.columns, level) + column);
             _bounds[at] = _range.least;
             _bounds[int(at + 1)] = _range.greatest;
-            _bounds[int(at + 2)] = Math.max(_range.stepX, _range.stepY);
+            _bounds[int(at + 2)] = Math.max(_range.riseX, _range.riseY);
             _bounds[int(at + 3)] = int(_range.hasHole);
         }
     }

@@ -56,8 +56,8 @@ package starlogo.ground
         private var _margin:Number = 0;
 
         // What comes next: a range of the tree's triangles, then nodes from the last one on.
-        private var _first:int = 0;
-        private var _end:int = 0;
+        private var _nextTriangle:int = 0;
+        private var _trianglesEnd:int = 0;
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _nodeCount:int = 0;
@@ -102,7 +102,7 @@ package starlogo.ground
         /** Begins. Then <code>next()</code> goes on to the first piece or node. */
         public function begin():void
         {
-            _first = _end = 0;
+            _nextTriangle = _trianglesEnd = 0;
             _nodes[0] = isTree ? 0 : WHOLE;
             _nodeCount = 1;
         }
@@ -116,11 +116,11 @@ package starlogo.ground
         /** Goes on to the next piece, or to the next node above the pieces. Returns false if there is none. */
         public function next():Boolean
         {
-            if (_first < _end)
+            if (_nextTriangle < _trianglesEnd)
             {
-                _tree.mesh.readTriangle(_first, _corners);
+                _tree.mesh.readTriangle(_nextTriangle, _corners);
                 kernel.setShapeToTriangle(_corners, _placement);
-                _first++;
+                _nextTriangle++;
                 takeShape();
                 shapeInBox = null;
                 return true;
@@ -143,8 +143,8 @@ package starlogo.ground
             var left:int = tree.left[node];
             if (left == 0)
             {
-                _first = tree.first[node];
-                _end = tree.end[node];
+                _nextTriangle = tree.first[node];
+                _trianglesEnd = tree.end[node];
                 return;
             }
             var lower:int = heightOf(left) < heightOf(left + 1) ? left : left + 1;

@@ -12,9 +12,9 @@ package starlogo.ground
      */
     internal final class NearTriangles
     {
-        // Boxes are so much larger than they were, for rounding: as a multiple of Tolerances.ROUNDING and of all lengths. For a triangle they are larger by
-        // the same multiple of its margin.
-        private static const WIDER:Number = 10;
+        // How many computed positions are compared with one another: three of each axis, and a limit. Each may be off by Tolerances.ROUNDING of the lengths,
+        // and those of a triangle by its margin.
+        private static const POSITIONS:Number = 10;
 
         /** What is looked for. Set the ground, the origin, the motion and the limits before boxes begin. Then only the limits may be narrowed. */
         public var search:GroundSearch = new GroundSearch();
@@ -22,10 +22,10 @@ package starlogo.ground
         /** The triangle that <code>next()</code> has found. Read only. */
         public var triangle:GroundTriangle = null;
 
-        /** A limit: only triangles count behind whose planes the box reaches at least so deep. */
-        public var leastDepth:Number = 0;
-
         private var _source:GroundTriangles = new GroundTriangles();
+
+        // A limit: only triangles count behind whose planes the box reaches at least this deep.
+        private var _leastDepth:Number = 0;
 
         // The triangles so far, and the next of them. If they are not kept, the first one is overwritten. The list grows during the first searches,
         // up to the triangles of few cells, and its records are used again: later frames allocate nothing.
@@ -34,8 +34,8 @@ package starlogo.ground
         private var _next:int = 0;
         private var _areKept:Boolean = false;
 
-        // Whether the source has not begun yet, because many questions need no triangle; and whether it may have more.
-        private var _isBefore:Boolean = false;
+        // Whether the source has still to begin, because many questions need no triangle; and whether it may have more.
+        private var _mustBegin:Boolean = false;
         private var _mayHaveMore:Boolean = false;
 
         // How many boxes were left when the triangles that are kept were looked for.
@@ -51,9 +51,16 @@ package starlogo.ground
         /** Ends all searches. */
         public function stop():void
         {
-            _areKept = _isBefore = _mayHaveMore = false;
+            _areKept = _mustBegin = _mayHaveMore = false;
             _count = _next = 0;
+            _leastDepth = 0;
             _source.stop();
+        }
+
+        /** From now on only triangles count behind whose planes the boxes reach at least this deep, until the searches end. */
+        public function leaveOutShallower(depth:Number):void
+        {
+            _leastDepth = depth;
         }
 
         /**
@@ -68,7 +75,7 @@ package starlogo.ground
             if (!_areKept || boxesLeft < _boxesLeft)
             {
                 _areKept = false;
-                _isBefore = _mayHaveMore = true;
+                _mustBegin = _mayHaveMore = true;
                 _count = 0;
                 _boxesLeft = boxesLeft;
                 search.box.copyFrom(box);
@@ -92,7 +99,7 @@ package starlogo.ground
             var motion:RelativeMotion = search.motion;
             var grid:HeightGrid = search.grid;
             var toFirst:Number = Math.abs(grid.x - search.origin.x) + Math.abs(grid.y - search.origin.y);
-            var wider:Number = WIDER * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + Math.abs(motion.x) + Math.abs(motion.y)
+            var wider:Number = POSITIONS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + Math.abs(motion.x) + Math.abs(motion.y)
                     + Math.abs(motion.z) + box.halfX + box.halfY + box.halfZ + grid.cellWidth + toFirst);
             _moved.x = motion.latest * motion.x / 2;
             _moved.y = motion.latest * motion.y / 2;
@@ -109,14 +116,14 @@ package starlogo.ground
         public function next():Boolean
         {
             var far:Number = search.maxDistance;
-            var front:Number = far - leastDepth;
+            var front:Number = far - _leastDepth;
             var minX:Number = _least.x - far;
             var minY:Number = _least.y - far;
             var minZ:Number = _least.z - far;
             var maxX:Number = _greatest.x + far;
             var maxY:Number = _greatest.y + far;
             var maxZ:Number = _greatest.z + far;
-            while (_next < _count || _mayHaveMore && find())
+            while (_next < _count || _mayHaveMore && findMore())
             {
                 var near:GroundTriangle = _found[_next];
                 _next++;
@@ -130,7 +137,7 @@ package starlogo.ground
                 var y:Number = normal.y > 0 ? _least.y : _greatest.y;
                 var z:Number = normal.z > 0 ? _least.z : _greatest.z;
                 // a flat triangle has no plane
-                if (!(normal.x * x + normal.y * y + normal.z * z - near.plane.greatest > front + WIDER * near.margin))
+                if (!(normal.x * x + normal.y * y + normal.z * z - near.plane.greatest > front + POSITIONS * near.margin))
                 {
                     triangle = near;
                     return true;
@@ -140,11 +147,11 @@ package starlogo.ground
         }
 
         // Finds one more triangle, and sets what only tests of the model need: its margin and its plane. Returns false if there is none.
-        private function find():Boolean
+        private function findMore():Boolean
         {
-            if (_isBefore)
+            if (_mustBegin)
             {
-                _isBefore = false;
+                _mustBegin = false;
                 _areKept = _source.begin(search);
             }
             else if (!_areKept)
@@ -155,13 +162,13 @@ package starlogo.ground
             {
                 _found.push(new GroundTriangle());
             }
-            var found:GroundTriangle = _source.triangle = _found[_count];
-            if (!_source.next())
+            var found:GroundTriangle = _found[_count];
+            if (!_source.next(found))
             {
                 _mayHaveMore = false;
                 return false;
             }
-            found.margin = Touching.marginOfSurface(found.size);
+            found.margin = Touching.marginOfSurface(found.radius);
             found.plane.setTriangle(found.corners, 0);
             widen(found);
             _count++;
@@ -171,7 +178,7 @@ package starlogo.ground
         // Makes the box around a triangle larger. V8 would make an object of a Number that is passed.
         private static function widen(found:GroundTriangle):void
         {
-            var by:Number = WIDER * found.margin;
+            var by:Number = POSITIONS * found.margin;
             found.minX -= by;
             found.maxX += by;
             found.minY -= by;

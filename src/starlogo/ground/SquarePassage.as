@@ -1,6 +1,9 @@
 package starlogo.ground
 {
-    /** A part of the motion of a GroundSearch's box, as a record: when the box is over a square of the ground, and between which heights. */
+    /**
+     * A part of the motion of a GroundSearch's box, as a record: when the box is over a square of the ground, and between which heights. BoxPath narrows it,
+     * and GroundTriangles and CellTriangles leave out what is not between these heights.
+     */
     internal final class SquarePassage
     {
         /** When the part begins and ends, as multiples of the motion. There is no such part if it ends before it begins. */
@@ -13,5 +16,13 @@ package starlogo.ground
         /** Triangles between these heights count: where the box is then, or as near as the limits of the search say. */
         public var low:Number = 0;
         public var high:Number = 0;
+
+        /** Becomes the whole motion until its latest time. The heights are left. */
+        public function begin(latest:Number):void
+        {
+            from = 0;
+            to = latest;
+            besideSquared = 0;
+        }
     }
 }

@@ -365,18 +365,19 @@ package starlogo.terrain
             return heightAt(agent.x, agent.y) > agent.z;
         }
 
-        // The height whose block is at a place, or whose cell is, by its index in heights. Blocks begin half a cell before their heights.
-        private function indexAt(what:String, x:Number, y:Number, isColumn:Boolean):int
+        // The height whose block is at a place, or whose cell of slopes is, by its index in heights. Blocks begin half a cell before their heights, and the
+        // last height has a block, but no cell.
+        private function indexAt(what:String, x:Number, y:Number, areBlocks:Boolean):int
         {
             requireInWorld(what + "'s place", x, y, 0);
-            var before:Number = isColumn ? 0.5 : 0;
+            var before:Number = areBlocks ? 0.5 : 0;
             if (!grid.isWithin(x, y, before * cellWidth))
             {
                 throw new RangeError(what + " at (" + x + ", " + y + ") is outside of the terrain");
             }
-            var beyond:int = isColumn ? 1 : 2;
-            var column:int = Math.min((x - grid.x) / cellWidth + before, columns - beyond);
-            var row:int = Math.min((y - grid.y) / cellWidth + before, rows - beyond);
+            var fromEnd:int = areBlocks ? 1 : 2;
+            var column:int = Math.min((x - grid.x) / cellWidth + before, columns - fromEnd);
+            var row:int = Math.min((y - grid.y) / cellWidth + before, rows - fromEnd);
             return row * columns + column;
         }
 

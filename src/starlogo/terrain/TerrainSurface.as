@@ -4,9 +4,10 @@ package starlogo.terrain
     import starlogo.engine;
     import starlogo.ground.GroundBox;
     import starlogo.ground.GroundSearch;
+    import starlogo.ground.GroundTriangle;
     import starlogo.ground.GroundTriangles;
+    import starlogo.ground.HeightBounds;
     import starlogo.ground.HeightGrid;
-    import starlogo.ground.HeightRange;
 
     use namespace engine;
 
@@ -83,14 +84,15 @@ package starlogo.terrain
             _revision = _terrain.worldAgent.revision;
             _search.grid = _terrain.grid;
             vertices.length = normals.length = triangles.length = 0;
-            var whole:HeightRange = new HeightRange();
+            var whole:HeightBounds = new HeightBounds();
             _search.grid.pyramid.findWhole(whole);
             _search.floor = whole.least;
             var source:GroundTriangles = new GroundTriangles();
+            var triangle:GroundTriangle = new GroundTriangle();
             source.begin(_search);
-            while (source.next())
+            while (source.next(triangle))
             {
-                addTriangle(source.triangle.corners);
+                addTriangle(triangle.corners);
             }
             return true;
         }

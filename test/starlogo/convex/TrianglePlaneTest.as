@@ -44,6 +44,7 @@ package starlogo.convex
         public function whatIsDeeperBehindThePlaneHasTheSameContact():void
         {
             var deeper:ContactPoint = new ContactPoint();
+            var other:ContactPoint = new ContactPoint();
             var behind:ContactPoint = new ContactPoint();
             var found:int = 0;
             for (var i:int = 0; i < 300; i++)
@@ -56,10 +57,9 @@ package starlogo.convex
                 _plane.setTriangle(corners, 0);
                 _shape.setTriangle(corners, 9);
                 _plane.findBehind(_shape, RelativeMotion.NONE, behind);
-                var depth:Number = _random.between(-1, 1);
-                deeper.depth = depth;
-                var isDeeper:Boolean = _plane.findDeeper(_shape, deeper);
-                _wrong.addIf(isDeeper != behind.depth > depth, "deeper", i + ": " + behind.depth + " than " + depth);
+                other.depth = _random.between(-1, 1);
+                var isDeeper:Boolean = _plane.findDeeper(_shape, other, deeper);
+                _wrong.addIf(isDeeper != behind.depth > other.depth, "deeper", i + ": " + behind.depth + " than " + other.depth);
                 if (isDeeper)
                 {
                     found++;

@@ -9,7 +9,7 @@ package starlogo.terrain
     import starlogo.engine;
     import starlogo.ground.HeightGrid;
     import starlogo.ground.HeightPyramid;
-    import starlogo.ground.HeightRange;
+    import starlogo.ground.HeightBounds;
     import support.RandomGround;
     import support.assertThrows;
     import support.assign;
@@ -387,7 +387,7 @@ package starlogo.terrain
                 {
                     for (var column:int = 0; column * size < terrain.columns; column++)
                     {
-                        var range:HeightRange = new HeightRange();
+                        var range:HeightBounds = new HeightBounds();
                         grid.pyramid.findRange(level, column, row, column, row, range);
                         checkSquare(terrain, column * size, row * size, size, range);
                     }
@@ -399,7 +399,7 @@ package starlogo.terrain
         // The ground within a reach of a place is between the bounds that are found there.
         private static function checkAround(terrain:Terrain, random:SeededRandom):void
         {
-            var range:HeightRange = new HeightRange();
+            var range:HeightBounds = new HeightBounds();
             var x:Number = random.between(0, terrain.columns - 1);
             var y:Number = random.between(0, terrain.rows - 1);
             var reachX:Number = random.between(0, 9);
@@ -412,7 +412,7 @@ package starlogo.terrain
             }
         }
 
-        private function checkSquare(terrain:Terrain, first:int, firstRow:int, size:int, bounds:HeightRange):void
+        private function checkSquare(terrain:Terrain, first:int, firstRow:int, size:int, bounds:HeightBounds):void
         {
             var least:Number = Infinity;
             var greatest:Number = -Infinity;
@@ -436,7 +436,7 @@ package starlogo.terrain
             }
             assertEquals(least, bounds.least);
             assertEquals(greatest, bounds.greatest);
-            assertEquals(difference, bounds.stepX);
+            assertEquals(difference, bounds.riseX);
             assertEquals(hasHole, bounds.hasHole);
         }
     }

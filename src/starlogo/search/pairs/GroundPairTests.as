@@ -6,6 +6,7 @@ package starlogo.search.pairs
     import starlogo.engine;
     import starlogo.ground.GroundBox;
     import starlogo.ground.GroundEarlyOut;
+    import starlogo.ground.GroundExits;
     import starlogo.ground.GroundModelQuery;
     import starlogo.ground.GroundRayQuery;
     import starlogo.ground.HeightGrid;
@@ -41,6 +42,7 @@ package starlogo.search.pairs
         private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
         private var _query:GroundModelQuery = new GroundModelQuery();
         private var _rays:GroundRayQuery = new GroundRayQuery();
+        private var _exits:GroundExits = new GroundExits();
 
         /** @param limits how far trees are tested */
         public function GroundPairTests(limits:TreeLimits)
@@ -124,21 +126,19 @@ package starlogo.search.pairs
         /** A point of the body that is under the ground shows a touch. @inheritDoc */
         override protected function showsTouch(a:Body, b:Body, contact:ContactPoint):Boolean
         {
-            return contact.leastExit > depthToleranceOf(a, b);
-        }
-
-        /** The deepest point is half of the depth behind the contact's point. @inheritDoc */
-        public function isDeepestInside(b:Body, contact:ContactPoint):Boolean
-        {
-            var back:Number = contact.depth / 2;
-            return gridOf(b).heightAt(contact.x - back * contact.normalX, contact.y - back * contact.normalY) > contact.z - back * contact.normalZ;
+            return contact.exitBound > depthToleranceOf(a, b);
         }
 
         /** @inheritDoc */
-        public function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number
+        public function isDeepestInside(b:Body, contact:ContactPoint):Boolean
         {
-            var back:Number = contact.depth / 2;
-            return gridOf(b).leastExit(contact.x - back * contact.normalX, contact.y - back * contact.normalY, contact.z - back * contact.normalZ, maxLength);
+            return _exits.isInside(gridOf(b), contact);
+        }
+
+        /** @inheritDoc */
+        public function exitBoundOf(b:Body, contact:ContactPoint, maxLength:Number):Number
+        {
+            return _exits.boundOf(gridOf(b), contact, maxLength);
         }
 
         /** @inheritDoc */

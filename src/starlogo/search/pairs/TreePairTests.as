@@ -121,7 +121,7 @@ package starlogo.search.pairs
         override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             // the contact's object may have been that of a contact with the ground
-            out.leastExit = NaN;
+            out.forgetDeepest();
             _separation.find(a, b, motion, out);
         }
 
@@ -140,7 +140,7 @@ package starlogo.search.pairs
         }
 
         /** No bound is known. @inheritDoc */
-        public function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number
+        public function exitBoundOf(b:Body, contact:ContactPoint, maxLength:Number):Number
         {
             return 0;
         }

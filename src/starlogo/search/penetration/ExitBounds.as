@@ -21,6 +21,6 @@ package starlogo.search.penetration
          * A lower bound for the lengths of the exits of a contact's deepest point from a body; 0 if none is known. Exits that are longer than
          * <code>maxLength</code> do not count. If this point is known to be of the first body (<code>isDeepestOfA</code>), it has to get out.
          */
-        function leastExit(b:Body, contact:ContactPoint, maxLength:Number):Number;
+        function exitBoundOf(b:Body, contact:ContactPoint, maxLength:Number):Number;
     }
 }

@@ -76,7 +76,7 @@ package starlogo.search.penetration
                 _other.pointAgainst(motion);
                 _other.depth = 0;
                 // its point need not be the deepest
-                _other.leastExit = NaN;
+                _other.forgetDeepest();
                 _pushOut.find(_other, DirectionSearch.GAIN * out.depth, out);
             }
             if (!isShortEnough(out.depth))
@@ -104,7 +104,7 @@ package starlogo.search.penetration
         private function areExitsLong(contact:ContactPoint, depth:Number):Boolean
         {
             var least:Number = LEAST_SHARE * depth;
-            return contact.leastExit >= least || contact.isDeepestOfA && _bounds.leastExit(_pair.second, contact, depth) >= least;
+            return contact.exitBound >= least || contact.isDeepestOfA && _bounds.exitBoundOf(_pair.second, contact, depth) >= least;
         }
 
         // Tries the shortest way out of covers of the two. It is taken if there is no push.

@@ -111,7 +111,7 @@ package starlogo.search.penetration
                 hasBlock = true;
                 lastBlock.copyFrom(_next);
                 // its exits are known where the push ended, not where the body was
-                lastBlock.leastExit = 0;
+                lastBlock.exitBound = 0;
                 lastBlock.x -= _tried.distance * _tried.x;
                 lastBlock.y -= _tried.distance * _tried.y;
                 lastBlock.z -= _tried.distance * _tried.z;

@@ -1,11 +1,11 @@
 package starlogo.ground
 {
     /**
-     * Bounds of the heights of some part of the ground, as a record.
+     * Bounds of the heights in a part of the ground, and of how steep it is, as a record. HeightPyramid finds them, so that tests need not read all heights.
      *
      * @private
      */
-    public final class HeightRange
+    public final class HeightBounds
     {
         /** The least height; Infinity if there is none. */
         public var least:Number = Infinity;
@@ -13,11 +13,11 @@ package starlogo.ground
         /** The greatest height; -Infinity if there is none. */
         public var greatest:Number = -Infinity;
 
-        /** No two heights that are neighbours along x differ by more. Of squares above level 0, and of a whole grid, it is the same along y. */
-        public var stepX:Number = 0;
+        /** The most by which two heights differ that are neighbours along x. Of squares above level 0, and of a whole grid, it is the same along y. */
+        public var riseX:Number = 0;
 
         /** The same along y. */
-        public var stepY:Number = 0;
+        public var riseY:Number = 0;
 
         /** Whether a cell there is a hole. The heights of holes count too. */
         public var hasHole:Boolean = false;

@@ -3,19 +3,22 @@ package starlogo.ground
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.convex.ContactPoint;
     import support.Complaints;
 
     /** How long ways out of the ground are at least, beside a search of many. */
-    public class LeastExitTest
+    public class GroundExitsTest
     {
         private static const WIDTH:Number = 0.5;
         private static const SIDE:int = 9;
 
         private var _random:SeededRandom = new SeededRandom(703);
         private var _wrong:Complaints = new Complaints();
+        private var _exits:GroundExits = new GroundExits();
+        private var _contact:ContactPoint = new ContactPoint();
 
         [Test]
-        public function noWayOutIsShorterThanTheLeast():void
+        public function noWayOutIsShorterThanTheBound():void
         {
             var known:int = 0;
             var count:int = 3000;
@@ -26,8 +29,9 @@ package starlogo.ground
                 var y:Number = _random.between(-2, 2);
                 var z:Number = grid.heightAt(x, y) - _random.logBetween(0.001, 2);
                 var reach:Number = _random.logBetween(0.01, 3);
-                var least:Number = grid.leastExit(x, y, z, reach);
+                var least:Number = boundAt(grid, x, y, z, reach);
                 _wrong.addIf(!(least >= 0), "negative", i + ": " + least);
+                _wrong.addIf(!_exits.isInside(grid, _contact), "outside", String(i));
                 known += least > 0 ? 1 : 0;
                 for (var k:int = 0; k < 20 && least > 0; k++)
                 {
@@ -58,10 +62,20 @@ package starlogo.ground
             var border:Number = -2 + 1.5 * WIDTH;
             for each (var reach:Number in [1e-20, 1e-9, 0.01, 1])
             {
-                assertEquals("between columns, " + reach, 0, grid.leastExit(border, 0, 0.5, reach));
-                assertEquals("at the end, " + reach, 0, grid.leastExit(-2 - WIDTH / 2, 0, 0.5, reach));
-                assertEquals("inside, " + reach, reach < 0.1 ? 0.5 : 0, grid.leastExit(border - WIDTH / 3, 0, 0.5, reach));
+                assertEquals("between columns, " + reach, 0, boundAt(grid, border, 0, 0.5, reach));
+                assertEquals("at the end, " + reach, 0, boundAt(grid, -2 - WIDTH / 2, 0, 0.5, reach));
+                assertEquals("inside, " + reach, reach < 0.1 ? 0.5 : 0, boundAt(grid, border - WIDTH / 3, 0, 0.5, reach));
             }
+        }
+
+        // The bound for the deepest point of a contact, which is half of the depth below the contact's point.
+        private function boundAt(grid:HeightGrid, x:Number, y:Number, z:Number, reach:Number):Number
+        {
+            _contact.depth = 0.5;
+            _contact.x = x;
+            _contact.y = y;
+            _contact.z = z + 0.25;
+            return _exits.boundOf(grid, _contact, reach);
         }
 
         private function randomGrid():HeightGrid

@@ -1,0 +1,62 @@
+package starlogo.ground
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+
+    /**
+     * What is known about the ways out of the ground for the deepest point of a contact (<code>ContactPoint.deepestPointInto()</code>). Contacts are in
+     * the world.
+     *
+     * @private
+     */
+    public final class GroundExits
+    {
+        private var _deepest:Vector3D = new Vector3D();
+
+        // Bounds of the heights around the deepest point.
+        private var _around:HeightBounds = new HeightBounds();
+
+        /** Whether the deepest point is below the surface. */
+        public function isInside(grid:HeightGrid, contact:ContactPoint):Boolean
+        {
+            contact.deepestPointInto(_deepest);
+            return grid.heightAt(_deepest.x, _deepest.y) > _deepest.z;
+        }
+
+        /**
+         * A lower bound for the lengths of the exits of the deepest point; 0 if none is known. Exits that are longer than <code>maxLength</code> do not
+         * count.
+         */
+        public function boundOf(grid:HeightGrid, contact:ContactPoint, maxLength:Number):Number
+        {
+            contact.deepestPointInto(_deepest);
+            var below:Number = grid.heightAt(_deepest.x, _deepest.y) - _deepest.z;
+            if (!(below > 0 && distanceToEnd(grid, _deepest) >= maxLength))
+            {
+                return 0;
+            }
+            grid.pyramid.findAround(_deepest.x, _deepest.y, maxLength, maxLength, _around);
+            if (_around.hasHole)
+            {
+                return 0;
+            }
+            // all of the ground around is at least as high as its least height, and no slope leads to the point faster than the steepest
+            var least:Number = Math.max(0, _around.least - _deepest.z);
+            if (grid.isBlocky)
+            {
+                return least;
+            }
+            var slopeX:Number = _around.riseX / grid.cellWidth;
+            var slopeY:Number = _around.riseY / grid.cellWidth;
+            return Math.max(least, below / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
+        }
+
+        // How far a point in the ground is from where the ground ends, along x or y.
+        private static function distanceToEnd(grid:HeightGrid, point:Vector3D):Number
+        {
+            var alongX:Number = Math.min(point.x - grid.x, grid.x + (grid.columns - 1) * grid.cellWidth - point.x);
+            var alongY:Number = Math.min(point.y - grid.y, grid.y + (grid.rows - 1) * grid.cellWidth - point.y);
+            return Math.min(alongX, alongY) + grid.border;
+        }
+    }
+}

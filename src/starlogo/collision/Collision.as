@@ -19,10 +19,10 @@ package starlogo.collision
     import starlogo.handlers.HandlerTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.BreedInterests;
-    import starlogo.search.ForeignPairs;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.PairReader;
     import starlogo.search.WorldAgent;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
@@ -94,7 +94,7 @@ package starlogo.collision
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
         private var _calls:HandlerCalls = new HandlerCalls();
         private var _input:FrameInput = new FrameInput();
-        private var _foreign:ForeignPairs = new ForeignPairs();
+        private var _pairReader:PairReader = new PairReader();
         private var _snapshots:Snapshots = new Snapshots();
         private var _lastFrame:LastFrame = new LastFrame();
 
@@ -372,16 +372,12 @@ package starlogo.collision
         {
             var touches:TouchTracker = _lastFrame.touches;
             _handlers.begin(agents);
-            _input.setTo(agents, _handlers.interests, ground, edges);
-            if (filter != null)
-            {
-                _input.askFilter(filter);
-            }
+            _input.setTo(agents, _handlers.interests, ground, edges, filter);
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
             system.enterPhase(Collider.SEARCHING);
-            var pairs:FoundPairs = system.findPairs(_input, _foreign, _statistics);
+            var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
             var searched:Collider = system.equivalentCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;

@@ -1,3 +1,6 @@
+// A choice decides what agents collide as: the shape of each model, in each collider. SphereChoice, TightestFitChoice and TreeChoice are those of the
+// engine's colliders, LevelChoice (in the room queries) that of a level, and games extend ShapeChoice. Each says in bind() which shape a model gets,
+// and in kindOf() which of a model's shapes an agent gets. What all have is here: the shapes that were bound, until their models change.
 package starlogo.search
 {
     import flash.errors.IllegalOperationError;

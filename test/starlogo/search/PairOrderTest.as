@@ -6,9 +6,10 @@ package starlogo.search
     import starlogo.search.table.ListedAgents;
 
     /** The order of pairs, compared with a sort by comparisons. */
-    public class FoundPairsTest
+    public class PairOrderTest
     {
         private var _random:SeededRandom = new SeededRandom(7215);
+        private var _order:PairOrder = new PairOrder();
 
         [Test]
         public function isThatOfTheList():void
@@ -56,7 +57,7 @@ package starlogo.search
                 }
             }
             expected.sort(compare);
-            pairs.putInOrder(haveTimes);
+            _order.putInOrder(pairs, haveTimes);
             assertEquals(pairCount, pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {

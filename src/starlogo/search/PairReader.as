@@ -11,7 +11,7 @@ package starlogo.search
      *
      * @private
      */
-    public final class ForeignPairs
+    public final class PairReader
     {
         private var _list:ListedAgents = new ListedAgents();
         private var _pairs:FoundPairs = new FoundPairs(_list);

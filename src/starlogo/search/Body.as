@@ -8,7 +8,6 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -36,7 +35,7 @@ package starlogo.search
         /** The shape's place, rotation and size in the world. */
         public var placement:Placement = new Placement();
 
-        /** The agent's index in the list. Agents that are not listed follow, the older ones first. It is 0 if the body belongs to no agent. */
+        /** The agent's rank: see ListedAgents.rankOf. It is 0 if the body belongs to no agent. */
         public var rank:int = 0;
 
         /** The agent's own limit for the levels of its tree, or 0. */
@@ -59,7 +58,7 @@ package starlogo.search
         // By the kind of structure: what _placed was before, for later use.
         private var _spares:Vector.<BoundingStructure> = null;
 
-        /** Becomes the body of an agent as it is now. While the model is loading, the shape is null, and only the place counts. */
+        /** Becomes the body of an agent as it is now, except for the rank. While the model is loading, the shape is null, and only the place counts. */
         public function readAgent(agent:Agent, shape:ModelShape):void
         {
             placement.x = agent.placement.x;
@@ -76,7 +75,6 @@ package starlogo.search
                 // the structures of the ground and of the edges are not scaled
                 size = 1;
             }
-            rank = ListedAgents.rankOfUnlisted(agent);
             depthLimit = agent.depthLimit;
             if (shape.isUpright && shape === this.shape && size == placement.size)
             {

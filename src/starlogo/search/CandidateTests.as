@@ -22,9 +22,7 @@ package starlogo.search
 
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
-
-        // What tests rows on their motions, if an agent sweeps; otherwise null, and rows are tested where they are.
-        private var _sweptTests:SweptTests = null;
+        private var _sweptTests:SweptTests;
 
         // The input of the search under way.
         private var _input:FrameInput = null;
@@ -41,24 +39,25 @@ package starlogo.search
         /**
          * @param table has the rows
          * @param narrowPhase tests their bodies
+         * @param sweptTests tests rows on their motions, if an agent sweeps. Otherwise rows are tested where they are
          */
-        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase)
+        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase, sweptTests:SweptTests)
         {
             _table = table;
             _narrowPhase = narrowPhase;
+            _sweptTests = sweptTests;
         }
 
         /**
          * Begins a search.
          *
-         * @param sweptTests tests rows on their motions, whose extents are known; null if no agent sweeps
+         * @param isSwept whether an agent sweeps. Then the extents of the motions are known
          * @param out receives the pairs, row by row. They are not in order then
          */
-        public function begin(input:FrameInput, sweptTests:SweptTests, out:FoundPairs):void
+        public function begin(input:FrameInput, isSwept:Boolean, out:FoundPairs):void
         {
-            out.begin();
+            out.begin(isSwept);
             _input = input;
-            _sweptTests = sweptTests;
             _out = out;
         }
 
@@ -71,8 +70,8 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             _narrowPhase.counts.candidatePairs += count;
-            count = _sweptTests != null ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
-            addPairs(row, others, count);
+            count = _out.haveTimes ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
+            _out.addPairs(row, others, count, _times);
         }
 
         /**
@@ -90,15 +89,9 @@ package starlogo.search
             _input.listMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.numbers;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            count = _sweptTests != null ? _sweptTests.keepTouching(worldRow, others, count, SweptTests.NO_EXTENTS, _times)
+            count = _out.haveTimes ? _sweptTests.keepTouching(worldRow, others, count, SweptTests.NO_EXTENTS, _times)
                 : keepTouchingWorld(worldRow, others, count);
-            addPairs(worldRow, others, count);
-        }
-
-        // Adds the pairs of a row with the first of the others. In a search with motions they have times.
-        private function addPairs(row:int, others:Vector.<int>, count:int):void
-        {
-            _out.addPairs(row, others, count, _sweptTests != null ? _times : null);
+            _out.addPairs(worldRow, others, count, _times);
         }
 
         // Keeps the rows that touch a row, and moves them to the beginning of the list.

@@ -19,15 +19,17 @@ package starlogo.search
      */
     internal final class ChangedRows
     {
+        /** The rows of agents that have changed. Read only. */
+        public var rows:IntList = new IntList();
+
+        /** The same rows, and those of the ground and the edges of the world if these have changed: all pairs of these rows are found anew. Read only. */
+        public var all:IntSet = new IntSet();
+
         private var _table:AgentTable;
         private var _motions:RowMotions;
 
         // The members of the last search.
         private var _cells:CellLists;
-
-        // The rows of agents that have changed, and the same with the ground and the edges of the world.
-        private var _rows:IntList = new IntList();
-        private var _changed:IntSet = new IntSet();
 
         /**
          * @param table has the rows
@@ -47,18 +49,6 @@ package starlogo.search
             return _cells.countMembers();
         }
 
-        /** The number of rows of agents that have changed. */
-        public function get count():int
-        {
-            return _rows.count;
-        }
-
-        /** The rows whose pairs the search finds anew: those of agents that have changed, and the ground and the edges of the world if these have. */
-        public function get changed():IntSet
-        {
-            return _changed;
-        }
-
         /**
          * Begins with a search of all rows that has ended: notes the cells of its members.
          *
@@ -73,8 +63,8 @@ package starlogo.search
         public function find(input:FrameInput):void
         {
             var length:int = _table.list.agents.length;
-            _rows.count = 0;
-            _changed.clear(length);
+            rows.count = 0;
+            all.clear(length);
             _cells.makeRoom(length);
             addAll(_table.changed);
             addAll(_table.leftOrReordered);
@@ -89,7 +79,7 @@ package starlogo.search
             // the ground and the edges are no members, but their pairs change with them
             for (var i:int = 0; i < _table.changedOfWorld.count; i++)
             {
-                _changed.add(_table.changedOfWorld.numbers[i]);
+                all.add(_table.changedOfWorld.numbers[i]);
             }
         }
 
@@ -102,7 +92,7 @@ package starlogo.search
         {
             if (_motions.areSwept)
             {
-                _motions.findExtents(_rows);
+                _motions.findExtents(rows);
             }
             return updateCells(input) && _cells.haveRightBucketCounts();
         }
@@ -110,11 +100,11 @@ package starlogo.search
         /** Finds the members near the changed ones, as the bins do for all. Each pair is passed to the sink once. */
         public function findPairs(sink:PairSink):void
         {
-            for (var i:int = 0; i < _rows.count; i++)
+            for (var i:int = 0; i < rows.count; i++)
             {
-                if (_cells.has(_rows.numbers[i]))
+                if (_cells.has(rows.numbers[i]))
                 {
-                    _cells.findNear(_rows.numbers[i], _changed, sink);
+                    _cells.findNear(rows.numbers[i], all, sink);
                 }
             }
         }
@@ -122,32 +112,32 @@ package starlogo.search
         /** The rows whose pairs with the ground or the edges may have changed: all rows if the ground or the edges have. */
         public function rowsToTestWith(worldRow:int):IntList
         {
-            return _changed.has(worldRow) ? _table.list.rows : _rows;
+            return all.has(worldRow) ? _table.list.rows : rows;
         }
 
-        private function addAll(rows:IntList):void
+        private function addAll(added:IntList):void
         {
-            for (var i:int = 0; i < rows.count; i++)
+            for (var i:int = 0; i < added.count; i++)
             {
-                add(rows.numbers[i]);
+                add(added.numbers[i]);
             }
         }
 
         private function add(row:int):void
         {
-            if (_changed.add(row))
+            if (all.add(row))
             {
-                _rows.add(row);
+                rows.add(row);
             }
         }
 
         // Adds the rows that become members, or cease to be members. The other rows have their breeds of the last search.
         private function addFiltered(input:FrameInput):void
         {
-            var rows:IntList = _table.list.rows;
-            for (var i:int = 0; i < rows.count; i++)
+            var listed:IntList = _table.list.rows;
+            for (var i:int = 0; i < listed.count; i++)
             {
-                var row:int = rows.numbers[i];
+                var row:int = listed.numbers[i];
                 if (input.isMember(row, _table) != _cells.has(row))
                 {
                     add(row);
@@ -158,9 +148,9 @@ package starlogo.search
         // Moves the changed rows to their cells. Returns false if one of them needs a level without buckets.
         private function updateCells(input:FrameInput):Boolean
         {
-            for (var i:int = 0; i < _rows.count; i++)
+            for (var i:int = 0; i < rows.count; i++)
             {
-                var row:int = _rows.numbers[i];
+                var row:int = rows.numbers[i];
                 if (!input.isMember(row, _table))
                 {
                     _cells.remove(row);

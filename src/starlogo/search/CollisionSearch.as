@@ -43,7 +43,6 @@ package starlogo.search
         private var _bins:Bins = new Bins();
         private var _tests:CandidateTests;
         private var _motions:RowMotions;
-        private var _sweptTests:SweptTests;
         private var _changedRows:ChangedRows;
         private var _order:PairOrder = new PairOrder();
         private var _update:PairUpdate = new PairUpdate();
@@ -52,9 +51,8 @@ package starlogo.search
         private var _pairs:FoundPairs;
         private var _pairsOfChanged:FoundPairs;
 
-        // What the pairs of this search and of the last one depend on, besides agents, ground and edges.
+        // What the pairs of the last search depend on, besides agents, ground and edges.
         private var _conditions:SearchConditions = new SearchConditions();
-        private var _lastConditions:SearchConditions = new SearchConditions();
 
         // Whether the next search may begin with these pairs.
         private var _mayBeKept:Boolean = false;
@@ -68,9 +66,9 @@ package starlogo.search
             this.narrowPhase = narrowPhase;
             table = new AgentTable(narrowPhase.choice);
             _motions = new RowMotions(table);
-            _sweptTests = new SweptTests(table, narrowPhase, _motions);
-            twoAgents = new TwoAgents(table, narrowPhase, _motions, _sweptTests);
-            _tests = new CandidateTests(table, narrowPhase);
+            var sweptTests:SweptTests = new SweptTests(table, narrowPhase, _motions);
+            twoAgents = new TwoAgents(table, narrowPhase, sweptTests);
+            _tests = new CandidateTests(table, narrowPhase, sweptTests);
             _changedRows = new ChangedRows(table, _motions, _bins.levels);
             _pairs = new FoundPairs(table.list);
             _pairsOfChanged = new FoundPairs(table.list);
@@ -93,6 +91,7 @@ package starlogo.search
             narrowPhase.counts.clear();
             // if this search is like the last one, the next is probably like it too
             var mayBeKept:Boolean = isLikeLast(input) && mayKeep;
+            _conditions.setTo(input, _motions.areSwept, narrowPhase.treeLimits);
             var mayFollow:Boolean = mayBeKept && _mayBeKept;
             // if the search throws, the next one is of all rows, because the table has been read
             _mayBeKept = false;
@@ -113,7 +112,7 @@ package starlogo.search
             _motions.areSwept = false;
         }
 
-        // Reads the input into the table, and the conditions of the search. The motions are read before the table reads the places, because they begin at
+        // Reads the input into the table. The motions are read before the table reads the places, because they begin at
         // those of the last search.
         private function readInput(input:FrameInput):void
         {
@@ -125,10 +124,6 @@ package starlogo.search
             _motions.areSwept = Agent.haveSwept && isAnySweeping(input.agents);
             table.readChanges();
             table.readWorld(input.ground, input.edges);
-            var last:SearchConditions = _conditions;
-            _conditions = _lastConditions;
-            _lastConditions = last;
-            _conditions.setTo(input, _motions.areSwept, narrowPhase.treeLimits);
         }
 
         // Whether the search depends on the same as the last one, and few rows were read again.
@@ -139,7 +134,7 @@ package starlogo.search
             {
                 readCount += _motions.previouslyChanged.count;
             }
-            return _conditions.equals(_lastConditions) && areFew(readCount, input);
+            return _conditions.areThoseOf(input, _motions.areSwept, narrowPhase.treeLimits) && areFew(readCount, input);
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
@@ -153,7 +148,7 @@ package starlogo.search
         private function findChangedRows(input:FrameInput):Boolean
         {
             _changedRows.find(input);
-            return areFew(_changedRows.count, input) && _changedRows.moveToCells(input);
+            return areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
         }
 
         // Finds the pairs of all members. Returns the number of members.
@@ -164,11 +159,11 @@ package starlogo.search
             {
                 _motions.findExtents(table.list.rows);
             }
-            beginTests(input, _pairs);
+            _tests.begin(input, _motions.areSwept, _pairs);
             _bins.findPairs(_motions.areSwept ? _motions.extents : table.extents, members, _tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, members);
-            _order.putInOrder(_pairs, _motions.areSwept);
+            _order.putInOrder(_pairs);
             if (mayBeKept)
             {
                 _changedRows.begin(members);
@@ -181,18 +176,13 @@ package starlogo.search
         // members.
         private function findOfChanged(input:FrameInput):int
         {
-            beginTests(input, _pairsOfChanged);
+            _tests.begin(input, _motions.areSwept, _pairsOfChanged);
             _changedRows.findPairs(_tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
-            var earlyCount:int = _order.putInOrder(_pairsOfChanged, _motions.areSwept);
-            _update.update(_pairs, _changedRows.changed, _pairsOfChanged, earlyCount);
+            var earlyCount:int = _order.putInOrder(_pairsOfChanged);
+            _update.update(_pairs, _changedRows.all, _pairsOfChanged, earlyCount);
             return _changedRows.memberCount;
-        }
-
-        private function beginTests(input:FrameInput, out:FoundPairs):void
-        {
-            _tests.begin(input, _motions.areSwept ? _sweptTests : null, out);
         }
 
         // Whether an agent of the list sweeps. No entry is null.

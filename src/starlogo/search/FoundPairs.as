@@ -24,7 +24,10 @@ package starlogo.search
         /** The rows: a0, b0, a1, b1, ... The list may be longer: rows after the last pair are left over from earlier frames. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /** By pair, if an agent sweeps: the time of the touch. The times are valid until the pairs are in order. */
+        /** Whether the pairs have times, because an agent sweeps. */
+        internal var haveTimes:Boolean = false;
+
+        /** By pair, if they have times: the time of the touch. It is valid until the pairs are in order. */
         internal var times:Vector.<Number> = new Vector.<Number>();
 
         /** Has the agent of each row, and its rank in the list of the frame. */
@@ -48,9 +51,10 @@ package starlogo.search
             this.list = list;
         }
 
-        /** Begins to write other pairs. */
-        internal function begin():void
+        /** Begins to write other pairs, with times or without. */
+        internal function begin(haveTimes:Boolean):void
         {
+            this.haveTimes = haveTimes;
             count = 0;
             searches++;
             areKept = false;
@@ -69,11 +73,11 @@ package starlogo.search
          *
          * @param others begins with the rows that touch the row
          * @param othersCount the number of these
-         * @param othersTimes the times at which they touch the row; null if no agent sweeps
+         * @param othersTimes begins with the times at which they touch the row, if the pairs have times
          */
         internal function addPairs(row:int, others:Vector.<int>, othersCount:int, othersTimes:Vector.<Number>):void
         {
-            if (othersTimes != null)
+            if (haveTimes)
             {
                 for (var k:int = 0; k < othersCount; k++)
                 {

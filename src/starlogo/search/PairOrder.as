@@ -28,16 +28,15 @@ package starlogo.search
         /**
          * Puts pairs into order.
          *
-         * @param haveTimes whether an agent sweeps, so the pairs were added with times
          * @return how many pairs touch before the end of their motions. They come first
          */
-        public function putInOrder(pairs:FoundPairs, haveTimes:Boolean):int
+        public function putInOrder(pairs:FoundPairs):int
         {
             if (!areInOrder(pairs))
             {
-                sortByRanks(pairs, haveTimes);
+                sortByRanks(pairs);
             }
-            return haveTimes ? sortByTimes(pairs) : 0;
+            return pairs.haveTimes ? sortByTimes(pairs) : 0;
         }
 
         // Whether the pairs are in the order of their ranks already, as those of agents in one cell are.
@@ -70,20 +69,20 @@ package starlogo.search
             return true;
         }
 
-        private function sortByRanks(pairs:FoundPairs, haveTimes:Boolean):void
+        private function sortByRanks(pairs:FoundPairs):void
         {
             if (MANY_AGENTS * pairs.count < pairs.list.rows.count)
             {
-                sortByKeys(pairs, haveTimes);
+                sortByKeys(pairs);
                 return;
             }
             // pairs whose rows on a side have the same rank keep their order
-            scatter(pairs, 1, haveTimes);
-            scatter(pairs, 0, haveTimes);
+            scatter(pairs, 1);
+            scatter(pairs, 0);
         }
 
         // Sorts by a key of both ranks.
-        private function sortByKeys(pairs:FoundPairs, haveTimes:Boolean):void
+        private function sortByKeys(pairs:FoundPairs):void
         {
             var rows:Vector.<int> = pairs.rows;
             var ranks:Vector.<int> = pairs.list.ranks;
@@ -92,7 +91,7 @@ package starlogo.search
             {
                 _indices.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
             }
-            arrange(pairs, haveTimes);
+            arrange(pairs);
         }
 
         // Sorts by times. Pairs of the same time keep their order. Returns how many pairs touch before the end of their motions.
@@ -109,12 +108,12 @@ package starlogo.search
                     earlyCount++;
                 }
             }
-            arrange(pairs, false);
+            arrange(pairs);
             return earlyCount;
         }
 
-        // Puts the pairs into the order of the keys. Their times go along if they are needed afterwards.
-        private function arrange(pairs:FoundPairs, haveTimes:Boolean):void
+        // Puts the pairs into the order of the keys. Their times, if there are any, go along.
+        private function arrange(pairs:FoundPairs):void
         {
             _indices.sortFirst(pairs.count);
             makeRoom(pairs);
@@ -123,7 +122,7 @@ package starlogo.search
                 var pair:int = _indices.numbers[i];
                 _spareRows[int(2 * i)] = pairs.rows[int(2 * pair)];
                 _spareRows[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
-                if (haveTimes)
+                if (pairs.haveTimes)
                 {
                     _spareTimes[i] = pairs.times[pair];
                 }
@@ -133,7 +132,7 @@ package starlogo.search
 
         // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). The times, if there
         // are any, go along.
-        private function scatter(pairs:FoundPairs, side:int, haveTimes:Boolean):void
+        private function scatter(pairs:FoundPairs, side:int):void
         {
             findStarts(pairs, side);
             makeRoom(pairs);
@@ -143,6 +142,7 @@ package starlogo.search
             var to:Vector.<int> = _spareRows;
             var times:Vector.<Number> = pairs.times;
             var timesTo:Vector.<Number> = _spareTimes;
+            var haveTimes:Boolean = pairs.haveTimes;
             var end:int = 2 * pairs.count;
             for (var i:int = 0; i < end; i += 2)
             {

@@ -45,7 +45,7 @@ package starlogo.search
             {
                 throw new ArgumentError("the collision system has found pairs of " + pairs.length + " agents: that must be an even number");
             }
-            _pairs.begin();
+            _pairs.begin(false);
             _known.clear();
             for (var i:int = 0; i < pairs.length; i += 2)
             {

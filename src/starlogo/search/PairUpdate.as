@@ -21,7 +21,12 @@ package starlogo.search
             pairs.searches++;
             pairs.areKept = true;
             pairs.dropped.count = pairs.added.count = 0;
-            makeRoom(pairs.count + found.count);
+            var mostPairs:int = pairs.count + found.count;
+            if (_spareRows.length < 2 * mostPairs)
+            {
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                _spareRows.length = 2 * (mostPairs + (mostPairs >> 3));
+            }
             var ranks:Vector.<int> = pairs.list.ranks;
             var next:int = 0;
             for (var i:int = 0; i < found.count; i++)
@@ -74,15 +79,6 @@ package starlogo.search
                 next += 2;
             }
             return pairs.count;
-        }
-
-        private function makeRoom(pairCount:int):void
-        {
-            if (_spareRows.length < 2 * pairCount)
-            {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _spareRows.length = 2 * (pairCount + (pairCount >> 3));
-            }
         }
     }
 }

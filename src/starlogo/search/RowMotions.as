@@ -142,11 +142,5 @@ package starlogo.search
         {
             return _sweeps[a] || _sweeps[b];
         }
-
-        /** Whether a row has moved. */
-        public function hasMoved(row:int):Boolean
-        {
-            return ways.x[row] != 0 || ways.y[row] != 0 || ways.z[row] != 0;
-        }
     }
 }

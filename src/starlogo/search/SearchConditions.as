@@ -28,13 +28,18 @@ package starlogo.search
             interests = input.interests;
             this.isSwept = isSwept;
             isFiltered = input.admitted != null;
-            maxDepth = limits.exact ? EXACT : limits.maxDepth;
+            maxDepth = depthIn(limits);
         }
 
-        /** Whether the pairs depend on the same. */
-        public function equals(other:SearchConditions):Boolean
+        /** Whether the pairs of another search depend on the same. */
+        public function areThoseOf(input:FrameInput, isSwept:Boolean, limits:TreeLimits):Boolean
         {
-            return interests === other.interests && isSwept == other.isSwept && isFiltered == other.isFiltered && maxDepth == other.maxDepth;
+            return interests === input.interests && this.isSwept == isSwept && isFiltered == (input.admitted != null) && maxDepth == depthIn(limits);
+        }
+
+        private static function depthIn(limits:TreeLimits):int
+        {
+            return limits.exact ? EXACT : limits.maxDepth;
         }
     }
 }

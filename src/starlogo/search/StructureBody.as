@@ -18,10 +18,10 @@ package starlogo.search
         private static const UPRIGHT:Placement = new Placement();
 
         private var _body:Body = new Body();
+        private var _place:Placement = _body.placement;
 
-        // By the kind of structure: the shape, and the structure where it was put into the world.
+        // By the kind of structure: the shape, with the structure's middle moved to the origin.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
-        private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
 
         // The middle and half of the lengths of the extents.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -36,44 +36,38 @@ package starlogo.search
         public function read(structure:BoundingStructure, at:Placement = null):Body
         {
             ModelShape.requireStructure(structure);
-            var inWorld:BoundingStructure = structure;
-            if (at != null)
-            {
-                inWorld = _placed[structure.kind] = structure.place(at, _placed[structure.kind]);
-            }
+            var shape:ModelShape = shapeOfKind(structure.kind);
+            var inWorld:BoundingStructure = at == null ? structure : structure.place(at, shape.structure);
             inWorld.boxAroundInto(UPRIGHT, _extents);
             if (at == null)
             {
                 requireInWorld("half of a structure's length", _extents[3], _extents[4], _extents[5]);
                 requireInWorld("a structure's middle", _extents[0], _extents[1], _extents[2]);
             }
-            _body.takeShape(shapeOf(inWorld));
-            _body.rank = _body.depthLimit = 0;
-            _body.placement.x = _extents[0];
-            _body.placement.y = _extents[1];
-            _body.placement.z = _extents[2];
+            // moves the structure from its place to the origin, and the body to that place
+            _place.copyFrom(UPRIGHT);
+            _place.x = -_extents[0];
+            _place.y = -_extents[1];
+            _place.z = -_extents[2];
+            shape.setStructure(inWorld.place(_place, shape.structure));
+            _place.x = _extents[0];
+            _place.y = _extents[1];
+            _place.z = _extents[2];
+            _body.takeShape(shape);
             _body.halfX = _extents[3];
             _body.halfY = _extents[4];
             _body.halfZ = _extents[5];
             return _body;
         }
 
-        // A shape of a structure in the world, with its middle moved to the origin. The body's place is that of the middle.
-        private function shapeOf(structure:BoundingStructure):ModelShape
+        private function shapeOfKind(kind:int):ModelShape
         {
-            var shape:ModelShape = _shapes[structure.kind];
-            if (shape == null)
+            if (_shapes[kind] == null)
             {
-                shape = _shapes[structure.kind] = new ModelShape("structure", Agent.ANY_KIND, 0);
-                shape.isUpright = true;
+                _shapes[kind] = new ModelShape("structure", Agent.ANY_KIND, 0);
+                _shapes[kind].isUpright = true;
             }
-            var toOrigin:Placement = _body.placement;
-            toOrigin.copyFrom(UPRIGHT);
-            toOrigin.x = -_extents[0];
-            toOrigin.y = -_extents[1];
-            toOrigin.z = -_extents[2];
-            shape.setStructure(structure.place(toOrigin, shape.structure));
-            return shape;
+            return _shapes[kind];
         }
     }
 }

@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
@@ -42,6 +43,12 @@ package starlogo.search
             _table = table;
             _narrowPhase = narrowPhase;
             _motions = motions;
+        }
+
+        /** Whether rows are to be tested on their motions, because an agent sweeps. */
+        public function get areNeeded():Boolean
+        {
+            return _motions.areSwept;
         }
 
         /**
@@ -137,7 +144,8 @@ package starlogo.search
         // and where they are if they have not moved.
         private function timeOfStill(a:int):int
         {
-            return _motions.hasMoved(a) ? 0 : 1;
+            var ways:Points = _motions.ways;
+            return ways.x[a] != 0 || ways.y[a] != 0 || ways.z[a] != 0 ? 0 : 1;
         }
 
         // Whether two rows touch where they are. Only the second may be of the world.

@@ -18,7 +18,6 @@ package starlogo.search
     {
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
-        private var _motions:RowMotions;
         private var _sweptTests:SweptTests;
 
         // The bodies of agents that have changed since the search.
@@ -28,14 +27,12 @@ package starlogo.search
         /**
          * @param table the agents of the last search
          * @param narrowPhase tests their bodies
-         * @param motions those of the last search
-         * @param sweptTests finds contacts on these motions
+         * @param sweptTests finds contacts on the motions of the last search
          */
-        public function TwoAgents(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions, sweptTests:SweptTests)
+        public function TwoAgents(table:AgentTable, narrowPhase:NarrowPhase, sweptTests:SweptTests)
         {
             _table = table;
             _narrowPhase = narrowPhase;
-            _motions = motions;
             _sweptTests = sweptTests;
         }
 
@@ -72,7 +69,7 @@ package starlogo.search
                 return;
             }
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && _table.shapes[rowA] != null && _table.shapes[rowB] != null;
-            if (areSeen && _motions.areSwept)
+            if (areSeen && _sweptTests.areNeeded)
             {
                 _sweptTests.findContact(rowA, rowB, motion, out);
                 return;

@@ -41,7 +41,7 @@ package starlogo.search
             var pairs:FoundPairs = new FoundPairs(list);
             var expected:Array = [];
             var timeOf:Object = {};
-            pairs.begin();
+            pairs.begin(haveTimes);
             while (expected.length < pairCount)
             {
                 var first:int = _random.integer(0, list.rows.count - 2);
@@ -53,11 +53,11 @@ package starlogo.search
                     timeOf[first + " " + second] = time;
                     // after the agents comes the ground
                     var other:int = second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.numbers[second];
-                    pairs.addPairs(list.rows.numbers[first], new <int>[other], 1, haveTimes ? new <Number>[time] : null);
+                    pairs.addPairs(list.rows.numbers[first], new <int>[other], 1, new <Number>[time]);
                 }
             }
             expected.sort(compare);
-            _order.putInOrder(pairs, haveTimes);
+            _order.putInOrder(pairs);
             assertEquals(pairCount, pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {

@@ -80,13 +80,7 @@ package starlogo.search.table
             {
                 return int.MAX_VALUE;
             }
-            return row >= 0 ? ranks[row] : rankOfUnlisted(agent);
-        }
-
-        /** The rank of an agent that is not listed. */
-        public static function rankOfUnlisted(agent:Agent):int
-        {
-            return FIRST_UNLISTED_RANK + agent.idNumber;
+            return row >= 0 ? ranks[row] : FIRST_UNLISTED_RANK + agent.idNumber;
         }
 
         /** Whether the rows belong to the agents of a list, in its order. */

@@ -19,9 +19,13 @@ package starlogo.broadphase
         private var _levels:Vector.<BinLevel>;
         private var _extents:Extents = null;
 
-        // By bucket: the first row of its list. By row: its bucket, or NONE; the next row in the list.
+        // By bucket: the first row of its list, or NONE.
         private var _heads:Vector.<int> = new Vector.<int>();
+
+        // By row: its bucket, or NONE if the row is no member.
         private var _buckets:Vector.<int> = new Vector.<int>();
+
+        // By row: the next row in the list of its bucket, or NONE.
         private var _next:Vector.<int> = new Vector.<int>();
 
         /** @param levels those of the bins, with the buckets that it takes over */

@@ -46,8 +46,10 @@ package starlogo.collision
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
 
-        // The Collision that was the last to get it, or null; the search for other calls of findCollisions, or null.
+        // The Collision that was the last to get it, or null.
         private var _owner:Collision = null;
+
+        // The search for the game's own calls of findCollisions while a Collision has the collider, or null.
         private var _extraSearch:CollisionSearch = null;
 
         // What the Collision does.

@@ -46,8 +46,10 @@ package starlogo.search
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;
 
-        // The shapes that are not void, and by the number of the model's name and the kind: the index of the shape.
+        // The shapes that are not void.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+
+        // By the number of the model's name and the kind: the index of the shape.
         private var _indices:HashTable = new HashTable();
 
         // The revision of all models at which void shapes were forgotten.

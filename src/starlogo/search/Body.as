@@ -51,8 +51,10 @@ package starlogo.search
         engine var offsetY:Number = 0;
         engine var offsetZ:Number = 0;
 
-        // The structure in the world, and whether it is at the body's place.
+        // The structure where it was last put into the world.
         private var _placed:BoundingStructure = null;
+
+        // Whether that is the body's place.
         private var _isPlaced:Boolean = false;
 
         // By the kind of structure: what _placed was before, for later use.

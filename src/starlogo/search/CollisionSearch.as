@@ -26,9 +26,10 @@ package starlogo.search
      */
     public final class CollisionSearch
     {
-        // Changed rows are few if there are at least this many rows for each of them. The second number is for searches that are faster,
-        // because all shapes are spheres, or only some breeds have handlers.
+        // Changed rows are few if there are at least this many rows for each of them.
         private static const ROWS_PER_CHANGE:int = 8;
+
+        // The same for searches that are faster, because all shapes are spheres, or only some breeds have handlers.
         private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
 
         /** The agents of the last search. */
@@ -47,8 +48,10 @@ package starlogo.search
         private var _order:PairOrder = new PairOrder();
         private var _update:PairUpdate = new PairUpdate();
 
-        // The pairs of the search, and those of changed rows that are put between them.
+        // The pairs of the search.
         private var _pairs:FoundPairs;
+
+        // If few rows have changed: their pairs, which are put between the others.
         private var _pairsOfChanged:FoundPairs;
 
         // What the pairs of the last search depend on, besides agents, ground and edges.

@@ -33,8 +33,10 @@ package starlogo.search
         /** The edges of the world, or null. Read only. */
         public var edges:WorldAgent = null;
 
-        // What a filter fills: the copy of the list, and its answers.
+        // The copy of the list, if there is a filter.
         private var _copy:Vector.<Agent> = new Vector.<Agent>();
+
+        // The answers of a filter, by index in the list.
         private var _answers:Vector.<Boolean> = new Vector.<Boolean>();
 
         /**

@@ -29,8 +29,10 @@ package starlogo.search
         // The motion of a pair that is tested.
         private var _motion:RelativeMotion = new RelativeMotion();
 
-        // When the extents of a pair overlap.
+        // When the extents of a pair overlap, in all directions so far.
         private var _interval:ContactInterval = new ContactInterval();
+
+        // The motion of the extents along one direction.
         private var _axisMotion:AxisMotion = new AxisMotion();
 
         /**

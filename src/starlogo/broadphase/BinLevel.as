@@ -32,8 +32,11 @@ package starlogo.broadphase
         internal static const COPIED:int = 2;
 
         // A power of two, in patches. The widest members are at most this wide. No member is narrower than half of it, unless it is far
-        // out or the level is the finest. Cells are a little wider. So two members that touch are in the same cell or in neighbouring cells.
+        // out or the level is the finest.
         internal var width:Number;
+
+        // The reciprocal of the width of cells. Cells are a little wider than members. So two members that touch are in the same cell or in
+        // neighbouring cells.
         internal var cellsPerPatch:Number;
 
         /**
@@ -45,9 +48,11 @@ package starlogo.broadphase
         // The number of members in the last search, and in CellLists since.
         internal var count:int;
 
+        // The index of the level's first bucket.
+        internal var firstBucket:int;
+
         // The bucket of a cell is its line times stride plus its column, counted from the first bucket. Only the bits in the mask count, which
         // is NO_BUCKETS if the level had no members in the last search.
-        internal var firstBucket:int;
         internal var mask:int = NO_BUCKETS;
         internal var stride:int;
 

@@ -42,8 +42,10 @@ package starlogo.broadphase
         // By bucket: the slot of its first member, which is the slot after the last member of the bucket before.
         private var _starts:Vector.<int> = new Vector.<int>();
 
-        // By bucket: the number of its members, which is 0 between searches. By member: its bucket.
+        // By bucket: the number of its members, which is 0 between searches.
         private var _counts:Vector.<int> = new Vector.<int>();
+
+        // By member: its bucket.
         private var _buckets:Vector.<int> = new Vector.<int>();
 
         // The rows of the candidates of the present member.

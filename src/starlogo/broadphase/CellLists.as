@@ -1,6 +1,7 @@
 package starlogo.broadphase
 {
     import starlogo.data.IntList;
+    import starlogo.data.IntSet;
 
     /**
      * Finds rows near one row, among members that hardly change. Each bucket of cells has a list of its members, so a member that has moved changes
@@ -18,9 +19,13 @@ package starlogo.broadphase
         private var _levels:Vector.<BinLevel>;
         private var _extents:Extents = null;
 
-        // By bucket: the first row of its list. By row: its bucket, or NONE; the next row in the list.
+        // By bucket: the first row of its list, or NONE.
         private var _heads:Vector.<int> = new Vector.<int>();
+
+        // By row: its bucket, or NONE if the row is no member.
         private var _buckets:Vector.<int> = new Vector.<int>();
+
+        // By row: the next row in the list of its bucket, or NONE.
         private var _next:Vector.<int> = new Vector.<int>();
 
         /** @param levels those of the bins, with the buckets that it takes over */
@@ -159,9 +164,9 @@ package starlogo.broadphase
         /**
          * Finds the members near a member, as <code>Bins.findPairs()</code> does, level by level, and passes them to the sink.
          *
-         * @param marks by row; a row with the mark is left out if it is less than the member, because the pair is found from there
+         * @param asked all rows for which this is called. A row of these is left out if it is less than the member, because the pair is found from there
          */
-        public function findNear(row:int, marks:Vector.<int>, mark:int, sink:PairSink):void
+        public function findNear(row:int, asked:IntSet, sink:PairSink):void
         {
             var own:BinLevel = _levels[_extents.level[row]];
             for (var i:int = 1; i < _levels.length; i++)
@@ -173,7 +178,7 @@ package starlogo.broadphase
                 }
                 var coarser:BinLevel = own.width > level.width ? own : level;
                 var found:int = findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
-                found = keepNear(row, found, coarser.slack, marks, mark);
+                found = keepNear(row, found, coarser.slack, asked);
                 if (found > 0)
                 {
                     sink.onCandidates(row, _near, found, coarser);
@@ -266,7 +271,7 @@ package starlogo.broadphase
         }
 
         // Keeps the rows that make a pair with a member: whose circles overlap its own, and whose pair is not found from them.
-        private function keepNear(row:int, count:int, slack:Number, marks:Vector.<int>, mark:int):int
+        private function keepNear(row:int, count:int, slack:Number, asked:IntSet):int
         {
             var xs:Vector.<Number> = _extents.x;
             var ys:Vector.<Number> = _extents.y;
@@ -281,7 +286,7 @@ package starlogo.broadphase
                 var distanceX:Number = xs[other] - x;
                 var distanceY:Number = ys[other] - y;
                 var touchingDistance:Number = ownRadius + radii[other];
-                if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance && other != row && (other > row || marks[other] != mark))
+                if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance && other != row && (other > row || !asked.has(other)))
                 {
                     _near[kept] = other;
                     kept++;

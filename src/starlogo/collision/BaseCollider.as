@@ -7,10 +7,10 @@ package starlogo.collision
     import starlogo.data.warnOfUnknownProperties;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
-    import starlogo.search.ForeignPairs;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.PairReader;
 
     use namespace engine;
 
@@ -127,14 +127,14 @@ package starlogo.collision
         /**
          * @private Finds the pairs of a Collision's frame. A game's own system may return its own vector, and need not count its tests.
          *
-         * @param foreign reads the pairs of a system that is not the engine's. Each Collision has its own, because Collisions may share such a system
+         * @param reader reads the pairs of a system that is not the engine's. Each Collision has its own, because Collisions may share such a system
          * @param counts takes the counts and the time
          * @return the pairs, until the next call
          * @throws ArgumentError if an agent of the list is null or listed twice, or if the system finds an agent that is not in the list, an agent with
          * itself, or a pair twice
          * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
-        engine function findPairs(input:FrameInput, foreign:ForeignPairs, counts:CollisionStatistics):FoundPairs
+        engine function findPairs(input:FrameInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
         {
             var start:Number = getTimer();
             if (input.ground != null || input.edges != null)
@@ -142,9 +142,9 @@ package starlogo.collision
                 var what:String = input.ground != null ? "a terrain needs" : "bounds need";
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(systemToName, "a Collider"));
             }
-            foreign.begin(input.agents);
+            reader.begin(input.agents);
             var listed:Vector.<Agent> = input.admitted == null ? input.agents : chosen(input.agents, input.admitted);
-            var pairs:FoundPairs = foreign.read(findCollisionsAmong(listed, input.interests, _foundAgents));
+            var pairs:FoundPairs = reader.read(findCollisionsAmong(listed, input.interests, _foundAgents));
             counts.copyFrom(statistics);
             // the system may not count these
             counts.agents = input.agents.length;

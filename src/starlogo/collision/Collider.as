@@ -9,11 +9,11 @@ package starlogo.collision
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
-    import starlogo.search.ForeignPairs;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.PairReader;
     import starlogo.search.table.ListedAgents;
 
     use namespace engine;
@@ -46,8 +46,10 @@ package starlogo.collision
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
 
-        // The Collision that was the last to get it, or null; the search for other calls of findCollisions, or null.
+        // The Collision that was the last to get it, or null.
         private var _owner:Collision = null;
+
+        // The search for the game's own calls of findCollisions while a Collision has the collider, or null.
         private var _extraSearch:CollisionSearch = null;
 
         // What the Collision does.
@@ -98,7 +100,7 @@ package starlogo.collision
         override public function areColliding(a:Agent, b:Agent):Boolean
         {
             requireTwo(a, b);
-            return search.areColliding(a, b);
+            return search.twoAgents.areColliding(a, b);
         }
 
         /** @inheritDoc */
@@ -119,7 +121,7 @@ package starlogo.collision
                 by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            _input.setTo(agents, interests || BreedInterests.ALL, null, null);
+            _input.setTo(agents, interests || BreedInterests.ALL, null, null, null);
             var pairs:FoundPairs = find(by, _input, false);
             if (!areHandlersRunning)
             {
@@ -163,7 +165,7 @@ package starlogo.collision
             {
                 by.table.refreshWorld();
             }
-            by.findContact(collider, collidee, motion, point);
+            by.twoAgents.findContact(collider, collidee, motion, point);
             contact.read(point);
             contact.time = motion.time;
             contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
@@ -250,7 +252,7 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function findPairs(input:FrameInput, foreign:ForeignPairs, counts:CollisionStatistics):FoundPairs
+        override engine function findPairs(input:FrameInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
         {
             var pairs:FoundPairs = find(search, input, true);
             counts.copyFrom(_statistics);

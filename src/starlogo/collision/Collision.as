@@ -1,6 +1,10 @@
-// This room is what a game calls: a Collision finds who touches, once a frame, and calls handlers. Collider is the base of the four collision
-// systems, and BaseCollider of a game's own. HandlerCalls makes the calls, FrameContacts computes contacts for them, and Snapshots (snapshots/)
-// goes back to earlier frames. Read this file first, then Collider, and then CollisionSearch in the room search.
+// This room is what a game calls: a Collision finds who touches, once a frame, and calls handlers. Its runFrame() shows the steps of a frame:
+// 1. HandlerTable (in the room handlers) takes the handlers as they are now. FrameInput asks the game's filter who takes part.
+// 2. Collider, the base of the four collision systems, searches for the pairs: CollisionSearch, in the room search. In its place BaseCollider asks a
+// system of the game's own, and PairReader reads what that has found.
+// 3. HandlerCalls lets FrameContacts compute the contacts that handlers take. It calls the handlers for touches that have ended (TouchTracker), and then
+// those of each pair.
+// Snapshots (snapshots/) goes back to earlier frames. Read this file first, then Collider, HandlerCalls, and CollisionSearch.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
@@ -19,10 +23,10 @@ package starlogo.collision
     import starlogo.handlers.HandlerTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.BreedInterests;
-    import starlogo.search.ForeignPairs;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.PairReader;
     import starlogo.search.WorldAgent;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
@@ -84,9 +88,13 @@ package starlogo.collision
          */
         public var filter:AgentPredicate = null;
 
-        // The collision system as the game has given it, and the same as a BaseCollider. The one of the frame under way, or null.
+        // The collision system as the game has given it.
         private var _given:CollisionSystem;
+
+        // The same as a BaseCollider.
         private var _system:BaseCollider;
+
+        // The one of the frame under way, or null.
         private var _updating:BaseCollider = null;
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
@@ -94,7 +102,7 @@ package starlogo.collision
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
         private var _calls:HandlerCalls = new HandlerCalls();
         private var _input:FrameInput = new FrameInput();
-        private var _foreign:ForeignPairs = new ForeignPairs();
+        private var _pairReader:PairReader = new PairReader();
         private var _snapshots:Snapshots = new Snapshots();
         private var _lastFrame:LastFrame = new LastFrame();
 
@@ -372,16 +380,12 @@ package starlogo.collision
         {
             var touches:TouchTracker = _lastFrame.touches;
             _handlers.begin(agents);
-            _input.setTo(agents, _handlers.interests, ground, edges);
-            if (filter != null)
-            {
-                _input.askFilter(filter);
-            }
+            _input.setTo(agents, _handlers.interests, ground, edges, filter);
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
             system.enterPhase(Collider.SEARCHING);
-            var pairs:FoundPairs = system.findPairs(_input, _foreign, _statistics);
+            var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
             var searched:Collider = system.equivalentCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;

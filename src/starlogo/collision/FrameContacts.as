@@ -10,9 +10,13 @@ package starlogo.collision
     {
         private var _system:BaseCollider = null;
 
-        // By pair: the contact, and the frame in which it was computed.
+        // By pair: the contact.
         private var _contacts:Vector.<Contact> = new Vector.<Contact>();
+
+        // By pair: the frame in which the contact was computed.
         private var _frames:Vector.<int> = new Vector.<int>();
+
+        // The number of the present frame.
         private var _frame:int = 0;
 
         // The contact passed to handlers, which may change it.

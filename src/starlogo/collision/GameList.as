@@ -9,8 +9,10 @@ package starlogo.collision
     {
         private var _agents:Vector.<Agent> = null;
 
-        // By row: the last known index, or -1 once the agent was missing. Before an agent was found elsewhere, the ranks are the indices.
+        // By row, unless the list is unchanged: the last known index, or -1 once the agent was missing.
         private var _indices:Vector.<int> = new Vector.<int>();
+
+        // Whether all agents that were looked for were at their ranks.
         private var _isUnchanged:Boolean = true;
 
         /** Begins a frame with its list. */

@@ -36,10 +36,13 @@ package starlogo.collision
         // Whether each pair has got its touch, with calls both ways.
         private var _areTouchesComplete:Boolean;
 
-        // The calls of the present pair or ended touch: its handlers, the index of the next one, and whether a handler runs. If a handler throws, the
-        // calls go on from here.
+        // The handlers of the present pair or ended touch.
         private var _ofPair:PairHandlers;
+
+        // The index of the next of these handlers, or NOT_BEGUN. If a handler throws, the calls go on from here.
         private var _next:int;
+
+        // Whether a handler runs.
         private var _isCalling:Boolean;
 
         /**

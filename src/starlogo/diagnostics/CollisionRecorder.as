@@ -10,9 +10,9 @@ package starlogo.diagnostics
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
-    import starlogo.search.ForeignPairs;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
+    import starlogo.search.PairReader;
 
     use namespace engine;
 
@@ -108,9 +108,9 @@ package starlogo.diagnostics
         }
 
         /** @private */
-        override engine function findPairs(input:FrameInput, foreign:ForeignPairs, counts:CollisionStatistics):FoundPairs
+        override engine function findPairs(input:FrameInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
         {
-            var pairs:FoundPairs = _system.findPairs(input, foreign, counts);
+            var pairs:FoundPairs = _system.findPairs(input, reader, counts);
             _findTimes.add(counts.findMs);
             for (var i:int = 0; i < pairs.count; i++)
             {

@@ -33,19 +33,25 @@ package starlogo.handlers
 
         // The names of the kinds, as games give them: in the order of the bits.
         private static const KIND_NAMES:Array = ["start", "collision", "end"];
+
         private static const ALL_KINDS:int = CollisionHandler.START | CollisionHandler.COLLISION | CollisionHandler.END;
 
-        // What the game has added: a list for each two breeds. By the numbers of the collider's breed and of the collidee's: its index.
+        // What the game has added: a list for each two breeds.
         private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
+
+        // By the numbers of the collider's breed and of the collidee's: the index of their list.
         private var _listIndices:HashTable = new HashTable();
 
-        // What the frame calls for breeds that have met. By the numbers of the first agent's breed and of the second's: its index.
+        // What the frame calls for breeds that have met.
         private var _pairs:Vector.<PairHandlers> = new Vector.<PairHandlers>();
+
+        // By the numbers of the first agent's breed and of the second's: the index of what the frame calls for them.
         private var _pairIndices:HashTable = new HashTable();
 
-        // How often the handlers have changed, and how often they had when the frame began. The first is the serial number of the next handler, so the frame
-        // calls handlers with lower numbers than the second.
+        // How often the handlers have changed. It is the serial number of the next handler.
         private var _changes:int = 0;
+
+        // How often they had changed when the frame began. The frame calls handlers with lower serial numbers than this.
         private var _changesBefore:int = 0;
 
         /**

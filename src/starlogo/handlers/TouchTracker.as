@@ -37,11 +37,16 @@ package starlogo.handlers
         // The indices of the objects for later touches.
         private var _free:IntList = new IntList();
 
-        // The pairs of the frame. By pair: the index of its touch, or NONE. A list for the pairs of this frame, and one for the pairs of the frame
-        // before. The number of the search that has found the pairs, or NONE if not each pair has got its touch.
+        // The pairs of the frame.
         private var _pairs:FoundPairs = null;
+
+        // By pair of this frame: the index of its touch, or NONE.
         private var _touches:Vector.<int> = new Vector.<int>();
+
+        // By pair of the frame before: the index of its touch, or NONE.
         private var _touchesBefore:Vector.<int> = new Vector.<int>();
+
+        // The number of the search that has found the pairs, or NONE if not each pair has got its touch.
         private var _search:int = NONE;
 
         // The number of touches that ever began.

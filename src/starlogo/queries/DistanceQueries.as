@@ -8,6 +8,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.copyVector;
     import starlogo.search.Body;
+    import starlogo.search.StructureBody;
 
     use namespace engine;
 
@@ -22,8 +23,9 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _closest:ClosestPoints = new ClosestPoints();
 
-        // The second body, and the structure of a point.
+        // The second body: an agent's, or that of a point.
         private var _body:Body = new Body();
+        private var _pointBody:StructureBody = new StructureBody();
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
         /** @param seen the agents that the questions are about */
@@ -60,8 +62,7 @@ package starlogo.queries
         {
             requirePoint(point);
             _point.center.setTo(point.x, point.y, point.z);
-            _body.readStructure(_point);
-            var distance:Number = answer(_seen.bodyOf(agent), _body, out, null);
+            var distance:Number = answer(_seen.bodyOf(agent), _pointBody.read(_point), out, null);
             if (distance == 0)
             {
                 // without the rounding of the point that was found, which stands in the game's point if that is out too

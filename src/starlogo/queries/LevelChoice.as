@@ -11,7 +11,6 @@ package starlogo.queries
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
     import starlogo.search.BaseShapeChoice;
-    import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.solid.ModelTree;
@@ -54,7 +53,7 @@ package starlogo.queries
         public function addStructure(name:String, structure:BoundingStructure):void
         {
             ModelTable.checkName(name);
-            Body.requireStructure(structure);
+            ModelShape.requireStructure(structure);
             _models.entryToWrite(name).replace(null, ModelStructures.of(structure), null);
         }
 

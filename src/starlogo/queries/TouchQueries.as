@@ -9,6 +9,7 @@ package starlogo.queries
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
+    import starlogo.search.StructureBody;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
     import starlogo.terrain.WorldBounds;
@@ -25,8 +26,9 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
 
-        // A body that is not an agent's: a structure, one at another place, or the edges of the world; and this place.
+        // A body that is not an agent's: one at another place, or the edges of the world; that of a structure; and this place.
         private var _body:Body = new Body();
+        private var _structureBody:StructureBody = new StructureBody();
         private var _place:Vector3D = new Vector3D();
 
         /** @param seen the agents that the questions are about */
@@ -69,8 +71,7 @@ package starlogo.queries
         /** See AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            _body.readStructure(structure);
-            return find(null, _body, Collector.ALL, filter).endWithList(out);
+            return find(null, _structureBody.read(structure), Collector.ALL, filter).endWithList(out);
         }
 
         // Finds the agents that touch a body, sorted by the distances of their places from the body's place. If one is wanted, it may be any that

@@ -1,3 +1,6 @@
+// A choice decides what agents collide as: the shape of each model, in each collider. SphereChoice, TightestFitChoice and TreeChoice are those of the
+// engine's colliders, LevelChoice (in the room queries) that of a level, and games extend ShapeChoice. Each says in bind() which shape a model gets,
+// and in kindOf() which of a model's shapes an agent gets. What all have is here: the shapes that were bound, until their models change.
 package starlogo.search
 {
     import flash.errors.IllegalOperationError;
@@ -43,8 +46,10 @@ package starlogo.search
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;
 
-        // The shapes that are not void, and by the number of the model's name and the kind: the index of the shape.
+        // The shapes that are not void.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+
+        // By the number of the model's name and the kind: the index of the shape.
         private var _indices:HashTable = new HashTable();
 
         // The revision of all models at which void shapes were forgotten.

@@ -8,13 +8,12 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.requireInWorld;
 
     use namespace engine;
 
     /**
      * A shape at a place in the world: what tests take. Each row of a table has a body. A question makes bodies: of an agent as it is now, of a
-     * structure, or of another body at another place.
+     * structure (StructureBody), or of another body at another place.
      *
      * <p>Only the table of a row moves the row's body.</p>
      *
@@ -23,9 +22,6 @@ package starlogo.search
     public final class Body
     {
         private static const UPRIGHT:Placement = new Placement();
-
-        // The rank of the oldest agent among those that are not listed. It is more than the number of agents in any list.
-        private static const FIRST_UNLISTED:int = 1 << 30;
 
         // The middle and half of the lengths of extents, within one call.
         private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -39,7 +35,7 @@ package starlogo.search
         /** The shape's place, rotation and size in the world. */
         public var placement:Placement = new Placement();
 
-        /** The agent's index in the list. Agents that are not listed follow, the older ones first. It is 0 if the body belongs to no agent. */
+        /** The agent's rank: see ListedAgents.rankOf. It is 0 if the body belongs to no agent. */
         public var rank:int = 0;
 
         /** The agent's own limit for the levels of its tree, or 0. */
@@ -55,15 +51,16 @@ package starlogo.search
         engine var offsetY:Number = 0;
         engine var offsetZ:Number = 0;
 
-        // The structure in the world, and whether it is at the body's place.
+        // The structure where it was last put into the world.
         private var _placed:BoundingStructure = null;
+
+        // Whether that is the body's place.
         private var _isPlaced:Boolean = false;
 
-        // For later use, by the kind of structure: what _placed was before, and shapes of structures without a model.
+        // By the kind of structure: what _placed was before, for later use.
         private var _spares:Vector.<BoundingStructure> = null;
-        private var _ownShapes:Vector.<ModelShape> = null;
 
-        /** Becomes the body of an agent as it is now. While the model is loading, the shape is null, and only the place counts. */
+        /** Becomes the body of an agent as it is now, except for the rank. While the model is loading, the shape is null, and only the place counts. */
         public function readAgent(agent:Agent, shape:ModelShape):void
         {
             placement.x = agent.placement.x;
@@ -80,7 +77,6 @@ package starlogo.search
                 // the structures of the ground and of the edges are not scaled
                 size = 1;
             }
-            rank = rankOfUnlisted(agent);
             depthLimit = agent.depthLimit;
             if (shape.isUpright && shape === this.shape && size == placement.size)
             {
@@ -92,53 +88,6 @@ package starlogo.search
             placement.copyRotation(shape.isUpright ? UPRIGHT : agent.worldPlacement());
             placement.size = size;
             findExtents();
-        }
-
-        /**
-         * Becomes the body of a structure.
-         *
-         * @param at where the structure is put into the world; null if it is in the world already
-         * @throws ArgumentError if the structure is null, or not a sphere, box, capsule or hull
-         * @throws RangeError if <code>at</code> is null and the structure is not in the world
-         */
-        public function readStructure(structure:BoundingStructure, at:Placement = null):void
-        {
-            requireStructure(structure);
-            var inWorld:BoundingStructure = at == null ? structure : putIntoWorld(structure, at);
-            inWorld.boxAroundInto(UPRIGHT, sExtents);
-            if (at == null)
-            {
-                requireInWorld("half of a structure's length", sExtents[3], sExtents[4], sExtents[5]);
-                requireInWorld("a structure's middle", sExtents[0], sExtents[1], sExtents[2]);
-            }
-            takeShape(centred(inWorld, sExtents));
-            placement.x = sExtents[0];
-            placement.y = sExtents[1];
-            placement.z = sExtents[2];
-            rank = depthLimit = 0;
-            offsetX = offsetY = offsetZ = 0;
-            halfX = sExtents[3];
-            halfY = sExtents[4];
-            halfZ = sExtents[5];
-            _isPlaced = false;
-        }
-
-        // A shape of a structure, with its middle moved to the origin. The placement is the move afterwards.
-        private function centred(structure:BoundingStructure, middle:Vector.<Number>):ModelShape
-        {
-            _ownShapes ||= new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
-            var own:ModelShape = _ownShapes[structure.kind];
-            if (own == null)
-            {
-                own = _ownShapes[structure.kind] = new ModelShape("structure", Agent.ANY_KIND, 0);
-                own.isUpright = true;
-            }
-            placement.copyFrom(UPRIGHT);
-            placement.x = -middle[0];
-            placement.y = -middle[1];
-            placement.z = -middle[2];
-            own.setStructure(structure.place(placement, own.structure));
-            return own;
         }
 
         /** Becomes the same as another body. While the other's model is loading, the shape is null, and only the place counts. */
@@ -301,23 +250,10 @@ package starlogo.search
             return halfX * Math.abs(contact.normalX) + halfY * Math.abs(contact.normalY) + halfZ * Math.abs(contact.normalZ);
         }
 
-        /** The rank of an agent that is in no list. */
-        public static function rankOfUnlisted(agent:Agent):int
+        /** Takes a shape. The extents and the rest stay. */
+        internal function takeShape(shape:ModelShape):void
         {
-            return FIRST_UNLISTED + agent.idNumber;
-        }
-
-        /** Throws an ArgumentError if a structure is null, or not a sphere, box, capsule or hull. */
-        public static function requireStructure(structure:BoundingStructure):void
-        {
-            if (structure == null || structure.kind > BoundingStructure.HULL)
-            {
-                throw new ArgumentError("a sphere, box, capsule or hull is needed, not " + structure);
-            }
-        }
-
-        private function takeShape(shape:ModelShape):void
-        {
+            _isPlaced = false;
             // writing an object to a field costs Adobe's VM more than comparing it first
             if (this.shape !== shape)
             {

@@ -26,14 +26,17 @@ package starlogo.search
         /** @private Whether all pairs of two breeds of agents that have numbers here are of interest. The ground and the edges do not count. */
         engine var includesAllOfAgents:Boolean = true;
 
-        // The pairs, in both orders, and by the number of a breed whether a pair names it. ANY is a member like the others, so a breed with
-        // ANY_BREED costs no more than a breed with one other.
+        // The pairs, in both orders. ANY is a breed like the others, so a breed with ANY_BREED costs no more than a breed with one other.
         private var _pairs:HashTable = new HashTable();
+
+        // By the number of a breed: whether a pair names it.
         private var _isNamed:Vector.<Boolean> = new Vector.<Boolean>(Breeds.ANY + 1);
 
-        // How many breeds of agents the pairs name, and how many pairs are of two of these.
-        private var _agentBreeds:int = 0;
-        private var _agentPairs:int = 0;
+        // How many breeds of agents the pairs name.
+        private var _agentBreedCount:int = 0;
+
+        // How many pairs are of two of these breeds.
+        private var _agentPairCount:int = 0;
 
         private static function newOfAll():BreedInterests
         {
@@ -62,10 +65,10 @@ package starlogo.search
             {
                 _pairs.set (number, other, 0);
                 _pairs.set (other, number, 0);
-                _agentPairs += number > Breeds.ANY && other > Breeds.ANY ? 1 : 0;
+                _agentPairCount += number > Breeds.ANY && other > Breeds.ANY ? 1 : 0;
             }
             // the breeds that no pair names are told apart from the others once a pair has ANY_BREED
-            includesAllOfAgents = isNamed(Breeds.ANY) ? has(Breeds.ANY, Breeds.ANY) : 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
+            includesAllOfAgents = isNamed(Breeds.ANY) ? has(Breeds.ANY, Breeds.ANY) : 2 * _agentPairCount == _agentBreedCount * (_agentBreedCount + 1);
         }
 
         /**
@@ -153,7 +156,7 @@ package starlogo.search
             if (!_isNamed[breed])
             {
                 _isNamed[breed] = true;
-                _agentBreeds += breed > Breeds.ANY ? 1 : 0;
+                _agentBreedCount += breed > Breeds.ANY ? 1 : 0;
             }
         }
     }

@@ -20,16 +20,14 @@ package starlogo.search
         // In place of a form: none.
         private static const NONE:int = -1;
 
-        /** The number of candidates so far whose breeds are of interest. Read only. */
-        public var candidatePairs:int = 0;
-
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
+        private var _sweptTests:SweptTests;
 
-        private var _motions:RowMotions;
-
-        // The search under way: its input, and what takes the pairs.
+        // The input of the search under way.
         private var _input:FrameInput = null;
+
+        // Takes the pairs of this search.
         private var _out:FoundPairs = null;
 
         // If an agent sweeps: the times at which a row touches others.
@@ -41,24 +39,24 @@ package starlogo.search
         /**
          * @param table has the rows
          * @param narrowPhase tests their bodies
-         * @param motions those of the rows
+         * @param sweptTests tests rows on their motions, if an agent sweeps. Otherwise rows are tested where they are
          */
-        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions)
+        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase, sweptTests:SweptTests)
         {
             _table = table;
             _narrowPhase = narrowPhase;
-            _motions = motions;
+            _sweptTests = sweptTests;
         }
 
         /**
-         * Begins a search. If an agent sweeps, the tests of the motions have begun.
+         * Begins a search.
          *
+         * @param isSwept whether an agent sweeps. Then the extents of the motions are known
          * @param out receives the pairs, row by row. They are not in order then
          */
-        public function begin(input:FrameInput, out:FoundPairs):void
+        public function begin(input:FrameInput, isSwept:Boolean, out:FoundPairs):void
         {
-            candidatePairs = 0;
-            out.begin();
+            out.begin(isSwept);
             _input = input;
             _out = out;
         }
@@ -71,9 +69,9 @@ package starlogo.search
             {
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
-            candidatePairs += count;
-            count = _motions.areSwept ? _motions.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
-            addPairs(row, others, count);
+            _narrowPhase.counts.candidatePairs += count;
+            count = _out.haveTimes ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
+            _out.addPairs(row, others, count, _times);
         }
 
         /**
@@ -91,14 +89,9 @@ package starlogo.search
             _input.listMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.numbers;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            count = _motions.areSwept ? _motions.keepTouching(worldRow, others, count, RowMotions.NO_EXTENTS, _times) : keepTouchingWorld(worldRow, others, count);
-            addPairs(worldRow, others, count);
-        }
-
-        // Adds the pairs of a row with the first of the others. In a search with motions they have times.
-        private function addPairs(row:int, others:Vector.<int>, count:int):void
-        {
-            _out.addPairs(row, others, count, _motions.areSwept ? _times : null);
+            count = _out.haveTimes ? _sweptTests.keepTouching(worldRow, others, count, SweptTests.NO_EXTENTS, _times)
+                : keepTouchingWorld(worldRow, others, count);
+            _out.addPairs(worldRow, others, count, _times);
         }
 
         // Keeps the rows that touch a row, and moves them to the beginning of the list.

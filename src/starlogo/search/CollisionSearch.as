@@ -1,13 +1,15 @@
-// This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; CandidateTests keeps the pairs of
-// near rows that touch, by the NarrowPhase, which has a PairTests for each kind of pairs (pairs/); FoundPairs has the pairs in the order of the list;
-// and ChangedRows finds the few rows whose pairs may differ from those of the last frame. Read this file first, then AgentTable for the rows,
-// CandidateTests and NarrowPhase for the tests, and ExitSearch (penetration/) for depths.
+// This room finds the pairs of agents that touch, and how they touch. CollisionSearch shows the steps of a search:
+// 1. AgentTable (table/) reads the agents into rows. If an agent sweeps, RowMotions reads their motions.
+// 2. The Bins of the room broadphase find rows that are near each other. If few rows have changed since the last search, ChangedRows finds these rows
+// and what is near them.
+// 3. CandidateTests keeps the pairs that touch, or SweptTests those that touch on their motions. The NarrowPhase has a PairTests for each kind of
+// pairs (pairs/).
+// 4. PairOrder puts the FoundPairs into the order of the list. PairUpdate puts the pairs of changed rows between those of the last search.
+// Read this file first, then AgentTable, CandidateTests and NarrowPhase. TwoAgents answers about two agents, with ExitSearch (penetration/) for depths.
 package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
-    import starlogo.convex.ContactPoint;
-    import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
@@ -20,44 +22,57 @@ package starlogo.search
      * rows that are near each other (thesis §3.7). Of these it keeps those that touch and whose breeds are of interest, and puts them into order. If
      * few agents have changed, it takes the pairs of the others from the last search.
      *
-     * <p>A question about two agents takes the bodies of their rows if the agents have not changed since, and otherwise makes bodies of them as they are
-     * now. It changes no place and no motion of a search.</p>
-     *
      * @private
      */
     public final class CollisionSearch
     {
+        // Changed rows are few if there are at least this many rows for each of them.
+        private static const ROWS_PER_CHANGE:int = 8;
+
+        // The same for searches that are faster, because all shapes are spheres, or only some breeds have handlers.
+        private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
+
         /** The agents of the last search. */
         public var table:AgentTable;
 
         /** Tests their bodies. It may have other searches too. */
         public var narrowPhase:NarrowPhase;
 
+        /** Tells whether and how two of these agents touch. */
+        public var twoAgents:TwoAgents;
+
         private var _bins:Bins = new Bins();
         private var _tests:CandidateTests;
         private var _motions:RowMotions;
         private var _changedRows:ChangedRows;
+        private var _order:PairOrder = new PairOrder();
+        private var _update:PairUpdate = new PairUpdate();
 
-        // The pairs of the search, and those of changed rows that are put between them. Whether the next search may begin with these pairs.
+        // The pairs of the search.
         private var _pairs:FoundPairs;
+
+        // If few rows have changed: their pairs, which are put between the others.
         private var _pairsOfChanged:FoundPairs;
+
+        // What the pairs of the last search depend on, besides agents, ground and edges.
+        private var _conditions:SearchConditions = new SearchConditions();
+
+        // Whether the next search may begin with these pairs.
         private var _mayBeKept:Boolean = false;
 
         // The members of a search in which some rows are no members.
         private var _members:IntList = new IntList();
-
-        // For questions: the bodies of agents that have changed since the search.
-        private var _bodyA:Body = new Body();
-        private var _bodyB:Body = new Body();
 
         /** @param narrowPhase chooses the shapes of the agents, and tests their bodies */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             this.narrowPhase = narrowPhase;
             table = new AgentTable(narrowPhase.choice);
-            _motions = new RowMotions(table, narrowPhase);
-            _tests = new CandidateTests(table, narrowPhase, _motions);
-            _changedRows = new ChangedRows(table, narrowPhase, _motions, _bins.levels);
+            _motions = new RowMotions(table);
+            var sweptTests:SweptTests = new SweptTests(table, narrowPhase, _motions);
+            twoAgents = new TwoAgents(table, narrowPhase, sweptTests);
+            _tests = new CandidateTests(table, narrowPhase, sweptTests);
+            _changedRows = new ChangedRows(table, _motions, _bins.levels);
             _pairs = new FoundPairs(table.list);
             _pairsOfChanged = new FoundPairs(table.list);
         }
@@ -77,50 +92,85 @@ package starlogo.search
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
-            var mayBegin:Boolean = mayKeep && _mayBeKept;
+            // if this search is like the last one, the next is probably like it too
+            var mayBeKept:Boolean = isLikeLast(input) && mayKeep;
+            _conditions.setTo(input, _motions.areSwept, narrowPhase.treeLimits);
+            var mayFollow:Boolean = mayBeKept && _mayBeKept;
             // if the search throws, the next one is of all rows, because the table has been read
             _mayBeKept = false;
-            var isOfChanged:Boolean = mayBegin && _changedRows.moveChanged(input);
-            var memberCount:int = isOfChanged ? findOfChanged(input) : findOfAll(input, mayKeep);
+            var memberCount:int = mayFollow && findChangedRows(input) ? findOfChanged(input) : findOfAll(input, mayBeKept);
+            _mayBeKept = mayBeKept;
             counts.copyTests(narrowPhase.counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
-            counts.candidatePairs = _tests.candidatePairs;
-            counts.sweptPairs = _motions.areSwept ? _motions.sweptPairs : 0;
             counts.collisions = _pairs.count;
             return _pairs;
         }
 
-        // Reads the input into the table. The motions are noted before the table reads the places, because they begin at those of the last search.
+        /** The table was read without a search: the next search is one of all rows. */
+        public function forgetSearch():void
+        {
+            _mayBeKept = false;
+            _motions.areSwept = false;
+        }
+
+        // Reads the input into the table. The motions are read before the table reads the places, because they begin at
+        // those of the last search.
         private function readInput(input:FrameInput):void
         {
             table.acceptList(input.agents);
             if (Agent.haveSwept)
             {
-                _motions.note();
+                _motions.readChanges();
             }
             _motions.areSwept = Agent.haveSwept && isAnySweeping(input.agents);
             table.readChanges();
             table.readWorld(input.ground, input.edges);
         }
 
+        // Whether the search depends on the same as the last one, and few rows were read again.
+        private function isLikeLast(input:FrameInput):Boolean
+        {
+            var readCount:int = table.changed.count + table.leftOrReordered.count;
+            if (_motions.areSwept)
+            {
+                readCount += _motions.previouslyChanged.count;
+            }
+            return _conditions.areThoseOf(input, _motions.areSwept, narrowPhase.treeLimits) && areFew(readCount, input);
+        }
+
+        // Whether so few rows have changed that a search of these is faster than a search of all.
+        private function areFew(changes:int, input:FrameInput):Boolean
+        {
+            var rowsPerChange:int = narrowPhase.choice.areSpheres || !input.interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
+            return rowsPerChange * changes <= table.list.rows.count;
+        }
+
+        // Finds the rows that have changed. Returns false if all rows have to be searched, because they are too many, or the cells need other buckets.
+        private function findChangedRows(input:FrameInput):Boolean
+        {
+            _changedRows.find(input);
+            return areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
+        }
+
         // Finds the pairs of all members. Returns the number of members.
-        private function findOfAll(input:FrameInput, mayKeep:Boolean):int
+        private function findOfAll(input:FrameInput, mayBeKept:Boolean):int
         {
             var members:IntList = input.findMembers(table, _members);
             if (_motions.areSwept)
             {
-                _motions.begin(table.list.rows);
+                _motions.findExtents(table.list.rows);
             }
-            _tests.begin(input, _pairs);
+            _tests.begin(input, _motions.areSwept, _pairs);
             _bins.findPairs(_motions.areSwept ? _motions.extents : table.extents, members, _tests);
-            for (var worldRow:int = ListedAgents.GROUND_ROW; worldRow <= ListedAgents.EDGES_ROW; worldRow++)
+            _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);
+            _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, members);
+            _order.putInOrder(_pairs);
+            if (mayBeKept)
             {
-                _tests.testWithWorldAgent(worldRow, members);
+                _changedRows.begin(members);
             }
-            _pairs.putInOrder(_motions.areSwept);
-            _mayBeKept = mayKeep && _changedRows.noteSearch(members, input);
             return members.count;
         }
 
@@ -129,15 +179,12 @@ package starlogo.search
         // members.
         private function findOfChanged(input:FrameInput):int
         {
-            _tests.begin(input, _pairsOfChanged);
+            _tests.begin(input, _motions.areSwept, _pairsOfChanged);
             _changedRows.findPairs(_tests);
-            for (var worldRow:int = ListedAgents.GROUND_ROW; worldRow <= ListedAgents.EDGES_ROW; worldRow++)
-            {
-                _tests.testWithWorldAgent(worldRow, _changedRows.rowsToTestWith(worldRow));
-            }
-            var earlyCount:int = _pairsOfChanged.putInOrder(_motions.areSwept);
-            _changedRows.updatePairs(_pairs, _pairsOfChanged, earlyCount);
-            _mayBeKept = true;
+            _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
+            _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
+            var earlyCount:int = _order.putInOrder(_pairsOfChanged);
+            _update.update(_pairs, _changedRows.all, _pairsOfChanged, earlyCount);
             return _changedRows.memberCount;
         }
 
@@ -150,61 +197,6 @@ package starlogo.search
                 i--;
             }
             return i >= 0;
-        }
-
-        /** The table was read without a search: the next search is one of all rows. */
-        public function forgetSearch():void
-        {
-            _mayBeKept = false;
-            _motions.areSwept = false;
-        }
-
-        /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
-        public function areColliding(a:Agent, b:Agent):Boolean
-        {
-            var bodyA:Body = table.currentBodyOf(a, _bodyA);
-            var bodyB:Body = table.currentBodyOf(b, _bodyB);
-            return bodyA.shape != null && bodyB.shape != null && narrowPhase.areTouching(bodyA, bodyB);
-        }
-
-        /**
-         * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
-         * not see both. The ground and the edges of the world count as they are now, or as the last search has read them while they are held.
-         *
-         * @param motion receives the motion of the first relative to the second, with the time of the touch: 1 if neither sweeps
-         * @param out receives the contact. Its normal points from the second agent to the first
-         * @throws ArgumentError if a model is unknown or still loading, or if both stand for the ground or the edges of the world
-         */
-        public function findContact(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
-        {
-            if (a.isOfWorld && b.isOfWorld)
-            {
-                throw new ArgumentError("the ground and the edges of the world have no contact with each other");
-            }
-            var rowA:int = table.list.rowOf(a);
-            var rowB:int = table.list.rowOf(b);
-            if (table.list.rankOf(a, rowA) > table.list.rankOf(b, rowB))
-            {
-                // they get the order that the pairs of a search have, so rounding is the same however a game asks
-                findContact(b, a, motion, out);
-                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
-                motion.endAfter(-motion.x, -motion.y, -motion.z);
-                return;
-            }
-            var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
-            if (areSeen && _motions.areSwept)
-            {
-                _motions.findContact(rowA, rowB, motion, out);
-                return;
-            }
-            var bodyA:Body = areSeen ? table.bodyOf(rowA) : table.currentBodyOf(a, _bodyA);
-            var bodyB:Body = areSeen ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
-            if (bodyA.shape == null || bodyB.shape == null)
-            {
-                var loading:Agent = bodyA.shape == null ? a : b;
-                throw new ArgumentError(loading + ": its model is still loading");
-            }
-            narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
         }
     }
 }

@@ -33,18 +33,33 @@ package starlogo.search
         /** The edges of the world, or null. Read only. */
         public var edges:WorldAgent = null;
 
-        // What a filter fills: the copy of the list, and its answers.
+        // The copy of the list, if there is a filter.
         private var _copy:Vector.<Agent> = new Vector.<Agent>();
+
+        // The answers of a filter, by index in the list.
         private var _answers:Vector.<Boolean> = new Vector.<Boolean>();
 
-        /** Sets all. All agents take part. */
-        public function setTo(agents:Vector.<Agent>, interests:BreedInterests, ground:WorldAgent, edges:WorldAgent):void
+        /**
+         * Sets all.
+         *
+         * @param agents the list of agents
+         * @param interests the pairs of breeds that count
+         * @param ground the ground, or null
+         * @param edges the edges of the world, or null
+         * @param filter is asked which agents take part; null if all do
+         * @throws Error what the filter throws
+         */
+        public function setTo(agents:Vector.<Agent>, interests:BreedInterests, ground:WorldAgent, edges:WorldAgent, filter:AgentPredicate):void
         {
             this.agents = agents;
             this.interests = interests;
             this.ground = ground;
             this.edges = edges;
             admitted = null;
+            if (filter != null)
+            {
+                askFilter(filter);
+            }
         }
 
         /**
@@ -84,8 +99,8 @@ package starlogo.search
                 && (admitted == null || admitted[table.list.ranks[row]]);
         }
 
-        /** Asks a filter of the game's which agents take part. An entry that is null does, because the collision system refuses it. */
-        public function askFilter(filter:AgentPredicate):void
+        // Asks a filter which agents take part. An entry that is null does, because the collision system refuses it.
+        private function askFilter(filter:AgentPredicate):void
         {
             agents = copyAgents(agents, _copy);
             admitted = _answers;

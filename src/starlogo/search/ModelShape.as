@@ -110,9 +110,18 @@ package starlogo.search
          */
         public function setStructure(structure:BoundingStructure):void
         {
-            Body.requireStructure(structure);
+            requireStructure(structure);
             this.structure = structure;
             form = structure.kind;
+        }
+
+        /** @private Throws an ArgumentError if a structure is null, or not a sphere, box, capsule or hull. */
+        engine static function requireStructure(structure:BoundingStructure):void
+        {
+            if (structure == null || structure.kind > BoundingStructure.HULL)
+            {
+                throw new ArgumentError("a sphere, box, capsule or hull is needed, not " + structure);
+            }
         }
 
         /** @private Uses the model's hierarchy as its shape. */

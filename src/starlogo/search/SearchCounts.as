@@ -83,9 +83,11 @@ package starlogo.search
             collisions = other.collisions;
         }
 
-        /** @private Takes the numbers of tests of a narrow phase. */
+        /** @private Takes the numbers of pairs and tests of a narrow phase. */
         engine function copyTests(tests:TestCounts):void
         {
+            candidatePairs = tests.candidatePairs;
+            sweptPairs = tests.sweptPairs;
             var structures:Vector.<int> = tests.structures;
             sphereSphereTests = testsOf(structures, BoundingStructure.SPHERE, BoundingStructure.SPHERE);
             sphereCapsuleTests = testsOf(structures, BoundingStructure.SPHERE, BoundingStructure.CAPSULE);

@@ -7,12 +7,18 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The numbers of tests that a narrow phase has made since the last <code>clear()</code>, as a record.
+     * The numbers of pairs and tests that a narrow phase has got since the last <code>clear()</code>, as a record.
      *
      * @private
      */
     public final class TestCounts
     {
+        /** Candidate pairs of a search whose breeds are of interest. */
+        public var candidatePairs:int = 0;
+
+        /** Pairs of a search that were tested along their motions. */
+        public var sweptPairs:int = 0;
+
         /** Tests of two structures, by the kinds of the first and of the second: the index is that of the first times KIND_COUNT, plus that of the second. */
         public var structures:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
 
@@ -22,6 +28,7 @@ package starlogo.search
         /** Sets all to 0. */
         public function clear():void
         {
+            candidatePairs = sweptPairs = 0;
             for (var i:int = 0; i < structures.length; i++)
             {
                 structures[i] = 0;

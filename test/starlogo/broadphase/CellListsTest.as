@@ -3,6 +3,7 @@ package starlogo.broadphase
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import starlogo.data.IntList;
+    import starlogo.data.IntSet;
 
     /** What is near single rows. ChangedRowsTest and test/fuzz/kept.test.mjs compare whole frames with those of a search of all rows. */
     public class CellListsTest
@@ -42,9 +43,10 @@ package starlogo.broadphase
             bins.findPairs(extents, members, sink);
             var lists:CellLists = new CellLists(bins.levels);
             lists.begin(extents, members, 2);
-            var marks:Vector.<int> = new Vector.<int>(2);
-            lists.findNear(0, marks, 1, sink);
-            lists.findNear(1, marks, 1, sink);
+            var none:IntSet = new IntSet();
+            none.clear(2);
+            lists.findNear(0, none, sink);
+            lists.findNear(1, none, sink);
             assertEquals(first + " and " + second + ": the bins, and the lists of each", "0 1, 0 1, 1 0", sink.found.join(", "));
         }
     }

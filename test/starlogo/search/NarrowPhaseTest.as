@@ -17,13 +17,7 @@ package starlogo.search
     public class NarrowPhaseTest
     {
         private var _tests:NarrowPhase = new NarrowPhase(new TightestFitChoice(landOf(BuiltInModel.cube())));
-        private var _body:Body = new Body();
-
-        [Before]
-        public function makeBody():void
-        {
-            _body.readStructure(new Sphere(new Vector3D(), 1));
-        }
+        private var _body:Body = new StructureBody().read(new Sphere(new Vector3D(), 1));
 
         [Test]
         public function theGroundIsNoFirstBody():void

@@ -17,7 +17,7 @@ package starlogo.search
     {
         private var _tests:NarrowPhase = new NarrowPhase(new TightestFitChoice(landOf(BuiltInModel.cube())));
         private var _table:AgentTable = new AgentTable(_tests.choice);
-        private var _motions:RowMotions = new RowMotions(_table, _tests);
+        private var _motions:RowMotions = new RowMotions(_table);
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]
@@ -65,7 +65,7 @@ package starlogo.search
                     continue;
                 }
                 _table.acceptList(listed);
-                _motions.note();
+                _motions.readChanges();
                 _table.readChanges();
                 for each (agent in listed)
                 {
@@ -74,7 +74,7 @@ package starlogo.search
                     assertEquals("has a motion", wasListed, !_motions.haveJumped[row]);
                     if (wasListed)
                     {
-                        assertEquals("where the motion begins", agent.x - seen[agent.id], _motions.motions.x[row]);
+                        assertEquals("where the motion begins", agent.x - seen[agent.id], _motions.ways.x[row]);
                         still += seen[agent.id] == agent.x ? 1 : 0;
                     }
                 }

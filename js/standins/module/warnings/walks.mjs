@@ -19,7 +19,7 @@ const $MOST_WALKS = 100;
 /** So many walks that one breed stops are no accident. */
 const $MANY_STOPS = 10;
 
-/** What a cast structure is called: see Body.readStructure. */
+/** What a cast structure is called: see StructureBody.read. */
 const $STRUCTURE = "structure";
 
 /**

@@ -24,6 +24,7 @@ package starlogo.queries.motion
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.StructureBody;
     import starlogo.search.pairs.PairTests;
 
     use namespace engine;
@@ -58,6 +59,9 @@ package starlogo.queries.motion
 
         // Finds the rows near its way.
         private var _search:SweptBoxSearch = new SweptBoxSearch();
+
+        // Makes the body of a structure.
+        private var _structureBody:StructureBody = new StructureBody();
 
         // The contact with a one-way row.
         private var _contact:ContactPoint = new ContactPoint();
@@ -98,10 +102,10 @@ package starlogo.queries.motion
             }
         }
 
-        /** Becomes the body of a structure. See <code>Body.readStructure()</code>. */
+        /** Becomes the body of a structure. See <code>StructureBody.read()</code>. */
         public function readStructure(structure:BoundingStructure, at:Placement = null):void
         {
-            whole.readStructure(structure, at);
+            whole.copyFrom(_structureBody.read(structure, at));
             begin();
         }
 

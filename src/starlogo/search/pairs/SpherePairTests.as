@@ -41,6 +41,8 @@ package starlogo.search.pairs
         // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch, with all that
         // Touching names. So the time of impact includes that too.
         private var _gap:CoreGap = new CoreGap();
+
+        // Finds contacts and closest points.
         private var _kernel:SphereSphereKernel = new SphereSphereKernel();
 
         /** @param counts counts the tests */

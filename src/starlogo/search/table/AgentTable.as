@@ -253,10 +253,7 @@ package starlogo.search.table
             }
             var ofWorld:WorldAgent = agent as WorldAgent;
             spare.readAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
-            if (row >= 0)
-            {
-                spare.rank = list.ranks[row];
-            }
+            spare.rank = list.rankOf(agent, row);
             return spare;
         }
 

@@ -6,7 +6,6 @@ package starlogo.search.table
     import starlogo.data.textOf;
     import starlogo.data.warnOfUnknownProperties;
     import starlogo.engine;
-    import starlogo.search.Body;
 
     use namespace engine;
 
@@ -31,6 +30,9 @@ package starlogo.search.table
 
         // In place of a rank: the agent of the row is not listed.
         private static const UNLISTED:int = -1;
+
+        // The rank of the oldest agent that has no row. It is more than the number of agents in any list.
+        private static const FIRST_UNLISTED_RANK:int = 1 << 30;
 
         /** The rows of the agents, in the order of the list. */
         public var rows:IntList = new IntList();
@@ -78,7 +80,7 @@ package starlogo.search.table
             {
                 return int.MAX_VALUE;
             }
-            return row >= 0 ? ranks[row] : Body.rankOfUnlisted(agent);
+            return row >= 0 ? ranks[row] : FIRST_UNLISTED_RANK + agent.idNumber;
         }
 
         /** Whether the rows belong to the agents of a list, in its order. */

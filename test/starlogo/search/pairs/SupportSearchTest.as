@@ -20,6 +20,7 @@ package starlogo.search.pairs
     import starlogo.queries.AgentQueries;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.StructureBody;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
     import starlogo.terrain.WorldBounds;
@@ -130,9 +131,8 @@ package starlogo.search.pairs
 
         private static function farthestOf(structure:BoundingStructure, direction:Vector3D):SupportPoint
         {
-            var body:Body = new Body();
+            var body:Body = new StructureBody().read(structure);
             var farthest:SupportPoint = new SupportPoint();
-            body.readStructure(structure);
             new SupportSearch(new TreeLimits()).findPoint(body, direction, farthest);
             return farthest;
         }

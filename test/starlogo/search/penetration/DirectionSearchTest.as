@@ -7,6 +7,7 @@ package starlogo.search.penetration
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.search.Body;
+    import starlogo.search.StructureBody;
     import starlogo.search.TestCounts;
     import starlogo.search.pairs.StructurePairTests;
     import support.assertClose;
@@ -70,9 +71,7 @@ package starlogo.search.penetration
 
         private static function bodyOf(structure:BoundingStructure):Body
         {
-            var body:Body = new Body();
-            body.readStructure(structure);
-            return body;
+            return new StructureBody().read(structure);
         }
     }
 }

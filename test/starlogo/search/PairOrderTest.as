@@ -6,9 +6,10 @@ package starlogo.search
     import starlogo.search.table.ListedAgents;
 
     /** The order of pairs, compared with a sort by comparisons. */
-    public class FoundPairsTest
+    public class PairOrderTest
     {
         private var _random:SeededRandom = new SeededRandom(7215);
+        private var _order:PairOrder = new PairOrder();
 
         [Test]
         public function isThatOfTheList():void
@@ -40,7 +41,7 @@ package starlogo.search
             var pairs:FoundPairs = new FoundPairs(list);
             var expected:Array = [];
             var timeOf:Object = {};
-            pairs.begin();
+            pairs.begin(haveTimes);
             while (expected.length < pairCount)
             {
                 var first:int = _random.integer(0, list.rows.count - 2);
@@ -52,11 +53,11 @@ package starlogo.search
                     timeOf[first + " " + second] = time;
                     // after the agents comes the ground
                     var other:int = second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.numbers[second];
-                    pairs.addPairs(list.rows.numbers[first], new <int>[other], 1, haveTimes ? new <Number>[time] : null);
+                    pairs.addPairs(list.rows.numbers[first], new <int>[other], 1, new <Number>[time]);
                 }
             }
             expected.sort(compare);
-            pairs.putInOrder(haveTimes);
+            _order.putInOrder(pairs);
             assertEquals(pairCount, pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {

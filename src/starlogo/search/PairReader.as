@@ -11,7 +11,7 @@ package starlogo.search
      *
      * @private
      */
-    public final class ForeignPairs
+    public final class PairReader
     {
         private var _list:ListedAgents = new ListedAgents();
         private var _pairs:FoundPairs = new FoundPairs(_list);
@@ -45,7 +45,7 @@ package starlogo.search
             {
                 throw new ArgumentError("the collision system has found pairs of " + pairs.length + " agents: that must be an even number");
             }
-            _pairs.begin();
+            _pairs.begin(false);
             _known.clear();
             for (var i:int = 0; i < pairs.length; i += 2)
             {

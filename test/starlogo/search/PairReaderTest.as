@@ -7,9 +7,9 @@ package starlogo.search
     import support.assertThrows;
 
     /** Pairs of a game's own collision system. */
-    public class ForeignPairsTest
+    public class PairReaderTest
     {
-        private var _foreign:ForeignPairs = new ForeignPairs();
+        private var _reader:PairReader = new PairReader();
         private var _found:FoundPairs = null;
         private var _a:Agent = new Agent("sphere", "sheep");
         private var _b:Agent = new Agent("sphere", "sheep");
@@ -52,8 +52,8 @@ package starlogo.search
 
         private function read(list:Array, pairs:Array):void
         {
-            _foreign.begin(Vector.<Agent>(list));
-            _found = _foreign.read(Vector.<Agent>(pairs));
+            _reader.begin(Vector.<Agent>(list));
+            _found = _reader.read(Vector.<Agent>(pairs));
         }
 
         private function assertPairs(expected:Array):void

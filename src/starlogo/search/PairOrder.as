@@ -1,0 +1,216 @@
+package starlogo.search
+{
+    import starlogo.data.SortableIntList;
+    import starlogo.search.table.ListedAgents;
+
+    /**
+     * Puts the pairs of a search into order: by the ranks of their first agents, then of their second ones, and before that by their times if an
+     * agent sweeps.
+     */
+    internal final class PairOrder
+    {
+        // If there are at least so many agents for each pair, comparing pairs is faster than counting those of each agent.
+        private static const MANY_AGENTS:int = 12;
+
+        // The factor of the first rank in a key of both ranks. All ranks are less.
+        private static const RANK_FACTOR:Number = 1 << 26;
+
+        // The indices of the pairs with their keys, to sort them by comparisons.
+        private var _indices:SortableIntList = new SortableIntList();
+
+        // By rank: where the next pair goes whose row on a side has the rank, in a counting sort.
+        private var _next:Vector.<int> = new Vector.<int>();
+
+        // Where pairs and their times go when their order changes. Then these lists are exchanged with those of the pairs.
+        private var _spareRows:Vector.<int> = new Vector.<int>();
+        private var _spareTimes:Vector.<Number> = new Vector.<Number>();
+
+        /**
+         * Puts pairs into order.
+         *
+         * @return how many pairs touch before the end of their motions. They come first
+         */
+        public function putInOrder(pairs:FoundPairs):int
+        {
+            if (!areInOrder(pairs))
+            {
+                sortByRanks(pairs);
+            }
+            return pairs.haveTimes ? sortByTimes(pairs) : 0;
+        }
+
+        // Whether the pairs are in the order of their ranks already, as those of agents in one cell are.
+        private static function areInOrder(pairs:FoundPairs):Boolean
+        {
+            var rows:Vector.<int> = pairs.rows;
+            var ranks:Vector.<int> = pairs.list.ranks;
+            var end:int = 2 * pairs.count;
+            var row:int = -1;
+            var first:int = -1;
+            var last:int = -1;
+            for (var i:int = 0; i < end; i += 2)
+            {
+                if (rows[i] != row)
+                {
+                    row = rows[i];
+                    if (ranks[row] < first)
+                    {
+                        return false;
+                    }
+                    last = first = ranks[row];
+                }
+                var second:int = ranks[rows[int(i + 1)]];
+                if (second <= last)
+                {
+                    return false;
+                }
+                last = second;
+            }
+            return true;
+        }
+
+        private function sortByRanks(pairs:FoundPairs):void
+        {
+            if (MANY_AGENTS * pairs.count < pairs.list.rows.count)
+            {
+                sortByKeys(pairs);
+                return;
+            }
+            // pairs whose rows on a side have the same rank keep their order
+            scatter(pairs, 1);
+            scatter(pairs, 0);
+        }
+
+        // Sorts by a key of both ranks.
+        private function sortByKeys(pairs:FoundPairs):void
+        {
+            var rows:Vector.<int> = pairs.rows;
+            var ranks:Vector.<int> = pairs.list.ranks;
+            _indices.count = 0;
+            for (var i:int = 0; i < pairs.count; i++)
+            {
+                _indices.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
+            }
+            arrange(pairs);
+        }
+
+        // Sorts by times. Pairs of the same time keep their order. Returns how many pairs touch before the end of their motions.
+        private function sortByTimes(pairs:FoundPairs):int
+        {
+            var times:Vector.<Number> = pairs.times;
+            var earlyCount:int = 0;
+            _indices.count = 0;
+            for (var i:int = 0; i < pairs.count; i++)
+            {
+                _indices.add(i, times[i]);
+                if (times[i] < 1)
+                {
+                    earlyCount++;
+                }
+            }
+            arrange(pairs);
+            return earlyCount;
+        }
+
+        // Puts the pairs into the order of the keys. Their times, if there are any, go along.
+        private function arrange(pairs:FoundPairs):void
+        {
+            _indices.sortFirst(pairs.count);
+            makeRoom(pairs);
+            for (var i:int = 0; i < pairs.count; i++)
+            {
+                var pair:int = _indices.numbers[i];
+                _spareRows[int(2 * i)] = pairs.rows[int(2 * pair)];
+                _spareRows[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
+                if (pairs.haveTimes)
+                {
+                    _spareTimes[i] = pairs.times[pair];
+                }
+            }
+            exchangeLists(pairs);
+        }
+
+        // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). The times, if there
+        // are any, go along.
+        private function scatter(pairs:FoundPairs, side:int):void
+        {
+            findStarts(pairs, side);
+            makeRoom(pairs);
+            var next:Vector.<int> = _next;
+            var ranks:Vector.<int> = pairs.list.ranks;
+            var from:Vector.<int> = pairs.rows;
+            var to:Vector.<int> = _spareRows;
+            var times:Vector.<Number> = pairs.times;
+            var timesTo:Vector.<Number> = _spareTimes;
+            var haveTimes:Boolean = pairs.haveTimes;
+            var end:int = 2 * pairs.count;
+            for (var i:int = 0; i < end; i += 2)
+            {
+                var rank:int = ranks[from[int(i + side)]];
+                var at:int = next[rank];
+                next[rank] = at + 2;
+                to[at] = from[i];
+                to[int(at + 1)] = from[int(i + 1)];
+                if (haveTimes)
+                {
+                    timesTo[at >> 1] = times[i >> 1];
+                }
+            }
+            exchangeLists(pairs);
+        }
+
+        // Finds by rank where the pairs begin whose rows on a side have it.
+        private function findStarts(pairs:FoundPairs, side:int):void
+        {
+            // the ground and the edges of the world have the ranks after those of the agents
+            var rankCount:int = pairs.list.rows.count + ListedAgents.FIRST_LISTED;
+            if (_next.length < rankCount)
+            {
+                _next.length = rankCount;
+            }
+            var next:Vector.<int> = _next;
+            for (var rank:int = 0; rank < rankCount; rank++)
+            {
+                next[rank] = 0;
+            }
+            var rows:Vector.<int> = pairs.rows;
+            var ranks:Vector.<int> = pairs.list.ranks;
+            var end:int = 2 * pairs.count;
+            for (var i:int = side; i < end; i += 2)
+            {
+                next[ranks[rows[i]]] += 2;
+            }
+            var start:int = 0;
+            for (rank = 0; rank < rankCount; rank++)
+            {
+                var ofRank:int = next[rank];
+                next[rank] = start;
+                start += ofRank;
+            }
+        }
+
+        // Makes room in the spare lists for all that is in those of the pairs.
+        private function makeRoom(pairs:FoundPairs):void
+        {
+            if (_spareRows.length < 2 * pairs.count)
+            {
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                _spareRows.length = 2 * (pairs.count + (pairs.count >> 3));
+            }
+            if (_spareTimes.length < pairs.times.length)
+            {
+                _spareTimes.length = pairs.times.length;
+            }
+        }
+
+        private function exchangeLists(pairs:FoundPairs):void
+        {
+            var rows:Vector.<int> = pairs.rows;
+            pairs.rows = _spareRows;
+            _spareRows = rows;
+            var times:Vector.<Number> = pairs.times;
+            pairs.times = _spareTimes;
+            _spareTimes = times;
+        }
+    }
+}

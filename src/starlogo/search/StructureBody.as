@@ -1,0 +1,73 @@
+package starlogo.search
+{
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.requireInWorld;
+
+    use namespace engine;
+
+    /**
+     * Makes the body of a structure that belongs to no model, for questions about structures and points.
+     *
+     * @private
+     */
+    public final class StructureBody
+    {
+        private static const UPRIGHT:Placement = new Placement();
+
+        private var _body:Body = new Body();
+        private var _place:Placement = _body.placement;
+
+        // By the kind of structure: the shape, with the structure's middle moved to the origin.
+        private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
+
+        // The middle and half of the lengths of the extents.
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        /**
+         * Returns the body of a structure. The next call overwrites it.
+         *
+         * @param at where the structure is put into the world; null if it is in the world already
+         * @throws ArgumentError if the structure is null, or not a sphere, box, capsule or hull
+         * @throws RangeError if <code>at</code> is null and the structure is not in the world
+         */
+        public function read(structure:BoundingStructure, at:Placement = null):Body
+        {
+            ModelShape.requireStructure(structure);
+            var shape:ModelShape = shapeOfKind(structure.kind);
+            var inWorld:BoundingStructure = at == null ? structure : structure.place(at, shape.structure);
+            inWorld.boxAroundInto(UPRIGHT, _extents);
+            if (at == null)
+            {
+                requireInWorld("half of a structure's length", _extents[3], _extents[4], _extents[5]);
+                requireInWorld("a structure's middle", _extents[0], _extents[1], _extents[2]);
+            }
+            // moves the structure from its place to the origin, and the body to that place
+            _place.copyFrom(UPRIGHT);
+            _place.x = -_extents[0];
+            _place.y = -_extents[1];
+            _place.z = -_extents[2];
+            shape.setStructure(inWorld.place(_place, shape.structure));
+            _place.x = _extents[0];
+            _place.y = _extents[1];
+            _place.z = _extents[2];
+            _body.takeShape(shape);
+            _body.halfX = _extents[3];
+            _body.halfY = _extents[4];
+            _body.halfZ = _extents[5];
+            return _body;
+        }
+
+        private function shapeOfKind(kind:int):ModelShape
+        {
+            if (_shapes[kind] == null)
+            {
+                _shapes[kind] = new ModelShape("structure", Agent.ANY_KIND, 0);
+                _shapes[kind].isUpright = true;
+            }
+            return _shapes[kind];
+        }
+    }
+}

@@ -1,0 +1,197 @@
+package starlogo.search
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.BinLevel;
+    import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.intersection.boxes.AxisMotion;
+    import starlogo.intersection.boxes.ContactInterval;
+    import starlogo.search.pairs.PairTests;
+    import starlogo.search.table.AgentTable;
+
+    use namespace engine;
+
+    /**
+     * Finds when and how two rows touch on their motions, in a search in which an agent sweeps. Two rows that do not sweep are tested where they are.
+     */
+    internal final class SweptTests
+    {
+        /** In place of a level: the extents of a row say nothing, so they rule no pair out. */
+        internal static const NO_EXTENTS:BinLevel = new BinLevel(Infinity);
+
+        private var _table:AgentTable;
+        private var _narrowPhase:NarrowPhase;
+        private var _motions:RowMotions;
+
+        // The motion of a pair that is tested.
+        private var _motion:RelativeMotion = new RelativeMotion();
+
+        // When the extents of a pair overlap, in all directions so far.
+        private var _interval:ContactInterval = new ContactInterval();
+
+        // The motion of the extents along one direction.
+        private var _axisMotion:AxisMotion = new AxisMotion();
+
+        /**
+         * @param table has the rows
+         * @param narrowPhase tests their bodies
+         * @param motions those of the rows
+         */
+        public function SweptTests(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions)
+        {
+            _table = table;
+            _narrowPhase = narrowPhase;
+            _motions = motions;
+        }
+
+        /** Whether rows are to be tested on their motions, because an agent sweeps. */
+        public function get areNeeded():Boolean
+        {
+            return _motions.areSwept;
+        }
+
+        /**
+         * Keeps the rows that touch a row on their motions, and moves them to the beginning of the list.
+         *
+         * @param others the rows to test
+         * @param count the number of these
+         * @param level has the slack of the rows' extents; NO_EXTENTS for the ground and the edges. It is no Number, because V8 would make an object
+         *     for each row
+         * @param times receives the times of the touches
+         * @return the number of rows that it keeps
+         */
+        public function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
+        {
+            var ranks:Vector.<int> = _table.list.ranks;
+            var rank:int = ranks[row];
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                // the time belongs to the motion of the agent that comes first in the list, relative to the other
+                var isFirst:Boolean = rank < ranks[other];
+                findTime(isFirst ? row : other, isFirst ? other : row, level, _motion);
+                if (_motion.time != RelativeMotion.NEVER)
+                {
+                    others[kept] = other;
+                    times[kept] = _motion.time;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /**
+         * Finds the contact of two rows that touch, which separates them: on their motions if one of the two sweeps, or else where they are.
+         *
+         * @param b may be the ground or the edges of the world
+         * @param motion receives the motion of the first relative to the second, with the time
+         * @param out receives the contact at that time
+         */
+        public function findContact(a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var bodyA:Body = _table.bodyOf(a);
+            var bodyB:Body = _table.bodyOf(b);
+            var tests:PairTests = _narrowPhase.pairTestsFor(bodyA, bodyB);
+            _motions.relate(a, b, motion);
+            if (_motions.eitherSweeps(a, b))
+            {
+                if (!motion.isStill)
+                {
+                    tests.findFirst(bodyA, bodyB, motion, out);
+                }
+                else if (tests.areTouching(bodyA, bodyB))
+                {
+                    motion.time = timeOfStill(a);
+                    tests.findContactOfParts(bodyA, bodyB, motion, out);
+                }
+            }
+            if (motion.time == RelativeMotion.NEVER)
+            {
+                tests.findContact(bodyA, bodyB, motion, out);
+                return;
+            }
+            tests.separate(bodyA, bodyB, motion, out);
+            // the motion was relative to b at its present place, so the point is moved back to where b was at that time
+            var back:Number = motion.time - 1;
+            out.x += back * _motions.ways.x[b];
+            out.y += back * _motions.ways.y[b];
+            out.z += back * _motions.ways.z[b];
+        }
+
+        // Finds the time at which two rows first touch, from 0 to 1, or RelativeMotion.NEVER. If neither of the two sweeps, they are tested where they are
+        // now. The motion receives the motion of the first relative to the second, with the time.
+        private function findTime(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
+        {
+            _motions.relate(a, b, motion);
+            if (!_motions.eitherSweeps(a, b))
+            {
+                var isNear:Boolean = level == NO_EXTENTS || _table.extents.areNear(a, b, level.slack);
+                motion.time = isNear && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
+            }
+            else if (motion.isStill)
+            {
+                motion.time = areTouching(a, b) ? timeOfStill(a) : RelativeMotion.NEVER;
+            }
+            else
+            {
+                sweep(a, b, level, motion);
+            }
+        }
+
+        // The time at which two rows that touch first do, if the first does not move relative to the second: from the beginning on if they move alike,
+        // and where they are if they have not moved.
+        private function timeOfStill(a:int):int
+        {
+            var ways:Points = _motions.ways;
+            return ways.x[a] != 0 || ways.y[a] != 0 || ways.z[a] != 0 ? 0 : 1;
+        }
+
+        // Whether two rows touch where they are. Only the second may be of the world.
+        private function areTouching(a:int, b:int):Boolean
+        {
+            return _narrowPhase.areTouching(_table.bodyOf(a), _table.bodyOf(b));
+        }
+
+        private function sweep(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
+        {
+            var areSpheres:Boolean = _table.shapes[a].form == BoundingStructure.SPHERE && _table.shapes[b].form == BoundingStructure.SPHERE;
+            if (level != NO_EXTENTS && !areSpheres && !overlapOnMotions(a, b, level))
+            {
+                return;
+            }
+            _narrowPhase.counts.sweptPairs++;
+            if (areSpheres)
+            {
+                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
+                return;
+            }
+            var bodyA:Body = _table.bodyOf(a);
+            var bodyB:Body = _table.bodyOf(b);
+            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirst(bodyA, bodyB, motion, null);
+        }
+
+        // Whether the extents of two rows overlap in all directions at the same time, on their motions.
+        private function overlapOnMotions(a:int, b:int, level:BinLevel):Boolean
+        {
+            var standing:Extents = _table.extents;
+            _interval.begin(1);
+            _axisMotion.margin = level.slack;
+            return narrow(standing.x, standing.halfX, _motions.ways.x, a, b) && narrow(standing.y, standing.halfY, _motions.ways.y, a, b)
+                && narrow(standing.z, standing.halfZ, _motions.ways.z, a, b);
+        }
+
+        // Narrows the interval by one direction. It gets the places at the end of the motions, half the lengths, and the motions.
+        private function narrow(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
+        {
+            var speed:Number = motion[a] - motion[b];
+            _axisMotion.offset = at[a] - at[b] - speed;
+            _axisMotion.travel = speed;
+            _axisMotion.halfExtents = half[a] + half[b];
+            return _interval.narrow(_axisMotion);
+        }
+    }
+}

@@ -1,0 +1,87 @@
+package starlogo.search
+{
+    import starlogo.agents.Agent;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.search.table.AgentTable;
+
+    use namespace engine;
+
+    /**
+     * Tells whether and how two agents touch. It takes the bodies of their rows if the agents have not changed since the last search, and otherwise makes
+     * bodies of them as they are now. It changes no place and no motion of the search.
+     *
+     * @private
+     */
+    public final class TwoAgents
+    {
+        private var _table:AgentTable;
+        private var _narrowPhase:NarrowPhase;
+        private var _sweptTests:SweptTests;
+
+        // The bodies of agents that have changed since the search.
+        private var _bodyA:Body = new Body();
+        private var _bodyB:Body = new Body();
+
+        /**
+         * @param table the agents of the last search
+         * @param narrowPhase tests their bodies
+         * @param sweptTests finds contacts on the motions of the last search
+         */
+        public function TwoAgents(table:AgentTable, narrowPhase:NarrowPhase, sweptTests:SweptTests)
+        {
+            _table = table;
+            _narrowPhase = narrowPhase;
+            _sweptTests = sweptTests;
+        }
+
+        /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
+        public function areColliding(a:Agent, b:Agent):Boolean
+        {
+            var bodyA:Body = _table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = _table.currentBodyOf(b, _bodyB);
+            return bodyA.shape != null && bodyB.shape != null && _narrowPhase.areTouching(bodyA, bodyB);
+        }
+
+        /**
+         * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
+         * not see both. The ground and the edges of the world count as they are now, or as the last search has read them while they are held.
+         *
+         * @param motion receives the motion of the first relative to the second, with the time of the touch: 1 if neither sweeps
+         * @param out receives the contact. Its normal points from the second agent to the first
+         * @throws ArgumentError if a model is unknown or still loading, or if both stand for the ground or the edges of the world
+         */
+        public function findContact(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
+        {
+            if (a.isOfWorld && b.isOfWorld)
+            {
+                throw new ArgumentError("the ground and the edges of the world have no contact with each other");
+            }
+            var rowA:int = _table.list.rowOf(a);
+            var rowB:int = _table.list.rowOf(b);
+            if (_table.list.rankOf(a, rowA) > _table.list.rankOf(b, rowB))
+            {
+                // they get the order that the pairs of a search have, so rounding is the same however a game asks
+                findContact(b, a, motion, out);
+                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+                motion.endAfter(-motion.x, -motion.y, -motion.z);
+                return;
+            }
+            var areSeen:Boolean = rowA >= 0 && rowB >= 0 && _table.shapes[rowA] != null && _table.shapes[rowB] != null;
+            if (areSeen && _sweptTests.areNeeded)
+            {
+                _sweptTests.findContact(rowA, rowB, motion, out);
+                return;
+            }
+            var bodyA:Body = areSeen ? _table.bodyOf(rowA) : _table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = areSeen ? _table.bodyOf(rowB) : _table.currentBodyOf(b, _bodyB);
+            if (bodyA.shape == null || bodyB.shape == null)
+            {
+                var loading:Agent = bodyA.shape == null ? a : b;
+                throw new ArgumentError(loading + ": its model is still loading");
+            }
+            _narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
+        }
+    }
+}

@@ -32,7 +32,7 @@ package starlogo.queries
         private var _entry:RayEntry = new RayEntry();
 
         // How the ray of a question meets rows.
-        private var _hits:Nested;
+        private var _hits:PerQuestion;
 
         private var _spare:SpareHits = new SpareHits(RayHit);
 
@@ -52,7 +52,7 @@ package starlogo.queries
             _seen = seen;
             _rowRays = new RowRayQuery(seen);
             _rowSurfaces = new RowSurfaceQuery(seen);
-            _hits = new Nested(seen, Hits);
+            _hits = new PerQuestion(seen, Hits);
         }
 
         /**
@@ -223,7 +223,7 @@ package starlogo.queries
         // The hits of a question that begins now: none yet.
         private function beginHits():Hits
         {
-            var hits:Hits = _hits.current;
+            var hits:Hits = Hits(_hits.current);
             hits.begin();
             return hits;
         }

@@ -38,7 +38,7 @@ package starlogo.queries
          * @param pointA receives the first agent's nearest point; or null
          * @param pointB receives the second agent's nearest point; or null
          */
-        public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):Number
+        public function distance(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):Number
         {
             Collider.requireTwo(a, b);
             // a handler may have changed the ground
@@ -56,18 +56,18 @@ package starlogo.queries
         }
 
         /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
-        public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
+        public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
         {
             requirePoint(point);
             _point.center.setTo(point.x, point.y, point.z);
             _body.readStructure(_point);
-            var distance:Number = answer(_seen.bodyOf(agent), _body, out, null);
-            if (distance == 0)
+            var found:Number = answer(_seen.bodyOf(agent), _body, out, null);
+            if (found == 0)
             {
                 // without the rounding of the point that was found, which stands in the game's point if that is out too
                 write(out, _point.center);
             }
-            return distance;
+            return found;
         }
 
         private function answer(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number

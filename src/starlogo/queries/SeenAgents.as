@@ -2,7 +2,7 @@
 // kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
 // what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. The folder trees/ has the trees and their
 // searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts may ask while a
-// question is under way: Nested says what that one has afterwards. Read this file first, then AgentRays for a ray, TouchSweep and Slider for a
+// question is under way: PerQuestion says what that one has afterwards. Read this file first, then AgentRays for a ray, TouchSweep and Slider for a
 // motion, or WalkMover for a walk.
 package starlogo.queries
 {
@@ -27,7 +27,7 @@ package starlogo.queries
 
     /**
      * The agents that questions see, for games that load only some kinds of questions: AgentPlaces (what is near), AgentRays (what a ray
-     * meets), AgentWalks (how far something can go). All of them may share one SeenAgents. An AgentQueries has all questions, and agents of
+     * meets), AgentMotions (how far something can go). All of them may share one SeenAgents. An AgentQueries has all questions, and agents of
      * its own.
      *
      * <listing version="3.0">
@@ -62,7 +62,7 @@ package starlogo.queries
         private var _made:Body = new Body();
 
         // What collects the rows of a question.
-        private var _collectors:Nested;
+        private var _collectors:PerQuestion;
 
         private var _nesting:int = 0;
 
@@ -81,7 +81,7 @@ package starlogo.queries
             }
             narrowPhase = _source.findNarrowPhase();
             table = new AgentTable(narrowPhase.choice);
-            _collectors = new Nested(this, Collector);
+            _collectors = new PerQuestion(this, Collector);
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
@@ -157,14 +157,14 @@ package starlogo.queries
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
         engine function beginSearch(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            var collector:Collector = _collectors.current;
+            var collector:Collector = Collector(_collectors.current);
             collector.begin(wanted, limit, asker, filter);
             return collector;
         }
 
         /**
          * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
-         * question that calls it, but not change the agents. What a question needs after these calls is Nested.
+         * question that calls it, but not change the agents. What a question needs after these calls is PerQuestion.
          */
         engine function get nesting():int
         {

@@ -83,7 +83,7 @@ package starlogo.queries
             var seen:SeenAgents = new SeenAgents(source);
             var places:AgentPlaces = new AgentPlaces(seen);
             var rays:AgentRays = new AgentRays(seen);
-            var walks:AgentWalks = new AgentWalks(seen);
+            var walks:AgentMotions = new AgentMotions(seen);
             var met:int = 0;
             all.update(_agents);
             seen.update(_agents);
@@ -116,7 +116,7 @@ package starlogo.queries
         }
 
         // The mover is in neither list, so the others stay where they are.
-        private function compareMotions(all:AgentQueries, walks:AgentWalks):void
+        private function compareMotions(all:AgentQueries, walks:AgentMotions):void
         {
             var first:Agent = agentAt("sphere", 0, 0, 8);
             var second:Agent = agentAt("sphere", 0, 0, 8);

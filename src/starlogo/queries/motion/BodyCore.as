@@ -143,8 +143,8 @@ package starlogo.queries.motion
             _core.shrink(shrink);
         }
 
-        /** The core when the body stands at a place. It is valid until the next call. */
-        public function at(place:Vector3D):Body
+        /** Moves the core to where it is when the body stands at a place. Returns the core, which stays there until the next call. */
+        public function moveTo(place:Vector3D):Body
         {
             var whole:Body = body.whole;
             _place.setTo(place.x + shrink * whole.offsetX, place.y + shrink * whole.offsetY, place.z + shrink * whole.offsetZ);
@@ -170,13 +170,13 @@ package starlogo.queries.motion
         /** Whether the whole body touches a row when it stands at a place. */
         public function bodyTouches(row:int, place:Vector3D):Boolean
         {
-            return isNear(body.wholeAt(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
+            return isNear(body.moveTo(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
         }
 
         /** Whether the core touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
         public function coreTouches(row:int, place:Vector3D):Boolean
         {
-            return bodyTouches(row, place) && body.narrowPhase.areTouching(at(place), body.bodyOf(row));
+            return bodyTouches(row, place) && body.narrowPhase.areTouching(moveTo(place), body.bodyOf(row));
         }
 
         /**
@@ -187,7 +187,7 @@ package starlogo.queries.motion
         public function bodyOverlaps(row:int, place:Vector3D):Boolean
         {
             var other:Body = body.bodyOf(row);
-            var whole:Body = body.wholeAt(place);
+            var whole:Body = body.moveTo(place);
             if (other.form == ModelShape.GROUND)
             {
                 return body.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);

@@ -26,7 +26,7 @@ package starlogo.queries.motion
         /** The contact with that row. */
         public var contact:ContactPoint = new ContactPoint();
 
-        /** Whether it started in an overlap that it could not be lifted out of. */
+        /** Whether it started in a deep overlap, which stays. */
         public var isDeep:Boolean = false;
 
         /** Becomes a copy of another result. */

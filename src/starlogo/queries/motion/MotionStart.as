@@ -14,11 +14,11 @@ package starlogo.queries.motion
         /** The core of the body on this motion, and the motion's tolerances. */
         public var core:BodyCore = new BodyCore();
 
-        /** The place of the body. It differs from where the motion should start if the body was lifted out of something. */
+        /** The place of the body. It differs from where the motion should start if the body was pushed out of something. */
         public var place:Vector3D = new Vector3D();
 
-        /** The contacts of shallow overlaps, which the body was lifted out of. */
-        public var lifted:ContactList = new ContactList();
+        /** The pushes out of shallow overlaps: each along the normal of a contact, by its depth. */
+        public var pushes:ContactList = new ContactList();
 
         /** The contacts of deep overlaps. The motion must not cross their planes. */
         public var planes:ContactList = new ContactList();

@@ -12,10 +12,10 @@ package starlogo.queries.motion
      * Gets a body out of what it overlaps. It frees the body's core where a motion begins (leaveOverlaps), leads the body off what it touches where its
      * motions end (restoreClearance), and tells a walk how deep the body is in others (measureOverlaps).
      *
-     * <p>A shallow overlap comes from rounding in the game: the body is lifted out of it. If the body overlaps a row more deeply, the plane of their
+     * <p>A shallow overlap comes from rounding in the game: the body is pushed out of it. If the body overlaps a row more deeply, the plane of their
      * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts.</p>
      *
-     * <p>The body is pushed out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
+     * <p>The pushes go out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
      * another. If it does not get free, for example between two opposite walls, it stays where it was. The tests of a pair know the shortest way
      * out of that pair (PairTests.separate).</p>
      *
@@ -54,19 +54,19 @@ package starlogo.queries.motion
          * Frees the core of a body from the obstacles that it overlaps where its motion starts.
          *
          * @param start how the motion starts. It receives the planes of deep overlaps. Obstacles for which a plane stands are none from then on. The
-         *     place changes if the body is lifted
+         *     place changes if the body is pushed
          */
         public function leaveOverlaps(start:MotionStart):void
         {
-            if (replaceObstacles(start, false) && !pushOut(start.core, start.obstacles, start.place, start.lifted))
+            if (replaceObstacles(start, false) && !pushFree(start.core, start.obstacles, start.place, start.pushes))
             {
-                start.lifted.clear();
+                start.pushes.clear();
                 replaceObstacles(start, true);
             }
             if (start.core.isFlat && start.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOut(start.core, start.obstacles, start.place, null);
+                pushFree(start.core, start.obstacles, start.place, null);
             }
         }
 
@@ -79,7 +79,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
         {
             _core.beginStanding(body, rows, place);
-            pushOut(_core, rows, place, null);
+            pushFree(_core, rows, place, null);
         }
 
         /**
@@ -109,35 +109,35 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body out of one row after the other until it needs no more pushes. With a list for the contacts it is lifted out of the shallow overlaps
-        // of its core; without one it is led off the rows that it only touches. Returns whether it gets free. If not, it is where it was.
-        private function pushOut(core:BodyCore, rows:IntList, place:Vector3D, lifted:ContactList):Boolean
+        // Pushes a body from one row after the other until it needs no more pushes: out of the shallow overlaps of its core, if there is a list for these
+        // pushes; or off the rows that it only touches. Returns whether it gets free. If not, it is where it was.
+        private function pushFree(core:BodyCore, rows:IntList, place:Vector3D, out:ContactList):Boolean
         {
             var round:int = 0;
-            var pushes:int;
+            var count:int;
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
             do
             {
-                pushes = pushRound(core, rows, place, round, lifted);
+                count = pushRound(core, rows, place, round, out);
                 round++;
             }
-            while (pushes > 0 && round < ROUNDS);
-            if (pushes != 0)
+            while (count > 0 && round < ROUNDS);
+            if (count != 0)
             {
                 place.copyFrom(_before);
             }
-            return pushes == 0;
+            return count == 0;
         }
 
-        // Pushes a body out of each row once, if needed. Returns the number of pushes; BLOCKED if a row is too deep, or pushes back.
-        private function pushRound(core:BodyCore, rows:IntList, place:Vector3D, round:int, lifted:ContactList):int
+        // Pushes a body from each row once, if needed. Returns the number of pushes; BLOCKED if a row is too deep, or pushes back.
+        private function pushRound(core:BodyCore, rows:IntList, place:Vector3D, round:int, out:ContactList):int
         {
-            var pushes:int = 0;
+            var count:int = 0;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (lifted == null ? findPushOff(core, row, place, round, _contact) : findLift(core, row, place, round, _contact))
+                if (out == null ? findPushOff(core, row, place, round, _contact) : findPushOut(core, row, place, round, _contact))
                 {
                     if (!(_contact.depth < Infinity) || areOpposite(_contact, _last))
                     {
@@ -145,14 +145,14 @@ package starlogo.queries.motion
                     }
                     _contact.push(place, _contact.depth);
                     _last.copyFrom(_contact);
-                    if (lifted != null)
+                    if (out != null)
                     {
-                        lifted.add(_contact, row);
+                        out.add(_contact, row);
                     }
-                    pushes++;
+                    count++;
                 }
             }
-            return pushes;
+            return count;
         }
 
         // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. One-way obstacles that the
@@ -167,7 +167,7 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.numbers[i];
                 var isOverlapped:Boolean = start.core.coreTouches(row, start.place);
-                if (isOverlapped && (body.passesAt(row, start.place) || (findOverlap(body, row, start.place, alsoShallow, _contact) && addPlane(row, start, _contact))))
+                if (isOverlapped && (body.passesOneWayAt(row, start.place) || (findOverlap(body, row, start.place, alsoShallow, _contact) && addPlane(row, start, _contact))))
                 {
                     obstacles.remove(row);
                 }
@@ -205,9 +205,9 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds the lift out of a row that the core overlaps: along the contact's normal by its depth, which is Infinity if the overlap is deep. Returns whether
+        // Finds the push out of a row that the core overlaps: along the contact's normal by its depth, which is Infinity if the overlap is deep. Returns whether
         // the core overlaps the row.
-        private function findLift(core:BodyCore, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
+        private function findPushOut(core:BodyCore, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
             if (!core.coreTouches(row, place))
             {
@@ -224,7 +224,7 @@ package starlogo.queries.motion
         {
             var body:MovingBody = core.body;
             // mostly it is known faster that the core touches the row than how deep the overlap is
-            if (!findTouchingPlace(core, row, place, _touching) || body.passesAt(row, _touching) || (!core.isFlat && core.coreTouches(row, place)))
+            if (!findTouchingPlace(core, row, place, _touching) || body.passesOneWayAt(row, _touching) || (!core.isFlat && core.coreTouches(row, place)))
             {
                 return false;
             }

@@ -55,14 +55,14 @@ package starlogo.queries.motion
             var row:int = walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
-                walk.turn = findMotion(link, _seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && isAdmitted(row, walk))
+                walk.carryTurn = findMotion(link, _seen.table.bodyOf(row).placement, walk.carry);
+                if ((walk.carryTurn != 0 || walk.carry.length > 0) && isAdmitted(row, walk))
                 {
                     return row;
                 }
             }
             walk.carry.setTo(0, 0, 0);
-            walk.turn = 0;
+            walk.carryTurn = 0;
             return -1;
         }
 

@@ -25,7 +25,7 @@ package starlogo.queries.motion
 
         // How the motion starts, its rest, and what stops it first without one of the planes.
         private var _start:MotionStart = new MotionStart();
-        private var _rest:SlideRest = new SlideRest();
+        private var _rest:RemainingMotion = new RemainingMotion();
         private var _without:Impact = new Impact();
 
         /**
@@ -114,7 +114,7 @@ package starlogo.queries.motion
         {
             if (rest.lengthSquared > 0)
             {
-                _sweep.sweepObstacles(out.core, out.obstacles, place, rest, out.impact);
+                _sweep.findFirstObstacle(out.core, out.obstacles, place, rest, out.impact);
             }
             else
             {
@@ -123,7 +123,7 @@ package starlogo.queries.motion
         }
 
         // Notes what a slide meets: the most level surface is its floor. What is too steep becomes an upright wall. The rest climbs what is not.
-        private static function takeContact(impact:Impact, limits:SlideLimits, rest:SlideRest, out:SlideResult):void
+        private static function takeContact(impact:Impact, limits:SlideLimits, rest:RemainingMotion, out:SlideResult):void
         {
             var contact:ContactPoint = impact.contact;
             if (!impact.isNormalFallback && (out.floorRow < 0 || contact.normalZ > out.floor.normalZ))
@@ -144,7 +144,7 @@ package starlogo.queries.motion
 
         // Turns a contact that is too steep into an upright wall. The rest of the motion becomes level, because the slope would stop a motion up
         // or down.
-        private static function makeUpright(contact:ContactPoint, rest:SlideRest):void
+        private static function makeUpright(contact:ContactPoint, rest:RemainingMotion):void
         {
             if (contact.normalX * contact.normalX + contact.normalY * contact.normalY > VERTICAL_NORMAL)
             {
@@ -155,7 +155,7 @@ package starlogo.queries.motion
         }
 
         // Turns the planes of what the body overlaps into upright walls, except of level floors and ceilings.
-        private static function makePlanesUpright(planes:ContactList, rest:SlideRest):void
+        private static function makePlanesUpright(planes:ContactList, rest:RemainingMotion):void
         {
             for (var i:int = 0; i < planes.count; i++)
             {
@@ -187,8 +187,8 @@ package starlogo.queries.motion
         // Whether a motion from this corner is stopped in it.
         private function meetsInCorner(start:MotionStart, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.sweepRows(start.core, start.obstacles, place, motion, _without) && isInCorner(start.core, _without, motion)
-                && !start.core.body.passes(_without.row, _without.contact);
+            return _sweep.findFirstImpact(start.core, start.obstacles, place, motion, _without) && isInCorner(start.core, _without, motion)
+                && !start.core.body.passesOneWay(_without.row, _without.contact);
         }
 
         // Whether what a motion meets first is met in the corner where it begins.

@@ -17,7 +17,7 @@ package starlogo.queries.trees
      *
      * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. Motions and casts of shapes call it for all rows
-     * near them. It may ask questions itself. These have Collectors of their own (Nested).</p>
+     * near them. It may ask questions itself. These have Collectors of their own (PerQuestion).</p>
      *
      * @private
      */

@@ -14,7 +14,7 @@ package starlogo.queries
      * Moves characters, and answers how far something can go, for games that load no other questions. AgentQueries, which has them all, says what
      * holds for each.
      */
-    public final class AgentWalks
+    public final class AgentMotions
     {
         private var _moves:MoveQueries;
         private var _walks:WalkQueries;
@@ -25,11 +25,11 @@ package starlogo.queries
          * @param seen the agents that the questions see
          * @throws ArgumentError if it is null
          */
-        public function AgentWalks(seen:SeenAgents)
+        public function AgentMotions(seen:SeenAgents)
         {
             requireGiven("seen", seen);
             // A LevelShapes has no tests of pairs. A collision system has those that it needs, so an AgentQueries loads no tests of trees for a game
-            // without trees. For the same reason it does not hold an AgentWalks.
+            // without trees. For the same reason it does not hold an AgentMotions.
             seen.needTests(StructurePairTests.addTo);
             seen.needTests(TreePairTests.addTo);
             _moves = new MoveQueries(seen);

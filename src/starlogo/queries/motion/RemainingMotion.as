@@ -14,7 +14,7 @@ package starlogo.queries.motion
      *
      * @private
      */
-    public final class SlideRest
+    public final class RemainingMotion
     {
         /** A motion runs along a plane if the sine of the angle between them is at most this. */
         public static const PARALLEL_SINE:Number = 1e-12;

@@ -1,3 +1,11 @@
+// All questions of a game. Each one is passed on, in the order of this file:
+// - near to inCone: AgentPlaces finds places within a distance (NearSearch), or in a cone (Cone)
+// - touching to overlapping: TouchQueries finds the rows whose bodies touch a body that stands (SweptBoxSearch, NarrowPhase)
+// - distance, distanceToPoint: DistanceQueries measures between two bodies (NarrowPhase)
+// - cast, castAll, canSee: AgentRays finds the rows that a ray meets (SweptBoxSearch, RowRayQuery)
+// - castShape to slide: MoveQueries finds how far a body can go (TouchSweep, Slider)
+// - walk: WalkQueries finds where a character comes to stand (WalkMover)
+// AgentPlaces, AgentRays and AgentMotions have the same questions for games that load only these. AgentMotions has those of the last two lines.
 package starlogo.queries
 {
     import flash.geom.Vector3D;

@@ -86,8 +86,7 @@ package starlogo.queries
             var body:MovingBody = MovingBody(_bodies.current);
             body.readAgent(agent);
             findStops(body, agent, dx, dy, dz, filter, 1, _motion, _first);
-            var isMet:Boolean = _first.row >= 0;
-            if (isMet)
+            if (_first.isStopped)
             {
                 _touches.goIntoTouch(body, _first);
             }
@@ -99,7 +98,7 @@ package starlogo.queries
             if (contact != null)
             {
                 contact.time = _first.fraction;
-                if (isMet)
+                if (_first.isStopped)
                 {
                     contact.read(_first.contact);
                     contact.approachSpeed = Math.max(0, -_first.contact.along(_motion));

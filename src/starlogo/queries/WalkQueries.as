@@ -47,7 +47,7 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var walk:Walk = go(agent, dx, dy, options || DEFAULTS);
+            var walk:Walk = findWalk(agent, dx, dy, options || DEFAULTS);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
             var footing:Footing = out || new Footing();
@@ -64,12 +64,12 @@ package starlogo.queries
         /** Finds the footing that a walk without a way would give the agent now. Nothing moves. It may be asked in a filter's <code>accepts</code>. */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            out.copyFrom(go(agent, 0, 0, options).footing);
+            out.copyFrom(findWalk(agent, 0, 0, options).footing);
             return out;
         }
 
         // Finds where a walk leads, and on what the agent stands there. Nothing moves.
-        private function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions):Walk
+        private function findWalk(agent:Agent, dx:Number, dy:Number, options:WalkOptions):Walk
         {
             var walk:Walk = Walk(_walks.current);
             readOptions(agent, dx, dy, options, walk);

@@ -25,21 +25,21 @@ package starlogo.queries.motion
 
         // The slop has four parts: fractions of the body's extent, of the largest extent near it, of the coordinates, and of the motion and a cell of
         // the ground. An eighth of it is wider than the gap across which a sweep touches.
-        private static const OF_EXTENT:Number = 0.4 * Tolerances.SEPARATION;
-        private static const OF_OTHERS:Number = 0.02 * Tolerances.SEPARATION;
-        private static const OF_PLACES:Number = 16 * Tolerances.PLACES;
-        private static const OF_MOTION:Number = 24 * Tolerances.ROUNDING;
+        private static const SLOP_OF_EXTENT:Number = 0.4 * Tolerances.SEPARATION;
+        private static const SLOP_OF_OTHERS:Number = 0.02 * Tolerances.SEPARATION;
+        private static const SLOP_OF_PLACES:Number = 16 * Tolerances.PLACES;
+        private static const SLOP_OF_MOTION:Number = 24 * Tolerances.ROUNDING;
 
         // The least half-extent of the body loses a slop, and the others lose in proportion. For a slim body, a tenth of its largest half-extent
         // takes the place of the least one. So no half-extent loses more than ten slops. The body loses at most half of its size.
-        private static const SLIMMEST:Number = 10;
+        private static const MOST_SLIMNESS:Number = 10;
         private static const MOST_SHRINK:Number = 0.5;
 
         // The factor by which the inset grows until the core is free.
-        private static const NARROWER:Number = 4;
+        private static const NARROWING:Number = 4;
 
         // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. A sweep may touch across a wider gap.
-        private static const FLAT:Number = 0.01;
+        private static const FLAT_SLOPS:Number = 0.01;
 
         private static const NO_MOTION:Vector3D = new Vector3D();
 
@@ -97,12 +97,12 @@ package starlogo.queries.motion
                 }
                 largest = Math.max(largest, 2 * other.largestHalf);
             }
-            slop = OF_EXTENT * extent + OF_OTHERS * largest + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z))
-                + OF_MOTION * (cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            slop = SLOP_OF_EXTENT * extent + SLOP_OF_OTHERS * largest + SLOP_OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z))
+                + SLOP_OF_MOTION * (cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
             _mostInset = slop + SHALLOW * largest;
             setInset(slop);
-            isFlat = shrink * body.whole.leastHalf < FLAT * slop;
+            isFlat = shrink * body.whole.leastHalf < FLAT_SLOPS * slop;
         }
 
         /** Becomes the core of a body that stands at a place. */
@@ -128,7 +128,7 @@ package starlogo.queries.motion
             }
             do
             {
-                inset = Math.min(NARROWER * inset, _mostInset);
+                inset = Math.min(NARROWING * inset, _mostInset);
                 setInset(inset);
             }
             while (inset < _mostInset && coreTouches(row, place));
@@ -200,7 +200,7 @@ package starlogo.queries.motion
         // The part of its size that a body loses with an inset.
         private static function shrinkOf(body:Body, inset:Number):Number
         {
-            var taken:Number = inset / Math.max(body.leastHalf, body.largestHalf / SLIMMEST);
+            var taken:Number = inset / Math.max(body.leastHalf, body.largestHalf / MOST_SLIMNESS);
             return taken < MOST_SHRINK ? taken : MOST_SHRINK;
         }
     }

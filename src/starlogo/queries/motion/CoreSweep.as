@@ -71,7 +71,7 @@ package starlogo.queries.motion
             startMotion(body, rows, from, motion, start);
             out.isDeep = start.planes.count > 0;
             out.row = start.isImpactKnown ? -1 : findCrossed(start.planes, motion, out.contact);
-            if (out.row >= 0)
+            if (out.isStopped)
             {
                 out.fraction = 0;
                 return;
@@ -82,7 +82,7 @@ package starlogo.queries.motion
             }
             out.row = start.impact.row;
             out.fraction = 1;
-            if (out.row >= 0)
+            if (out.isStopped)
             {
                 out.contact.copyFrom(start.impact.contact);
                 out.fraction = findTouchTime(start.core, start.place, motion, start.impact);
@@ -109,7 +109,7 @@ package starlogo.queries.motion
                     out.copyFrom(_met);
                 }
             }
-            return out.row >= 0;
+            return out.isMet;
         }
 
         /**

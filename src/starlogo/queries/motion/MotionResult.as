@@ -29,6 +29,12 @@ package starlogo.queries.motion
         /** Whether it started in a deep overlap, which stays. */
         public var isDeep:Boolean = false;
 
+        /** Whether a row stops it. */
+        public function get isStopped():Boolean
+        {
+            return row >= 0;
+        }
+
         /** Becomes a copy of another result. */
         public function copyFrom(other:MotionResult):void
         {

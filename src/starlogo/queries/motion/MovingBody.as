@@ -37,7 +37,7 @@ package starlogo.queries.motion
     public final class MovingBody
     {
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
-        private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
+        private static const ONE_WAY_Z:Number = Math.SQRT1_2 - 1e-9;
 
         // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
         private static const WITH_ROOM:Number = 2.1;
@@ -139,7 +139,7 @@ package starlogo.queries.motion
             {
                 _search.beginAround(_seen.treeOfExtents(), moveTo(from));
                 _search.moveAlong(dx, dy, dz, 1);
-                found.listRows(_search, rows);
+                found.endWithRows(_search, rows);
             }
         }
 
@@ -160,7 +160,7 @@ package starlogo.queries.motion
             {
                 _search.beginAround(_seen.treeOfExtents(), moveTo(from));
                 _search.widen(range, up, down);
-                found.listRows(_search, rows);
+                found.endWithRows(_search, rows);
             }
         }
 
@@ -198,7 +198,7 @@ package starlogo.queries.motion
         /** Whether the body goes on through a row that it meets with a contact: the row is one-way, and the body does not come from above. */
         public function passesOneWay(row:int, contact:ContactPoint):Boolean
         {
-            return isOneWay(row) && contact.normalZ < UPWARDS;
+            return isOneWay(row) && contact.normalZ < ONE_WAY_Z;
         }
 
         /** The larger extent of the body and another. That of the ground is 0. */

@@ -23,13 +23,13 @@ package starlogo.queries.motion
      */
     public final class OverlapRecovery
     {
-        private static const ROUNDS:int = 30;
+        private static const MOST_ROUNDS:int = 30;
 
         // In place of a number of pushes: the body cannot be pushed out.
         private static const BLOCKED:int = -1;
 
         // From this round on contacts have to separate. Contacts of parts of a body may point sideways, round after round.
-        private static const SURE_ROUND:int = 2;
+        private static const FIRST_SEPARATING_ROUND:int = 2;
 
         // If a body only touches a row, it is never this many slops deep in it.
         private static const SLOPS_OF_TOUCH:Number = 2;
@@ -58,7 +58,7 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(start:MotionStart):void
         {
-            if (replaceObstacles(start, false) && !pushFree(start.core, start.obstacles, start.place, start.pushes))
+            if (replaceObstacles(start, false) && !pushOut(start.core, start.obstacles, start.place, start.pushes))
             {
                 start.pushes.clear();
                 replaceObstacles(start, true);
@@ -66,7 +66,7 @@ package starlogo.queries.motion
             if (start.core.isFlat && start.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushFree(start.core, start.obstacles, start.place, null);
+                pushOff(start.core, start.obstacles, start.place);
             }
         }
 
@@ -79,7 +79,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
         {
             _core.beginStanding(body, rows, place);
-            pushFree(_core, rows, place, null);
+            pushOff(_core, rows, place);
         }
 
         /**
@@ -109,9 +109,15 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body from one row after the other until it needs no more pushes: out of the shallow overlaps of its core, if there is a list for these
-        // pushes; or off the rows that it only touches. Returns whether it gets free. If not, it is where it was.
-        private function pushFree(core:BodyCore, rows:IntList, place:Vector3D, out:ContactList):Boolean
+        // Pushes a body off the rows that it only touches.
+        private function pushOff(core:BodyCore, rows:IntList, place:Vector3D):void
+        {
+            pushOut(core, rows, place, null);
+        }
+
+        // Pushes a body out of the shallow overlaps of its core, which out receives; or if it is null, off the rows that the body only touches. Goes from
+        // one row to the other until no more pushes are needed. Returns whether the body gets free. If not, it is where it was.
+        private function pushOut(core:BodyCore, rows:IntList, place:Vector3D, out:ContactList):Boolean
         {
             var round:int = 0;
             var count:int;
@@ -122,7 +128,7 @@ package starlogo.queries.motion
                 count = pushRound(core, rows, place, round, out);
                 round++;
             }
-            while (count > 0 && round < ROUNDS);
+            while (count > 0 && round < MOST_ROUNDS);
             if (count != 0)
             {
                 place.copyFrom(_before);
@@ -242,11 +248,11 @@ package starlogo.queries.motion
         // Finds the contact with a row that the body touches at a place.
         private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):void
         {
-            if (round < SURE_ROUND)
+            if (round < FIRST_SEPARATING_ROUND)
             {
                 body.findContact(row, place, out);
             }
-            if (round >= SURE_ROUND || areOpposite(out, _last))
+            if (round >= FIRST_SEPARATING_ROUND || areOpposite(out, _last))
             {
                 body.findSeparatingContact(row, place, out);
             }

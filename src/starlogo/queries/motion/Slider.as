@@ -60,7 +60,7 @@ package starlogo.queries.motion
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = planes.count;
-            for (var contacts:int = 0; contacts < MOST_CONTACTS && impact.row >= 0; contacts++)
+            for (var contacts:int = 0; contacts < MOST_CONTACTS && impact.isMet; contacts++)
             {
                 if (!isInCorner(core, impact, _rest.motion))
                 {
@@ -75,7 +75,7 @@ package starlogo.queries.motion
                 _rest.project(planes);
                 sweepRest(out.place, _rest.motion, _start);
             }
-            if (impact.row < 0)
+            if (!impact.isMet)
             {
                 _rest.advance(out.place, 1);
             }
@@ -95,7 +95,7 @@ package starlogo.queries.motion
         {
             _sweep.findStop(body, rows, from, motion, _start, out);
             var fraction:Number = 1;
-            if (out.row >= 0)
+            if (out.isStopped)
             {
                 fraction = Math.max(out.fraction + _start.core.clearance / out.contact.along(motion), 0);
             }
@@ -126,7 +126,7 @@ package starlogo.queries.motion
         private static function takeContact(impact:Impact, limits:SlideLimits, rest:RemainingMotion, out:SlideResult):void
         {
             var contact:ContactPoint = impact.contact;
-            if (!impact.isNormalFallback && (out.floorRow < 0 || contact.normalZ > out.floor.normalZ))
+            if (!impact.isNormalFallback && (!out.hasFloor || contact.normalZ > out.floor.normalZ))
             {
                 out.floor.copyFrom(contact);
                 out.floorRow = impact.row;
@@ -136,7 +136,7 @@ package starlogo.queries.motion
                 out.metWall = true;
                 makeUpright(contact, rest);
             }
-            else if (limits.walkableZ > 0)
+            else if (limits.hasWalls)
             {
                 rest.climb(contact);
             }

@@ -76,7 +76,7 @@ package starlogo.queries.motion
                     addTouches(body, motion, found, hits, first);
                 }
             }
-            if (first.row < 0)
+            if (!first.isStopped)
             {
                 setEnd(body.from, motion, 1, _common, first.place);
             }
@@ -96,11 +96,11 @@ package starlogo.queries.motion
             {
                 var row:int = body.rows.numbers[i];
                 mayPush = findTouch(body, row, motion, _common, _touch) || mayPush;
-                if (_touch.row >= 0)
+                if (_touch.isStopped)
                 {
                     found.add(row, _touch.fraction);
                     hits.add(row, _touch.fraction).copyFrom(_touch.contact);
-                    if (first.row < 0 || _touch.fraction < first.fraction)
+                    if (!first.isStopped || _touch.fraction < first.fraction)
                     {
                         first.copyFrom(_touch);
                     }
@@ -117,7 +117,7 @@ package starlogo.queries.motion
             _rows.count = 0;
             _rows.add(row);
             _sweep.findStop(body, _rows, common.place, motion, _start, out);
-            if (out.row >= 0)
+            if (out.isStopped)
             {
                 if (!out.isDeep)
                 {

@@ -226,7 +226,7 @@ package starlogo.queries.motion
         // than the piece is long.
         private function slideOff(walk:Walk, depth:Number, below:MotionResult):Boolean
         {
-            if (below.row < 0)
+            if (!below.isStopped)
             {
                 return false;
             }
@@ -258,7 +258,7 @@ package starlogo.queries.motion
                 }
                 goUpright(walk, _fallen, -depth, _upright);
                 left -= _upright.fraction * depth;
-                isStopped = _upright.row >= 0;
+                isStopped = _upright.isStopped;
                 _fallen.copyFrom(_upright.place);
             }
             if (!isStopped)
@@ -303,14 +303,14 @@ package starlogo.queries.motion
         // Returns whether it stands.
         private function standAtEnd(walk:Walk, down:MotionResult):Boolean
         {
-            return down.row >= 0 && (standOn(walk, down.contact, down.row, down.place) || standOnOther(walk, down.place));
+            return down.isStopped && (standOn(walk, down.contact, down.row, down.place) || standOnOther(walk, down.place));
         }
 
         // Lets the agent stand on what else it touches at a place, besides something too steep.
         private function standOnOther(walk:Walk, place:Vector3D):Boolean
         {
             slideDown(walk, place, walk.closeDepth, walk.body.extent, _tried);
-            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
+            return _tried.hasFloor && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
         }
 
         // Lets the agent stand at a place, on a row that it touches there, if the row carries it.

@@ -7,9 +7,12 @@ package starlogo.queries.trees
     use namespace engine;
 
     /**
-     * Finds or counts the rows of a tree of places that are near a place. To find rows, it begins at the leaf of the agent that asks, and goes on
-     * with the nodes beside the path from there to the root. If the agent is not in the tree, it begins at the root. From each node it goes
-     * down to the nearer child first. If a filter's <code>accepts</code> decides, it visits the nearest of all nodes first.
+     * Finds or counts the rows whose places are near a place.
+     *
+     * <p>To find rows, it visits the nodes of the tree of places from near to far, because each row that is found may shrink the limit. It begins at
+     * the leaf of the agent that asks, and goes on with the nodes beside the path from there to the root. If the agent is not in the tree, it begins
+     * at the root. Of two children it visits the nearer one first. If a filter's <code>accepts</code> decides, it visits the nearest of all nodes
+     * first, so <code>accepts</code> is called for the nearest rows first.</p>
      *
      * <p>It compares squared distances, always computed as (x x + y y) + z z. In this order rounding never makes the distance to a box larger
      * than the distance to a place in the box.</p>

@@ -40,7 +40,7 @@ package starlogo.queries.trees
         public static const ALL_BREEDS:int = -1;
 
         // After this many moves per row the tree has to be built again, because its boxes have grown too much.
-        private static const MOVES:Number = 0.5;
+        private static const MOVES_PER_ROW:Number = 0.5;
 
         /** The number of rows. */
         public var count:int = 0;
@@ -60,7 +60,7 @@ package starlogo.queries.trees
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        // How many rows that filters exclude searches have tested since the nodes learned their breeds. A test reads it.
+        // How many rows that filters exclude were tested by searches since the nodes learned their breeds. A unit test reads it.
         engine var passedOver:int = 0;
 
         // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
@@ -87,7 +87,7 @@ package starlogo.queries.trees
          */
         public function build(rows:Vector.<int>, count:int, points:Points, sizes:Extents):void
         {
-            _movesLeft = MOVES * count;
+            _movesLeft = MOVES_PER_ROW * count;
             passedOver = 0;
             _breedsAsOf = -1;
             this.count = count;

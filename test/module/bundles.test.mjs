@@ -105,7 +105,7 @@ shapes.addStructure("hero", new Capsule({ x: 0, y: 0, z: 0.3 }, { x: 0, y: 0, z:
 shapes.addStructure("coin", new Sphere({ x: 0, y: 0, z: 0.25 }, 0.25));
 const game = new Collision(new LevelCollider(shapes));
 const seen = new SeenAgents(game);
-const walks = new AgentMotions(seen);
+const motions = new AgentMotions(seen);
 const floor = new Agent("floor");
 const hero = new Agent("hero", "heroes");
 hero.moveTo(0, 0, 1);
@@ -118,7 +118,7 @@ game.onCollisionStart("heroes", "coins", (walker, coin) => agents.splice(agents.
 const footing = new Footing();
 for (let i = 0; i < 50; i++) {
 	seen.update(agents);
-	walks.walk(hero, 0.1, 0, { stepHeight: 0.3, filter: { exceptBreeds: ["coins"] } }, footing);
+	motions.walk(hero, 0.1, 0, { stepHeight: 0.3, filter: { exceptBreeds: ["coins"] } }, footing);
 	game.update(agents);
 }
 export const result = [hero.x.toFixed(6), hero.z.toFixed(6), footing.stands, agents.slice(2).map((coin) => coin.x)].join();

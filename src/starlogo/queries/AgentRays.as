@@ -170,7 +170,7 @@ package starlogo.queries
             var rowA:int = _seen.rowOf(a);
             var rowB:int = _seen.rowOf(b);
             var found:Collector = begin(1, from, towards, distance, filter);
-            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
+            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
             {
                 if (row != rowA && row != rowB && _rowRays.findHit(row, _ray, _entry))
                 {
@@ -231,7 +231,7 @@ package starlogo.queries
         // Finds the rows that the ray meets, and keeps how it meets them.
         private function collect(found:Collector, out:Hits):void
         {
-            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
+            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
             {
                 if (_rowRays.findHit(row, _ray, _entry))
                 {
@@ -245,7 +245,7 @@ package starlogo.queries
         // Finds the rows that the ray meets, and keeps all surfaces that it crosses.
         private function collectSurfaces(found:Collector, out:Hits):void
         {
-            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
+            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
             {
                 if (_rowSurfaces.findSurfaces(row, _ray, out))
                 {

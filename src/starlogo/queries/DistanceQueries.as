@@ -52,7 +52,7 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            return answer(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _body) : _seen.table.bodyOf(rowB), pointA, pointB);
+            return measure(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _body) : _seen.table.bodyOf(rowB), pointA, pointB);
         }
 
         /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
@@ -61,16 +61,16 @@ package starlogo.queries
             requirePoint(point);
             _point.center.setTo(point.x, point.y, point.z);
             _body.readStructure(_point);
-            var found:Number = answer(_seen.bodyOf(agent), _body, out, null);
+            var found:Number = measure(_seen.bodyOf(agent), _body, out, null);
             if (found == 0)
             {
                 // without the rounding of the point that was found, which stands in the game's point if that is out too
-                write(out, _point.center);
+                copyTo(out, _point.center);
             }
             return found;
         }
 
-        private function answer(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number
+        private function measure(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number
         {
             if (a.shape == null || b.shape == null)
             {
@@ -82,12 +82,12 @@ package starlogo.queries
                 // the edges of a world without edges have no points
                 return Infinity;
             }
-            write(pointA, _closest.a);
-            write(pointB, _closest.b);
+            copyTo(pointA, _closest.a);
+            copyTo(pointB, _closest.b);
             return _closest.distance;
         }
 
-        private static function write(out:Vector3D, point:Vector3D):void
+        private static function copyTo(out:Vector3D, point:Vector3D):void
         {
             if (out != null)
             {

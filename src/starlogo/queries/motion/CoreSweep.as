@@ -43,9 +43,9 @@ package starlogo.queries.motion
          * @param from where the motion begins
          * @param out receives the answer
          */
-        public function startMotion(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionStart):void
+        public function startMotion(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionState):void
         {
-            out.place.copyFrom(from);
+            out.startPlace.copyFrom(from);
             out.pushes.clear();
             out.planes.clear();
             out.obstacles.copyFrom(rows);
@@ -63,30 +63,30 @@ package starlogo.queries.motion
          *
          * @param rows the rows that may be in its way
          * @param from where the motion begins
-         * @param start receives how it starts
+         * @param state receives how it starts, and what it meets
          * @param out receives the answer, all but its place
          */
-        public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, start:MotionStart, out:MotionResult):void
+        public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, state:MotionState, out:MotionResult):void
         {
-            startMotion(body, rows, from, motion, start);
-            out.isDeep = start.planes.count > 0;
-            out.row = start.isImpactKnown ? -1 : findCrossed(start.planes, motion, out.contact);
+            startMotion(body, rows, from, motion, state);
+            out.isDeep = state.planes.count > 0;
+            out.row = state.isImpactKnown ? -1 : findCrossedPlane(state.planes, motion, out.contact);
             if (out.isStopped)
             {
                 out.fraction = 0;
                 return;
             }
-            if (!start.isImpactKnown)
+            if (!state.isImpactKnown)
             {
-                findFirstObstacle(start.core, start.obstacles, start.place, motion, start.impact);
+                findFirstObstacle(state.core, state.obstacles, state.startPlace, motion, state.impact);
             }
-            out.row = start.impact.row;
+            out.row = state.impact.row;
             out.fraction = 1;
             if (out.isStopped)
             {
-                out.contact.copyFrom(start.impact.contact);
-                out.fraction = findTouchTime(start.core, start.place, motion, start.impact);
-                setAlong(start.place, motion, start.impact.time, out.corePlace);
+                out.contact.copyFrom(state.impact.contact);
+                out.fraction = findTouchTime(state.core, state.startPlace, motion, state.impact);
+                setAlong(state.startPlace, motion, state.impact.time, out.corePlace);
             }
         }
 
@@ -186,7 +186,7 @@ package starlogo.queries.motion
 
         // Finds the plane that the motion crosses at the steepest angle. Its contact is without a triangle, because the plane stands for all triangles of the
         // row. Returns the row; -1 if the motion crosses no plane.
-        private static function findCrossed(planes:ContactList, motion:Vector3D, out:ContactPoint):int
+        private static function findCrossedPlane(planes:ContactList, motion:Vector3D, out:ContactPoint):int
         {
             var row:int = -1;
             var least:Number = -RemainingMotion.PARALLEL_SINE * motion.length;

@@ -53,20 +53,20 @@ package starlogo.queries.motion
         /**
          * Frees the core of a body from the obstacles that it overlaps where its motion starts.
          *
-         * @param start how the motion starts. It receives the planes of deep overlaps. Obstacles for which a plane stands are none from then on. The
+         * @param state how the motion starts. It receives the planes of deep overlaps. Obstacles for which a plane stands are none from then on. The
          *     place changes if the body is pushed
          */
-        public function leaveOverlaps(start:MotionStart):void
+        public function leaveOverlaps(state:MotionState):void
         {
-            if (replaceObstacles(start, false) && !pushOut(start.core, start.obstacles, start.place, start.pushes))
+            if (replaceObstacles(state, false) && !pushOut(state.core, state.obstacles, state.startPlace, state.pushes))
             {
-                start.pushes.clear();
-                replaceObstacles(start, true);
+                state.pushes.clear();
+                replaceObstacles(state, true);
             }
-            if (start.core.isFlat && start.planes.count == 0)
+            if (state.core.isFlat && state.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOff(start.core, start.obstacles, start.place);
+                pushOff(state.core, state.obstacles, state.startPlace);
             }
         }
 
@@ -161,19 +161,18 @@ package starlogo.queries.motion
             return count;
         }
 
-        // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. One-way obstacles that the
-        // body passes leave too. Returns whether obstacles are left that the core overlapped.
-        private function replaceObstacles(start:MotionStart, alsoShallow:Boolean):Boolean
+        // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. These are obstacles no
+        // longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the core overlapped.
+        private function replaceObstacles(state:MotionState, alsoShallow:Boolean):Boolean
         {
-            var body:MovingBody = start.core.body;
-            var obstacles:IntList = start.obstacles;
+            var obstacles:IntList = state.obstacles;
             var isLeft:Boolean = false;
             var i:int = 0;
             while (i < obstacles.count)
             {
                 var row:int = obstacles.numbers[i];
-                var isOverlapped:Boolean = start.core.coreTouches(row, start.place);
-                if (isOverlapped && (body.passesOneWayAt(row, start.place) || (findOverlap(body, row, start.place, alsoShallow, _contact) && addPlane(row, start, _contact))))
+                var isOverlapped:Boolean = state.core.coreTouches(row, state.startPlace);
+                if (isOverlapped && (state.core.body.passesOneWayAt(row, state.startPlace) || addPlane(row, state, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -186,6 +185,22 @@ package starlogo.queries.motion
             return isLeft;
         }
 
+        // Lets a plane stand for a row that the core overlaps, if the overlap counts and a plane is needed. First the core becomes narrower, for the whole
+        // motion. If it is free of the row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether
+        // the plane stands.
+        private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
+        {
+            var core:BodyCore = state.core;
+            if (!findOverlap(core.body, row, state.startPlace, alsoShallow, _contact) || core.narrow(row, state.startPlace)
+                    || !core.bodyOverlaps(row, state.startPlace))
+            {
+                return false;
+            }
+            state.planes.add(_contact, row);
+            core.body.warnIfInside(row, _contact);
+            return true;
+        }
+
         // Finds the contact of an overlap. Returns whether it counts.
         private static function findOverlap(body:MovingBody, row:int, place:Vector3D, alsoShallow:Boolean, out:ContactPoint):Boolean
         {
@@ -196,19 +211,6 @@ package starlogo.queries.motion
             }
             body.findContact(row, place, out);
             return !body.isShallow(row, out);
-        }
-
-        // Lets a plane stand for a row that the core overlaps, if it is needed. First the core becomes narrower, for the whole motion. If it is free of the
-        // row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether the plane stands.
-        private static function addPlane(row:int, start:MotionStart, contact:ContactPoint):Boolean
-        {
-            if (start.core.narrow(row, start.place) || !start.core.bodyOverlaps(row, start.place))
-            {
-                return false;
-            }
-            start.planes.add(contact, row);
-            start.core.body.warnIfInside(row, contact);
-            return true;
         }
 
         // Finds the push out of a row that the core overlaps: along the contact's normal by its depth, which is Infinity if the overlap is deep. Returns whether

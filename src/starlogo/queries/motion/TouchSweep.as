@@ -35,12 +35,12 @@ package starlogo.queries.motion
         private var _seen:SeenAgents;
         private var _sweep:CoreSweep = new CoreSweep();
 
-        // How a motion starts among all rows.
-        private var _common:MotionStart = new MotionStart();
+        // The state of a motion among all rows.
+        private var _stateOfAll:MotionState = new MotionState();
 
-        // A row alone as a list, how the motion starts with it, and the answer.
-        private var _rows:IntList = new IntList();
-        private var _start:MotionStart = new MotionStart();
+        // A row alone as a list, the state of the motion with it, and the answer.
+        private var _rowAlone:IntList = new IntList();
+        private var _stateOfRow:MotionState = new MotionState();
         private var _touch:MotionResult = new MotionResult();
 
         // The way from the computed end of a motion to where the core touches.
@@ -64,13 +64,13 @@ package starlogo.queries.motion
         public function findTouches(body:MovingBody, motion:Vector3D, wanted:int, hits:Hits, first:MotionResult):Collector
         {
             var found:Collector = _seen.beginSearch(wanted, Infinity, null, null);
-            _common.place.copyFrom(body.from);
-            _common.pushes.clear();
+            _stateOfAll.startPlace.copyFrom(body.from);
+            _stateOfAll.pushes.clear();
             if (addTouches(body, motion, found, hits, first))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
-                _sweep.startMotion(body, body.rows, body.from, motion, _common);
-                if (!_common.place.equals(body.from))
+                _sweep.startMotion(body, body.rows, body.from, motion, _stateOfAll);
+                if (!_stateOfAll.startPlace.equals(body.from))
                 {
                     found = _seen.beginSearch(wanted, Infinity, null, null);
                     addTouches(body, motion, found, hits, first);
@@ -78,7 +78,7 @@ package starlogo.queries.motion
             }
             if (!first.isStopped)
             {
-                setEnd(body.from, motion, 1, _common, first.place);
+                setEnd(body.from, motion, 1, _stateOfAll, first.place);
             }
             return found;
         }
@@ -95,7 +95,7 @@ package starlogo.queries.motion
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.numbers[i];
-                mayPush = findTouch(body, row, motion, _common, _touch) || mayPush;
+                mayPush = findTouch(body, row, motion, _stateOfAll, _touch) || mayPush;
                 if (_touch.isStopped)
                 {
                     found.add(row, _touch.fraction);
@@ -109,25 +109,25 @@ package starlogo.queries.motion
             return mayPush;
         }
 
-        // Finds whether and when a row stops a motion of a body from where the body begins, as if there were no others. The common start is that among all
-        // rows. Rounding may hide the touch at its place: see goIntoTouch. Returns whether the start among all rows may change the answer: if the row
+        // Finds whether and when a row stops a motion of a body from where the body begins, as if there were no others. The state among all rows has the
+        // start. Rounding may hide the touch at its place: see goIntoTouch. Returns whether the start among all rows may change the answer: if the row
         // alone pushes the body, or stops it at once in a shallow overlap.
-        private function findTouch(body:MovingBody, row:int, motion:Vector3D, common:MotionStart, out:MotionResult):Boolean
+        private function findTouch(body:MovingBody, row:int, motion:Vector3D, ofAll:MotionState, out:MotionResult):Boolean
         {
-            _rows.count = 0;
-            _rows.add(row);
-            _sweep.findStop(body, _rows, common.place, motion, _start, out);
+            _rowAlone.count = 0;
+            _rowAlone.add(row);
+            _sweep.findStop(body, _rowAlone, ofAll.startPlace, motion, _stateOfRow, out);
             if (out.isStopped)
             {
                 if (!out.isDeep)
                 {
                     out.contact.depth = 0;
-                    leaveOutPush(motion, _start, out);
+                    leaveOutPush(motion, _stateOfRow, out);
                 }
-                setEnd(body.from, motion, out.fraction, common, out.place);
-                pushBack(body.from, _start, out.place);
+                setEnd(body.from, motion, out.fraction, ofAll, out.place);
+                pushBack(body.from, _stateOfRow, out.place);
             }
-            return !_start.place.equals(common.place) || (out.fraction == 0 && !out.isDeep);
+            return !_stateOfRow.startPlace.equals(ofAll.startPlace) || (out.fraction == 0 && !out.isDeep);
         }
 
         /**
@@ -176,15 +176,15 @@ package starlogo.queries.motion
         }
 
         // Takes the push out of a time of touch: without it the body would have touched earlier.
-        private static function leaveOutPush(motion:Vector3D, start:MotionStart, out:MotionResult):void
+        private static function leaveOutPush(motion:Vector3D, state:MotionState, out:MotionResult):void
         {
-            var from:Vector3D = start.core.body.from;
+            var from:Vector3D = state.core.body.from;
             var contact:ContactPoint = out.contact;
-            var push:Number = contact.normalX * (start.place.x - from.x) + contact.normalY * (start.place.y - from.y)
-                + contact.normalZ * (start.place.z - from.z);
+            var push:Number = contact.normalX * (state.startPlace.x - from.x) + contact.normalY * (state.startPlace.y - from.y)
+                + contact.normalZ * (state.startPlace.z - from.z);
             var along:Number = contact.along(motion);
             out.fraction = Math.max(0, Math.min(1, out.fraction + push / along));
-            if (-out.fraction * along < start.core.slop && start.core.bodyTouches(out.row, from))
+            if (-out.fraction * along < state.core.slop && state.core.bodyTouches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
                 out.fraction = 0;
@@ -192,21 +192,21 @@ package starlogo.queries.motion
         }
 
         // Sets where a fraction of a motion ends without pushes, but no deeper in what the body was pushed out of among all rows.
-        private static function setEnd(from:Vector3D, motion:Vector3D, fraction:Number, common:MotionStart, out:Vector3D):void
+        private static function setEnd(from:Vector3D, motion:Vector3D, fraction:Number, ofAll:MotionState, out:Vector3D):void
         {
             CoreSweep.setAlong(from, motion, fraction, out);
-            pushBack(from, common, out);
+            pushBack(from, ofAll, out);
         }
 
         // Pushes a place back where a body is deeper than it was at the beginning in what it was pushed out of. Without this, motions that are shorter than
         // the clearance of a push would lead deeper each time.
-        private static function pushBack(from:Vector3D, start:MotionStart, place:Vector3D):void
+        private static function pushBack(from:Vector3D, state:MotionState, place:Vector3D):void
         {
-            for (var i:int = 0; i < start.pushes.count; i++)
+            for (var i:int = 0; i < state.pushes.count; i++)
             {
-                var contact:ContactPoint = start.pushes.contacts[i];
+                var contact:ContactPoint = state.pushes.contacts[i];
                 var deeper:Number = contact.normalX * (from.x - place.x) + contact.normalY * (from.y - place.y) + contact.normalZ * (from.z - place.z);
-                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * start.core.slop)
+                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * state.core.slop)
                 {
                     contact.push(place, deeper);
                 }

@@ -14,7 +14,7 @@ package starlogo.queries.trees
      * The answer of a question while it is searched for: the rows with the smallest keys, as many as are wanted. A key is a distance, a squared
      * distance or a time. Rows with the same key are in the order of the list.
      *
-     * <p>A question takes one row after the other from <code>nextOf()</code>, tests it, and adds it with its key. Only a NearSearch finds rows by itself.
+     * <p>A question takes one row after the other from <code>nextCandidate()</code>, tests it, and adds it with its key. Only a NearSearch finds rows by itself.
      * The limit is the largest key of a row that is still wanted. It shrinks when enough rows are found, so the search visits less. One of the methods
      * that begin with "end" makes the answer.</p>
      *
@@ -77,17 +77,17 @@ package starlogo.queries.trees
         }
 
         /** The next row of a search that the filter may admit and that has a shape; -1 if there are no more. The last one is the row of the ground. */
-        public function nextOf(search:SweptBoxSearch):int
+        public function nextCandidate(search:SweptBoxSearch):int
         {
             for (var row:int = search.next(filter.breeds, limit); row >= 0; row = search.next(filter.breeds, limit))
             {
-                if (hasOther(row))
+                if (isCandidate(row))
                 {
                     if (filter.mayAdmit(row))
                     {
                         return row;
                     }
-                    search.tree.passOver(1);
+                    search.tree.countExcluded(1);
                 }
             }
             return _isGroundLeft ? takeGround() : -1;
@@ -98,11 +98,11 @@ package starlogo.queries.trees
         {
             var row:int = ListedAgents.GROUND_ROW;
             _isGroundLeft = false;
-            return hasOther(row) && filter.mayAdmit(row) ? row : -1;
+            return isCandidate(row) && filter.mayAdmit(row) ? row : -1;
         }
 
-        // Whether a row has a shape, and is not the one of the agent that asks.
-        private function hasOther(row:int):Boolean
+        // Whether a row may be in the answer: it has a shape, and is not the row of the agent that asks.
+        private function isCandidate(row:int):Boolean
         {
             return row != filter.askerRow && _seen.table.shapes[row] != null;
         }
@@ -268,7 +268,7 @@ package starlogo.queries.trees
         /** Ends with all rows of a search that the filter admits and that have a shape, in the order of the list. They are added to <code>out</code>. */
         public function endWithRows(search:SweptBoxSearch, out:IntList):void
         {
-            for (var row:int = nextOf(search); row >= 0; row = nextOf(search))
+            for (var row:int = nextCandidate(search); row >= 0; row = nextCandidate(search))
             {
                 add(row, 0);
             }

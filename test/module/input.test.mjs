@@ -77,7 +77,7 @@ test("questions in parts take and refuse what all questions do", () => {
 		try {
 			return JSON.stringify(queries[name](...values));
 		} catch (error) {
-			return `${error.constructor.name}: ${error.message.replace(/Agent(Queries|Places|Rays|Walks)/, "")}`;
+			return `${error.constructor.name}: ${error.message.replace(/Agent(Queries|Places|Rays|Motions)/, "")}`;
 		}
 	};
 	const cases = { inCone: [agents[0], 9, 90], near: [agents[0], 9], nearestFew: [agents[0], 3, 9], nearPoint: [new Vector3D(), 9], moveUntilTouch: [agents[0], 0, 0, 0],

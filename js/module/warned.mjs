@@ -29,7 +29,7 @@ const WARNINGS = new Map([
 	]],
 	["queries.SeenAgents.update", ["$warnOfNoFrames(this);", "$warnOfStale(this, agents, null);"]],
 	["queries.SeenAgents.refresh", ["$warnOfStale(this, null, agent);"]],
-	...sameFor(["queries.AgentQueries.walk", "queries.AgentWalks.walk"], [
+	...sameFor(["queries.AgentQueries.walk", "queries.AgentMotions.walk"], [
 		"$warnOfFall(agent, dx, dy);",
 		"$warnOfWalk(this, agent, dx, dy, options);",
 	]),

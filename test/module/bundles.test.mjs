@@ -85,18 +85,18 @@ test("a game loads the questions that it asks", () => {
 		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 41.9],
 		[["Agent", "Collision", "BinCollider", "AgentQueries"], 74.7],
 		[[...level, "AgentRays"], 45.6],
-		[[...level, "AgentWalks"], 77.9],
-		[[...level, "AgentRays", "AgentWalks"], 79.5],
+		[[...level, "AgentMotions"], 77.9],
+		[[...level, "AgentRays", "AgentMotions"], 79.5],
 	];
 	for (const [names, limit] of limits) {
 		const size = weigh(bundle(names)) / KB;
 		assert.ok(size <= limit, `${names.join(", ")}: ${size.toFixed(1)} KB of ${limit}`);
 	}
-	assert.ok(weigh(bundle([...level, "AgentRays"])) < weigh(bundle([...level, "AgentWalks"])));
+	assert.ok(weigh(bundle([...level, "AgentRays"])) < weigh(bundle([...level, "AgentMotions"])));
 });
 
 // the game in js/module/README.md that loads less
-const COINS = `import { Agent, AgentWalks, BuiltInModel, Capsule, Collision, Footing, LevelCollider, LevelShapes, SeenAgents, Sphere } from "starlogo-collision";
+const COINS = `import { Agent, AgentMotions, BuiltInModel, Capsule, Collision, Footing, LevelCollider, LevelShapes, SeenAgents, Sphere } from "starlogo-collision";
 
 const shapes = new LevelShapes();
 shapes.exact = true;
@@ -105,7 +105,7 @@ shapes.addStructure("hero", new Capsule({ x: 0, y: 0, z: 0.3 }, { x: 0, y: 0, z:
 shapes.addStructure("coin", new Sphere({ x: 0, y: 0, z: 0.25 }, 0.25));
 const game = new Collision(new LevelCollider(shapes));
 const seen = new SeenAgents(game);
-const walks = new AgentWalks(seen);
+const motions = new AgentMotions(seen);
 const floor = new Agent("floor");
 const hero = new Agent("hero", "heroes");
 hero.moveTo(0, 0, 1);
@@ -118,7 +118,7 @@ game.onCollisionStart("heroes", "coins", (walker, coin) => agents.splice(agents.
 const footing = new Footing();
 for (let i = 0; i < 50; i++) {
 	seen.update(agents);
-	walks.walk(hero, 0.1, 0, { stepHeight: 0.3, filter: { exceptBreeds: ["coins"] } }, footing);
+	motions.walk(hero, 0.1, 0, { stepHeight: 0.3, filter: { exceptBreeds: ["coins"] } }, footing);
 	game.update(agents);
 }
 export const result = [hero.x.toFixed(6), hero.z.toFixed(6), footing.stands, agents.slice(2).map((coin) => coin.x)].join();
@@ -253,7 +253,7 @@ test("a class with a part of AgentQueries declares the same results", () => {
 	const resultsOf = (name) => new Map([...text.match(new RegExp(`^export class ${name}<[^]*?^}`, "m"))[0].matchAll(/^\t(\w+)(?:<.*?>)?\(.*\): (.*);$/gm)].map(([, method, result]) => [method, result]));
 	const expected = resultsOf("AgentQueries");
 	assert.equal(expected.get("cast"), "RayHit<A> | null");
-	for (const part of ["AgentPlaces", "AgentRays", "AgentWalks"]) {
+	for (const part of ["AgentPlaces", "AgentRays", "AgentMotions"]) {
 		const results = [...resultsOf(part)].filter(([method]) => expected.has(method));
 		assert.ok(results.length > 2, part);
 		for (const [method, result] of results) assert.equal(result, expected.get(method), `${part}.${method}`);

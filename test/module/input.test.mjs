@@ -12,7 +12,7 @@ const folder = path.join(root, "bin/module");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
 const engine = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 const {
-	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, AgentRays, AgentWalks, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, SeenAgents, Sphere, WalkOptions,
+	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, AgentRays, AgentMotions, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, SeenAgents, Sphere, WalkOptions,
 	TightestFitCollider, Vector3D, sphereSphere,
 } = engine;
 
@@ -72,12 +72,12 @@ test("questions in parts take and refuse what all questions do", () => {
 	const all = new AgentQueries(new TightestFitCollider(land));
 	const seen = new SeenAgents(new TightestFitCollider(land));
 	for (const each of [all, seen]) each.update(agents);
-	const parts = [new AgentPlaces(seen), new AgentRays(seen), new AgentWalks(seen)];
+	const parts = [new AgentPlaces(seen), new AgentRays(seen), new AgentMotions(seen)];
 	const ask = (queries, name, values) => {
 		try {
 			return JSON.stringify(queries[name](...values));
 		} catch (error) {
-			return `${error.constructor.name}: ${error.message.replace(/Agent(Queries|Places|Rays|Walks)/, "")}`;
+			return `${error.constructor.name}: ${error.message.replace(/Agent(Queries|Places|Rays|Motions)/, "")}`;
 		}
 	};
 	const cases = { inCone: [agents[0], 9, 90], near: [agents[0], 9], nearestFew: [agents[0], 3, 9], nearPoint: [new Vector3D(), 9], moveUntilTouch: [agents[0], 0, 0, 0],

@@ -115,7 +115,7 @@ import {
 	WalkOptions,
 	AgentPlaces,
 	AgentRays,
-	AgentWalks,
+	AgentMotions,
 	LevelCollider,
 	LevelShapes,
 	SeenAgents,
@@ -221,8 +221,8 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const hits: RayHit[] = queries.castAll(eye, ahead);
 	const seen: SeenAgents = new SeenAgents(collision);
 	seen.update(agents);
-	const [places, walks]: [AgentPlaces, AgentWalks] = [new AgentPlaces(seen), new AgentWalks(seen)];
-	if (places.nearest(agents[0], Infinity, filter) !== nearest || walks.moveUntilTouch(agents[0], 0, 0, 0) !== 1) log.push("other answers");
+	const [places, motions]: [AgentPlaces, AgentMotions] = [new AgentPlaces(seen), new AgentMotions(seen)];
+	if (places.nearest(agents[0], Infinity, filter) !== nearest || motions.moveUntilTouch(agents[0], 0, 0, 0) !== 1) log.push("other answers");
 	const level = new LevelShapes();
 	level.exact = true;
 	for (const { shape } of agents) level.addStructure(shape, greatLand.boundingStructures.tightestFit(shape));

@@ -19,7 +19,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
 
         // The search of a question.
-        private var _searches:Nested;
+        private var _searches:PerQuestion;
 
         // The cone of inCone, which calls accepts only after the search.
         private var _cone:Cone = new Cone();
@@ -34,7 +34,7 @@ package starlogo.queries
         {
             requireGiven("seen", seen);
             _seen = seen;
-            _searches = new Nested(seen, NearSearch);
+            _searches = new PerQuestion(seen, NearSearch);
         }
 
         /**
@@ -179,7 +179,7 @@ package starlogo.queries
             requireNotNegative("radius", radius);
             var found:Collector = _seen.beginSearch(wanted, radius * radius, asker, filter);
             var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
-            var search:NearSearch = _searches.current;
+            var search:NearSearch = NearSearch(_searches.current);
             search.find(found, x, y, z, cone);
             return found;
         }
@@ -188,7 +188,7 @@ package starlogo.queries
         {
             requireNotNegative("radius", radius);
             var found:Collector = _seen.beginSearch(Collector.ALL, radius * radius, asker, filter);
-            var search:NearSearch = _searches.current;
+            var search:NearSearch = NearSearch(_searches.current);
             return search.count(found, x, y, z);
         }
     }

@@ -1,3 +1,11 @@
+// All questions of a game. Each one is passed on, in the order of this file:
+// - near to inCone: AgentPlaces finds places within a distance (NearSearch), or in a cone (Cone)
+// - touching to overlapping: TouchQueries finds the rows whose bodies touch a body that stands (SweptBoxSearch, NarrowPhase)
+// - distance, distanceToPoint: DistanceQueries measures between two bodies (NarrowPhase)
+// - cast, castAll, canSee: AgentRays finds the rows that a ray meets (SweptBoxSearch, RowRayQuery)
+// - castShape to slide: MoveQueries finds how far a body can go (TouchSweep, Slider)
+// - walk: WalkQueries finds where a character comes to stand (WalkMover)
+// AgentPlaces, AgentRays and AgentMotions have the same questions for games that load only these. AgentMotions has those of the last two lines.
 package starlogo.queries
 {
     import flash.geom.Vector3D;
@@ -39,7 +47,7 @@ package starlogo.queries
      * them anew after an agent has got another breed.</p>
      *
      * <p>A page that asks only some of the questions, and wants to load no more than these, takes SeenAgents with AgentPlaces, AgentRays or
-     * AgentWalks in place of this class. Their answers are the same.</p>
+     * AgentMotions in place of this class. Their answers are the same.</p>
      */
     public class AgentQueries
     {
@@ -64,7 +72,7 @@ package starlogo.queries
             var source:QuerySource = collisionOrSystem as QuerySource;
             if (source != null && !source.isForAllQuestions)
             {
-                throw new ArgumentError("the shapes of a level are for AgentPlaces, AgentRays and AgentWalks: an AgentQueries needs a Collision or a collision system");
+                throw new ArgumentError("the shapes of a level are for AgentPlaces, AgentRays and AgentMotions: an AgentQueries needs a Collision or a collision system");
             }
             _seen = new SeenAgents(collisionOrSystem);
             // questions may be about any structure
@@ -292,7 +300,7 @@ package starlogo.queries
          */
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {
-            return _distances.find(a, b, pointA, pointB);
+            return _distances.distance(a, b, pointA, pointB);
         }
 
         /**
@@ -309,7 +317,7 @@ package starlogo.queries
          */
         public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D = null):Number
         {
-            return _distances.findToPoint(agent, point, out);
+            return _distances.distanceToPoint(agent, point, out);
         }
 
         /** @copy AgentRays#cast() */
@@ -331,39 +339,39 @@ package starlogo.queries
             return _rays.canSee(a, b, filter);
         }
 
-        /** @copy AgentWalks#castShape() */
+        /** @copy AgentMotions#castShape() */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
             return _moves.castShape(structure, dx, dy, dz, filter, hit);
         }
 
-        /** @copy AgentWalks#castShapeAll() */
+        /** @copy AgentMotions#castShapeAll() */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
             return _moves.castShapeAll(structure, dx, dy, dz, filter, out);
         }
 
-        /** @copy AgentWalks#castAgent() */
+        /** @copy AgentMotions#castAgent() */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
             return _moves.castAgent(agent, dx, dy, dz, filter, hit);
         }
 
-        /** @copy AgentWalks#castAgentAll() */
+        /** @copy AgentMotions#castAgentAll() */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
             return _moves.castAgentAll(agent, dx, dy, dz, filter, out);
         }
 
-        /** @copy AgentWalks#moveUntilTouch() */
+        /** @copy AgentMotions#moveUntilTouch() */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
             return _moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
         }
 
-        /** @copy AgentWalks#slide() */
+        /** @copy AgentMotions#slide() */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
             return _moves.slide(agent, dx, dy, dz, filter);
@@ -375,7 +383,7 @@ package starlogo.queries
             return _moves.slideLevel(agent, dx, dy, filter);
         }
 
-        /** @copy AgentWalks#walk() */
+        /** @copy AgentMotions#walk() */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
             return _walks.walk(agent, dx, dy, options, out);

@@ -32,7 +32,7 @@ package starlogo.queries
         private var _entry:RayEntry = new RayEntry();
 
         // How the ray of a question meets rows.
-        private var _hits:Nested;
+        private var _hits:PerQuestion;
 
         private var _spare:SpareHits = new SpareHits(RayHit);
 
@@ -52,7 +52,7 @@ package starlogo.queries
             _seen = seen;
             _rowRays = new RowRayQuery(seen);
             _rowSurfaces = new RowSurfaceQuery(seen);
-            _hits = new Nested(seen, Hits);
+            _hits = new PerQuestion(seen, Hits);
         }
 
         /**
@@ -170,7 +170,7 @@ package starlogo.queries
             var rowA:int = _seen.rowOf(a);
             var rowB:int = _seen.rowOf(b);
             var found:Collector = begin(1, from, towards, distance, filter);
-            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
+            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
             {
                 if (row != rowA && row != rowB && _rowRays.findHit(row, _ray, _entry))
                 {
@@ -223,7 +223,7 @@ package starlogo.queries
         // The hits of a question that begins now: none yet.
         private function beginHits():Hits
         {
-            var hits:Hits = _hits.current;
+            var hits:Hits = Hits(_hits.current);
             hits.begin();
             return hits;
         }
@@ -231,7 +231,7 @@ package starlogo.queries
         // Finds the rows that the ray meets, and keeps how it meets them.
         private function collect(found:Collector, out:Hits):void
         {
-            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
+            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
             {
                 if (_rowRays.findHit(row, _ray, _entry))
                 {
@@ -245,7 +245,7 @@ package starlogo.queries
         // Finds the rows that the ray meets, and keeps all surfaces that it crosses.
         private function collectSurfaces(found:Collector, out:Hits):void
         {
-            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
+            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
             {
                 if (_rowSurfaces.findSurfaces(row, _ray, out))
                 {

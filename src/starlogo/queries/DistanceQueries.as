@@ -40,7 +40,7 @@ package starlogo.queries
          * @param pointA receives the first agent's nearest point; or null
          * @param pointB receives the second agent's nearest point; or null
          */
-        public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):Number
+        public function distance(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):Number
         {
             Collider.requireTwo(a, b);
             // a handler may have changed the ground
@@ -54,24 +54,24 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            return answer(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _body) : _seen.table.bodyOf(rowB), pointA, pointB);
+            return measure(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _body) : _seen.table.bodyOf(rowB), pointA, pointB);
         }
 
         /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
-        public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
+        public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
         {
             requirePoint(point);
             _point.center.setTo(point.x, point.y, point.z);
-            var distance:Number = answer(_seen.bodyOf(agent), _pointBody.read(_point), out, null);
-            if (distance == 0)
+            var found:Number = measure(_seen.bodyOf(agent), _pointBody.read(_point), out, null);
+            if (found == 0)
             {
                 // without the rounding of the point that was found, which stands in the game's point if that is out too
-                write(out, _point.center);
+                copyTo(out, _point.center);
             }
-            return distance;
+            return found;
         }
 
-        private function answer(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number
+        private function measure(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number
         {
             if (a.shape == null || b.shape == null)
             {
@@ -83,12 +83,12 @@ package starlogo.queries
                 // the edges of a world without edges have no points
                 return Infinity;
             }
-            write(pointA, _closest.a);
-            write(pointB, _closest.b);
+            copyTo(pointA, _closest.a);
+            copyTo(pointB, _closest.b);
             return _closest.distance;
         }
 
-        private static function write(out:Vector3D, point:Vector3D):void
+        private static function copyTo(out:Vector3D, point:Vector3D):void
         {
             if (out != null)
             {

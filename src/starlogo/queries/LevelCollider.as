@@ -21,7 +21,7 @@ package starlogo.queries
      * shapes.addModel(BuiltInModel.box(20, 20, 1, "floor"));
      * shapes.addStructure("ball", new Sphere(new Vector3D(), 0.5));
      * var collision:Collision = new Collision(new LevelCollider(shapes));
-     * var walks:AgentWalks = new AgentWalks(new SeenAgents(collision));
+     * var motions:AgentMotions = new AgentMotions(new SeenAgents(collision));
      * </listing>
      */
     public class LevelCollider extends Collider

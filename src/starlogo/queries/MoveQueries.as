@@ -22,7 +22,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers how far an agent or a structure can go. Some questions move the agent there. The casts move nothing. AgentWalks says what each
+     * Answers how far an agent or a structure can go. Some questions move the agent there. The casts move nothing. AgentMotions says what each
      * question means.
      *
      * @private
@@ -38,7 +38,7 @@ package starlogo.queries
         private var _spare:SpareHits = new SpareHits(ShapeHit);
 
         // The body of a question.
-        private var _bodies:Nested;
+        private var _bodies:PerQuestion;
 
         // A motion, how it ends at the first row that stops it, and how a slide ends.
         private var _motion:Vector3D = new Vector3D();
@@ -51,51 +51,42 @@ package starlogo.queries
             _seen = seen;
             _touches = new TouchSweep(seen);
             _hits = new Hits(seen);
-            _bodies = new Nested(seen, MovingBody);
+            _bodies = new PerQuestion(seen, MovingBody);
         }
 
-        /** See AgentWalks.castShape. */
+        /** See AgentMotions.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var body:MovingBody = _bodies.current;
-            body.readStructure(structure);
-            return cast(body, null, dx, dy, dz, filter, hit);
+            return cast(bodyOfStructure(structure), null, dx, dy, dz, filter, hit);
         }
 
-        /** See AgentWalks.castShapeAll. */
+        /** See AgentMotions.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var body:MovingBody = _bodies.current;
-            body.readStructure(structure);
-            return castAll(body, null, dx, dy, dz, filter, out);
+            return castAll(bodyOfStructure(structure), null, dx, dy, dz, filter, out);
         }
 
-        /** See AgentWalks.castAgent. */
+        /** See AgentMotions.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var body:MovingBody = _bodies.current;
-            body.readCastAgent(agent);
-            return cast(body, agent, dx, dy, dz, filter, hit);
+            return cast(bodyOfCastAgent(agent), agent, dx, dy, dz, filter, hit);
         }
 
-        /** See AgentWalks.castAgentAll. */
+        /** See AgentMotions.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var body:MovingBody = _bodies.current;
-            body.readCastAgent(agent);
-            return castAll(body, agent, dx, dy, dz, filter, out);
+            return castAll(bodyOfCastAgent(agent), agent, dx, dy, dz, filter, out);
         }
 
-        /** See AgentWalks.moveUntilTouch. */
+        /** See AgentMotions.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            var body:MovingBody = _bodies.current;
+            var body:MovingBody = MovingBody(_bodies.current);
             body.readAgent(agent);
             findStops(body, agent, dx, dy, dz, filter, 1, _motion, _first);
-            var isMet:Boolean = _first.row >= 0;
-            if (isMet)
+            if (_first.isStopped)
             {
                 _touches.goIntoTouch(body, _first);
             }
@@ -107,7 +98,7 @@ package starlogo.queries
             if (contact != null)
             {
                 contact.time = _first.fraction;
-                if (isMet)
+                if (_first.isStopped)
                 {
                     contact.read(_first.contact);
                     contact.approachSpeed = Math.max(0, -_first.contact.along(_motion));
@@ -116,7 +107,7 @@ package starlogo.queries
             return _first.fraction;
         }
 
-        /** See AgentWalks.slide. */
+        /** See AgentMotions.slide. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             return moveSliding(agent, dx, dy, dz, filter, SlideLimits.NONE);
@@ -128,10 +119,24 @@ package starlogo.queries
             return moveSliding(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
         }
 
+        private function bodyOfStructure(structure:BoundingStructure):MovingBody
+        {
+            var body:MovingBody = MovingBody(_bodies.current);
+            body.readStructure(structure);
+            return body;
+        }
+
+        private function bodyOfCastAgent(agent:Agent):MovingBody
+        {
+            var body:MovingBody = MovingBody(_bodies.current);
+            body.readCastAgent(agent);
+            return body;
+        }
+
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
             _seen.requireMovable(agent, "slide");
-            var body:MovingBody = _bodies.current;
+            var body:MovingBody = MovingBody(_bodies.current);
             body.readAgent(agent);
             requireMotion(dx, dy, dz, agent);
             body.collectRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);

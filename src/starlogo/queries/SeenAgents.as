@@ -1,9 +1,9 @@
 // This room answers questions about agents in space: what is near, what touches, what a ray meets, how far something can go. A class for each
 // kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
-// what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. The folder trees/ has the trees and their
-// searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts may ask while a
-// question is under way: Nested says what that one has afterwards. Read this file first, then AgentRays for a ray, TouchSweep and Slider for a
-// motion, or WalkMover for a walk.
+// what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on: its head is a list of them. The folder trees/ has
+// the trees and their searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts
+// may ask while a question is under way: PerQuestion says what that one has afterwards. Read this file first, then AgentRays for a ray, or AgentMotions
+// for a motion or a walk.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
@@ -27,7 +27,7 @@ package starlogo.queries
 
     /**
      * The agents that questions see, for games that load only some kinds of questions: AgentPlaces (what is near), AgentRays (what a ray
-     * meets), AgentWalks (how far something can go). All of them may share one SeenAgents. An AgentQueries has all questions, and agents of
+     * meets), AgentMotions (how far something can go). All of them may share one SeenAgents. An AgentQueries has all questions, and agents of
      * its own.
      *
      * <listing version="3.0">
@@ -56,13 +56,13 @@ package starlogo.queries
         // Trees of the places and of the extents. Each is built when a question first needs it.
         private var _places:RowTree = new RowTree();
         private var _extents:RowTree = new RowTree();
-        private var _isRead:Boolean = false;
+        private var _isUpdated:Boolean = false;
 
         // The body of an agent that has changed since the last update.
-        private var _made:Body = new Body();
+        private var _spare:Body = new Body();
 
         // What collects the rows of a question.
-        private var _collectors:Nested;
+        private var _collectors:PerQuestion;
 
         private var _nesting:int = 0;
 
@@ -81,7 +81,7 @@ package starlogo.queries
             }
             narrowPhase = _source.findNarrowPhase();
             table = new AgentTable(narrowPhase.choice);
-            _collectors = new Nested(this, Collector);
+            _collectors = new PerQuestion(this, Collector);
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
@@ -106,7 +106,7 @@ package starlogo.queries
         public function update(agents:Vector.<Agent>):void
         {
             requireGiven("agents", agents);
-            requireUnlocked("update");
+            requireOutsideFilter("update");
             var found:NarrowPhase = _source.findNarrowPhase();
             var isOther:Boolean = found !== narrowPhase;
             var next:AgentTable = isOther ? new AgentTable(found.choice) : table;
@@ -120,7 +120,7 @@ package starlogo.queries
             }
             _places.makeStale();
             _extents.makeStale();
-            _isRead = true;
+            _isUpdated = true;
         }
 
         /**
@@ -132,7 +132,7 @@ package starlogo.queries
          */
         public function refresh(agent:Agent):void
         {
-            requireUnlocked("refresh");
+            requireOutsideFilter("refresh");
             var row:int = rowOf(agent);
             if (row < ListedAgents.FIRST_LISTED)
             {
@@ -157,14 +157,14 @@ package starlogo.queries
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
         engine function beginSearch(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            var collector:Collector = _collectors.current;
+            var collector:Collector = Collector(_collectors.current);
             collector.begin(wanted, limit, asker, filter);
             return collector;
         }
 
         /**
          * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
-         * question that calls it, but not change the agents. What a question needs after these calls is Nested.
+         * question that calls it, but not change the agents. What a question needs after these calls is PerQuestion.
          */
         engine function get nesting():int
         {
@@ -188,7 +188,7 @@ package starlogo.queries
         {
             if (agent != null && table.list.rowOf(agent) >= ListedAgents.FIRST_LISTED)
             {
-                requireUnlocked(what);
+                requireOutsideFilter(what);
             }
         }
 
@@ -219,13 +219,13 @@ package starlogo.queries
         /**
          * @private The body of an agent as it is now. Its shape is null while the agent's model is loading. Do not change it.
          *
-         * @param made becomes this body if the agent has changed since the last update. If it is null, the body is valid until the next call
+         * @param spare becomes this body if the agent has changed since the last update. If it is null, the body is valid until the next call
          * @throws ArgumentError if the agent is null, or its model is unknown or lacks data that is needed
          */
-        engine function bodyOf(agent:Agent, made:Body = null):Body
+        engine function bodyOf(agent:Agent, spare:Body = null):Body
         {
             requireAgent(agent);
-            return table.currentBodyOf(agent, made || _made);
+            return table.currentBodyOf(agent, spare || _spare);
         }
 
         /**
@@ -251,7 +251,7 @@ package starlogo.queries
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */
         engine function treeOfPlaces():RowTree
         {
-            return build(_places, table.places, null);
+            return prepare(_places, table.places, null);
         }
 
         /**
@@ -261,12 +261,12 @@ package starlogo.queries
         engine function treeOfExtents():RowTree
         {
             table.refreshWorld();
-            return build(_extents, table.extents, table.extents);
+            return prepare(_extents, table.extents, table.extents);
         }
 
-        private function build(tree:RowTree, points:Points, sizes:Extents):RowTree
+        private function prepare(tree:RowTree, points:Points, sizes:Extents):RowTree
         {
-            if (!_isRead)
+            if (!_isUpdated)
             {
                 throw new IllegalOperationError("nothing to ask about yet: call update(agents) of this AgentQueries or SeenAgents before its first question, "
                         + "and then once a frame. That of the Collision does not count");
@@ -279,7 +279,7 @@ package starlogo.queries
             return tree;
         }
 
-        private function requireUnlocked(what:String):void
+        private function requireOutsideFilter(what:String):void
         {
             if (_nesting > 0)
             {

@@ -85,7 +85,7 @@ package starlogo.queries
                 return found;
             }
             _search.beginAround(_seen.treeOfExtents(), body);
-            for (var row:int = found.nextOf(_search); row >= 0; row = found.nextOf(_search))
+            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
             {
                 if (_seen.narrowPhase.areTouching(body, table.bodyOf(row)))
                 {

@@ -33,23 +33,23 @@ package starlogo.queries
         private var _walkMover:WalkMover;
 
         // The walk of a question.
-        private var _walks:Nested;
+        private var _walks:PerQuestion;
 
         /** @param seen the agents that the questions are about */
         public function WalkQueries(seen:SeenAgents)
         {
             _seen = seen;
             _walkMover = new WalkMover(seen);
-            _walks = new Nested(seen, Walk);
+            _walks = new PerQuestion(seen, Walk);
         }
 
-        /** See AgentWalks.walk. */
+        /** See AgentMotions.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var walk:Walk = go(agent, dx, dy, options || DEFAULTS);
+            var walk:Walk = findWalk(agent, dx, dy, options || DEFAULTS);
             // before the footing is written, because an agent that would leave the world throws an error
-            _seen.moveAgent(agent, walk.place, walk.turn);
+            _seen.moveAgent(agent, walk.place, walk.carryTurn);
             var footing:Footing = out || new Footing();
             footing.copyFrom(walk.footing);
             var link:PlatformLink = agent.platformLink;
@@ -64,14 +64,14 @@ package starlogo.queries
         /** Finds the footing that a walk without a way would give the agent now. Nothing moves. It may be asked in a filter's <code>accepts</code>. */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            out.copyFrom(go(agent, 0, 0, options).footing);
+            out.copyFrom(findWalk(agent, 0, 0, options).footing);
             return out;
         }
 
         // Finds where a walk leads, and on what the agent stands there. Nothing moves.
-        private function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions):Walk
+        private function findWalk(agent:Agent, dx:Number, dy:Number, options:WalkOptions):Walk
         {
-            var walk:Walk = _walks.current;
+            var walk:Walk = Walk(_walks.current);
             readOptions(agent, dx, dy, options, walk);
             agent.platformLink ||= new PlatformLink(agent);
             var footing:Footing = walk.footing;
@@ -93,9 +93,9 @@ package starlogo.queries
             out.agent = agent;
             out.options = options;
             out.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
-            out.pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
-            out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
-            out.pieceLength = whole / out.pieces;
+            out.pieceCount = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
+            out.pieceMotion.setTo(dx / out.pieceCount, dy / out.pieceCount, 0);
+            out.pieceLength = whole / out.pieceCount;
         }
     }
 }

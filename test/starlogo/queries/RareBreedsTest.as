@@ -133,10 +133,10 @@ package starlogo.queries
             var sum:int = 0;
             for (var i:int = 0; i < SHEEP; i++)
             {
-                var before:int = tree.passedOver;
+                var before:int = tree.excludedCount;
                 ask(_agents[i]);
                 // learning begins anew
-                sum += tree.passedOver < before ? tree.passedOver : tree.passedOver - before;
+                sum += tree.excludedCount < before ? tree.excludedCount : tree.excludedCount - before;
             }
             assertTrue(sum + " rows", sum < SHEEP * MOST_PASSED_OVER);
         }

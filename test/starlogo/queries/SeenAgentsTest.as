@@ -83,7 +83,7 @@ package starlogo.queries
             var seen:SeenAgents = new SeenAgents(source);
             var places:AgentPlaces = new AgentPlaces(seen);
             var rays:AgentRays = new AgentRays(seen);
-            var walks:AgentWalks = new AgentWalks(seen);
+            var motions:AgentMotions = new AgentMotions(seen);
             var met:int = 0;
             all.update(_agents);
             seen.update(_agents);
@@ -105,18 +105,18 @@ package starlogo.queries
                 assertEquals(all.castAll(at, way, Infinity, null, null, true).length, rays.castAll(at, way, Infinity, null, null, true).length);
                 assertEquals(all.canSee(agent, _agents[i + 1]), rays.canSee(agent, _agents[i + 1]));
                 var ball:Sphere = new Sphere(at, 0.3);
-                assertEquals(timeOf(all.castShape(ball, way.x, way.y, way.z)), timeOf(walks.castShape(ball, way.x, way.y, way.z)));
-                assertEquals(all.castShapeAll(ball, way.x, way.y, way.z).length, walks.castShapeAll(ball, way.x, way.y, way.z).length);
-                assertEquals(timeOf(all.castAgent(agent, way.x, way.y, way.z)), timeOf(walks.castAgent(agent, way.x, way.y, way.z)));
-                assertEquals(all.castAgentAll(agent, way.x, way.y, way.z).length, walks.castAgentAll(agent, way.x, way.y, way.z).length);
+                assertEquals(timeOf(all.castShape(ball, way.x, way.y, way.z)), timeOf(motions.castShape(ball, way.x, way.y, way.z)));
+                assertEquals(all.castShapeAll(ball, way.x, way.y, way.z).length, motions.castShapeAll(ball, way.x, way.y, way.z).length);
+                assertEquals(timeOf(all.castAgent(agent, way.x, way.y, way.z)), timeOf(motions.castAgent(agent, way.x, way.y, way.z)));
+                assertEquals(all.castAgentAll(agent, way.x, way.y, way.z).length, motions.castAgentAll(agent, way.x, way.y, way.z).length);
             }
             assertTrue(met > 5);
             assertTrue(met < 40);
-            compareMotions(all, walks);
+            compareMotions(all, motions);
         }
 
         // The mover is in neither list, so the others stay where they are.
-        private function compareMotions(all:AgentQueries, walks:AgentWalks):void
+        private function compareMotions(all:AgentQueries, motions:AgentMotions):void
         {
             var first:Agent = agentAt("sphere", 0, 0, 8);
             var second:Agent = agentAt("sphere", 0, 0, 8);
@@ -125,9 +125,9 @@ package starlogo.queries
             {
                 var dx:Number = _random.between(-2, 2);
                 var dy:Number = _random.between(-2, 2);
-                assertEquals(all.moveUntilTouch(first, dx, dy, -1), walks.moveUntilTouch(second, dx, dy, -1, null, contact));
-                assertEquals(all.slide(first, dy, dx, 0.4), walks.slide(second, dy, dx, 0.4));
-                assertEquals(all.walk(first, dx, dx).stands, walks.walk(second, dx, dx).stands);
+                assertEquals(all.moveUntilTouch(first, dx, dy, -1), motions.moveUntilTouch(second, dx, dy, -1, null, contact));
+                assertEquals(all.slide(first, dy, dx, 0.4), motions.slide(second, dy, dx, 0.4));
+                assertEquals(all.walk(first, dx, dx).stands, motions.walk(second, dx, dx).stands);
                 assertEquals([first.x, first.y, first.z].join(), [second.x, second.y, second.z].join());
             }
         }

@@ -25,21 +25,21 @@ package starlogo.queries.motion
 
         // The slop has four parts: fractions of the body's extent, of the largest extent near it, of the coordinates, and of the motion and a cell of
         // the ground. An eighth of it is wider than the gap across which a sweep touches.
-        private static const OF_EXTENT:Number = 0.4 * Tolerances.SEPARATION;
-        private static const OF_OTHERS:Number = 0.02 * Tolerances.SEPARATION;
-        private static const OF_PLACES:Number = 16 * Tolerances.PLACES;
-        private static const OF_MOTION:Number = 24 * Tolerances.ROUNDING;
+        private static const SLOP_OF_EXTENT:Number = 0.4 * Tolerances.SEPARATION;
+        private static const SLOP_OF_OTHERS:Number = 0.02 * Tolerances.SEPARATION;
+        private static const SLOP_OF_PLACES:Number = 16 * Tolerances.PLACES;
+        private static const SLOP_OF_MOTION:Number = 24 * Tolerances.ROUNDING;
 
         // The least half-extent of the body loses a slop, and the others lose in proportion. For a slim body, a tenth of its largest half-extent
         // takes the place of the least one. So no half-extent loses more than ten slops. The body loses at most half of its size.
-        private static const SLIMMEST:Number = 10;
+        private static const MOST_SLIMNESS:Number = 10;
         private static const MOST_SHRINK:Number = 0.5;
 
         // The factor by which the inset grows until the core is free.
-        private static const NARROWER:Number = 4;
+        private static const NARROWING:Number = 4;
 
         // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. A sweep may touch across a wider gap.
-        private static const FLAT:Number = 0.01;
+        private static const FLAT_SLOPS:Number = 0.01;
 
         private static const NO_MOTION:Vector3D = new Vector3D();
 
@@ -97,12 +97,12 @@ package starlogo.queries.motion
                 }
                 largest = Math.max(largest, 2 * other.largestHalf);
             }
-            slop = OF_EXTENT * extent + OF_OTHERS * largest + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z))
-                + OF_MOTION * (cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            slop = SLOP_OF_EXTENT * extent + SLOP_OF_OTHERS * largest + SLOP_OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z))
+                + SLOP_OF_MOTION * (cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
             _mostInset = slop + SHALLOW * largest;
             setInset(slop);
-            isFlat = shrink * body.whole.leastHalf < FLAT * slop;
+            isFlat = shrink * body.whole.leastHalf < FLAT_SLOPS * slop;
         }
 
         /** Becomes the core of a body that stands at a place. */
@@ -128,7 +128,7 @@ package starlogo.queries.motion
             }
             do
             {
-                inset = Math.min(NARROWER * inset, _mostInset);
+                inset = Math.min(NARROWING * inset, _mostInset);
                 setInset(inset);
             }
             while (inset < _mostInset && coreTouches(row, place));
@@ -143,8 +143,8 @@ package starlogo.queries.motion
             _core.shrink(shrink);
         }
 
-        /** The core when the body stands at a place. It is valid until the next call. */
-        public function at(place:Vector3D):Body
+        /** Moves the core to where it is when the body stands at a place. Returns the core, which stays there until the next call. */
+        public function moveTo(place:Vector3D):Body
         {
             var whole:Body = body.whole;
             _place.setTo(place.x + shrink * whole.offsetX, place.y + shrink * whole.offsetY, place.z + shrink * whole.offsetZ);
@@ -170,13 +170,13 @@ package starlogo.queries.motion
         /** Whether the whole body touches a row when it stands at a place. */
         public function bodyTouches(row:int, place:Vector3D):Boolean
         {
-            return isNear(body.wholeAt(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
+            return isNear(body.moveTo(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
         }
 
         /** Whether the core touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
         public function coreTouches(row:int, place:Vector3D):Boolean
         {
-            return bodyTouches(row, place) && body.narrowPhase.areTouching(at(place), body.bodyOf(row));
+            return bodyTouches(row, place) && body.narrowPhase.areTouching(moveTo(place), body.bodyOf(row));
         }
 
         /**
@@ -187,7 +187,7 @@ package starlogo.queries.motion
         public function bodyOverlaps(row:int, place:Vector3D):Boolean
         {
             var other:Body = body.bodyOf(row);
-            var whole:Body = body.wholeAt(place);
+            var whole:Body = body.moveTo(place);
             if (other.form == ModelShape.GROUND)
             {
                 return body.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
@@ -200,7 +200,7 @@ package starlogo.queries.motion
         // The part of its size that a body loses with an inset.
         private static function shrinkOf(body:Body, inset:Number):Number
         {
-            var taken:Number = inset / Math.max(body.leastHalf, body.largestHalf / SLIMMEST);
+            var taken:Number = inset / Math.max(body.leastHalf, body.largestHalf / MOST_SLIMNESS);
             return taken < MOST_SHRINK ? taken : MOST_SHRINK;
         }
     }

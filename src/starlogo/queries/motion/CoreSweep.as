@@ -43,15 +43,15 @@ package starlogo.queries.motion
          * @param from where the motion begins
          * @param out receives the answer
          */
-        public function startMotion(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionStart):void
+        public function startMotion(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionState):void
         {
-            out.place.copyFrom(from);
-            out.lifted.clear();
+            out.startPlace.copyFrom(from);
+            out.pushes.clear();
             out.planes.clear();
             out.obstacles.copyFrom(rows);
             out.impact.row = -1;
             out.core.begin(body, rows, from, motion);
-            out.isImpactKnown = !hasLength(motion) || sweepIfFree(out.core, out.obstacles, from, motion, out.impact);
+            out.isImpactKnown = !hasLength(motion) || findImpactIfFree(out.core, out.obstacles, from, motion, out.impact);
             if (!out.isImpactKnown)
             {
                 _recovery.leaveOverlaps(out);
@@ -63,30 +63,30 @@ package starlogo.queries.motion
          *
          * @param rows the rows that may be in its way
          * @param from where the motion begins
-         * @param start receives how it starts
+         * @param state receives how it starts, and what it meets
          * @param out receives the answer, all but its place
          */
-        public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, start:MotionStart, out:MotionResult):void
+        public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, state:MotionState, out:MotionResult):void
         {
-            startMotion(body, rows, from, motion, start);
-            out.isDeep = start.planes.count > 0;
-            out.row = start.isImpactKnown ? -1 : findCrossed(start.planes, motion, out.contact);
-            if (out.row >= 0)
+            startMotion(body, rows, from, motion, state);
+            out.isDeep = state.planes.count > 0;
+            out.row = state.isImpactKnown ? -1 : findCrossedPlane(state.planes, motion, out.contact);
+            if (out.isStopped)
             {
                 out.fraction = 0;
                 return;
             }
-            if (!start.isImpactKnown)
+            if (!state.isImpactKnown)
             {
-                sweepObstacles(start.core, start.obstacles, start.place, motion, start.impact);
+                findFirstObstacle(state.core, state.obstacles, state.startPlace, motion, state.impact);
             }
-            out.row = start.impact.row;
+            out.row = state.impact.row;
             out.fraction = 1;
-            if (out.row >= 0)
+            if (out.isStopped)
             {
-                out.contact.copyFrom(start.impact.contact);
-                out.fraction = findTouchTime(start.core, start.place, motion, start.impact);
-                setAlong(start.place, motion, start.impact.time, out.corePlace);
+                out.contact.copyFrom(state.impact.contact);
+                out.fraction = findTouchTime(state.core, state.startPlace, motion, state.impact);
+                setAlong(state.startPlace, motion, state.impact.time, out.corePlace);
             }
         }
 
@@ -95,11 +95,21 @@ package starlogo.queries.motion
          *
          * @param from where the motion begins
          * @param out receives the answer
+         * @param countsInside whether a row stops the core at the beginning if one of the two is inside of the other there
          * @return whether anything is met
          */
-        public function sweepRows(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        public function findFirstImpact(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact, countsInside:Boolean = false):Boolean
         {
-            return sweepAll(core, rows, from, motion, false, out);
+            out.row = -1;
+            out.time = out.comparedTime = RelativeMotion.NEVER;
+            for (var i:int = 0; i < rows.count && out.comparedTime > 0; i++)
+            {
+                if (findImpact(core, rows.numbers[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
+                {
+                    out.copyFrom(_met);
+                }
+            }
+            return out.isMet;
         }
 
         /**
@@ -109,9 +119,9 @@ package starlogo.queries.motion
          * @param from where the motion begins
          * @param out receives the answer
          */
-        public function sweepObstacles(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
+        public function findFirstObstacle(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            while (sweepRows(core, obstacles, from, motion, out) && core.body.passes(out.row, out.contact))
+            while (findFirstImpact(core, obstacles, from, motion, out) && core.body.passesOneWay(out.row, out.contact))
             {
                 obstacles.remove(out.row);
             }
@@ -120,7 +130,7 @@ package starlogo.queries.motion
         /** Whether a row would stop a core on a straight motion. What it overlaps at the beginning stops it too. */
         public function meets(core:BodyCore, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            return hasLength(motion) && sweepRow(core, row, from, motion, false, _met);
+            return hasLength(motion) && findImpact(core, row, from, motion, false, _met);
         }
 
         /**
@@ -141,16 +151,19 @@ package starlogo.queries.motion
                     + contact.normalZ * (from.z + whole.offsetZ + impact.time * motion.z - contact.z));
             var along:Number = contact.along(motion);
             var ofPlane:Number = Math.max(0, Math.min(1, impact.time + recess / along));
-            if (!(recess < 0) && along < -FLAT_SINE * motion.length)
+            var isSteep:Boolean = along < -FLAT_SINE * motion.length;
+            if (isSteep && !(recess < 0))
             {
                 return ofPlane;
             }
             setAlong(from, motion, 1, _end);
-            core.body.wholeAt(_end);
+            core.body.moveTo(_end);
             var other:Body = core.body.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
             core.body.narrowPhase.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
-            return Math.max(Math.min(ofPlane, impact.time), Math.min(Math.max(ofPlane, impact.time), _relative.time));
+            var earliest:Number = Math.min(ofPlane, impact.time);
+            var latest:Number = Math.max(ofPlane, impact.time);
+            return Math.max(earliest, Math.min(latest, _relative.time));
         }
 
         /** Sets the place at a time of a motion. */
@@ -166,32 +179,17 @@ package starlogo.queries.motion
 
         // Finds what stops the core first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies are not decided here,
         // nor motions that a one-way obstacle may stop first. Returns whether the core certainly overlaps nothing.
-        private function sweepIfFree(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        private function findImpactIfFree(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return !core.isFlat && (!sweepAll(core, obstacles, from, motion, true, out) || out.time > 0 && !core.body.isOneWay(out.row));
-        }
-
-        // See sweepRows. If insides count, a row stops the core at the beginning if it is inside of the row there, or has the row inside.
-        private function sweepAll(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
-        {
-            out.row = -1;
-            out.time = out.comparedTime = RelativeMotion.NEVER;
-            for (var i:int = 0; i < rows.count && out.comparedTime > 0; i++)
-            {
-                if (sweepRow(core, rows.numbers[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
-                {
-                    out.copyFrom(_met);
-                }
-            }
-            return out.row >= 0;
+            return !core.isFlat && (!findFirstImpact(core, obstacles, from, motion, out, true) || out.time > 0 && !core.body.isOneWay(out.row));
         }
 
         // Finds the plane that the motion crosses at the steepest angle. Its contact is without a triangle, because the plane stands for all triangles of the
         // row. Returns the row; -1 if the motion crosses no plane.
-        private static function findCrossed(planes:ContactList, motion:Vector3D, out:ContactPoint):int
+        private static function findCrossedPlane(planes:ContactList, motion:Vector3D, out:ContactPoint):int
         {
             var row:int = -1;
-            var least:Number = -SlideRest.PARALLEL_SINE * motion.length;
+            var least:Number = -RemainingMotion.PARALLEL_SINE * motion.length;
             for (var i:int = 0; i < planes.count; i++)
             {
                 var along:Number = planes.contacts[i].along(motion);
@@ -209,7 +207,7 @@ package starlogo.queries.motion
         // Finds when and how a row stops the core. If the first contact does not point against the motion, the core leaves there what it touches. At the same
         // time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on. A flat core may be past a
         // sheet there, so it is not swept again. Returns whether the row stops it.
-        private function sweepRow(core:BodyCore, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
+        private function findImpact(core:BodyCore, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
         {
             var contact:ContactPoint = out.contact;
             setAlong(from, motion, 1, _end);
@@ -220,7 +218,7 @@ package starlogo.queries.motion
             }
             var length:Number = motion.length;
             var clearanceTime:Number = core.clearance / length;
-            var against:Number = -SlideRest.PARALLEL_SINE * length;
+            var against:Number = -RemainingMotion.PARALLEL_SINE * length;
             out.time = _relative.time;
             if (out.time > 0 && !(contact.along(motion) < against) && !core.isFlat)
             {
@@ -250,7 +248,7 @@ package starlogo.queries.motion
         private static function sweepCore(core:BodyCore, row:int, from:Vector3D, end:Vector3D, countsInside:Boolean, motion:RelativeMotion,
                 out:ContactPoint):Boolean
         {
-            var moved:Body = core.at(end);
+            var moved:Body = core.moveTo(end);
             var other:Body = core.body.bodyOf(row);
             var isInside:Boolean = false;
             motion.time = RelativeMotion.NEVER;
@@ -265,7 +263,7 @@ package starlogo.queries.motion
                 {
                     tests.findImpact(moved, other, motion, out);
                     // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-                    isInside = motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND && tests.areTouching(core.at(from), other);
+                    isInside = motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND && tests.areTouching(core.moveTo(from), other);
                 }
             }
             if (isInside)

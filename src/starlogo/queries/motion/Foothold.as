@@ -57,7 +57,7 @@ package starlogo.queries.motion
         {
             var body:Body = walk.body.whole;
             var bottom:Number = body.z - body.halfZ - body.placement.z;
-            return contact.z > Math.min(walk.start.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
+            return contact.z > Math.min(walk.pieceStart.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
         }
 
         // Finds the normal of the face behind an edge. Returns whether there is a face that is not too steep.

@@ -28,6 +28,12 @@ package starlogo.queries.motion
         /** Whether no contact points against the motion. Then the normal is the opposite of the motion. */
         public var isNormalFallback:Boolean = false;
 
+        /** Whether a row is met. */
+        public function get isMet():Boolean
+        {
+            return row >= 0;
+        }
+
         /** Becomes a copy of another impact. */
         public function copyFrom(other:Impact):void
         {

@@ -26,8 +26,14 @@ package starlogo.queries.motion
         /** The contact with that row. */
         public var contact:ContactPoint = new ContactPoint();
 
-        /** Whether it started in an overlap that it could not be lifted out of. */
+        /** Whether it started in a deep overlap, which stays. */
         public var isDeep:Boolean = false;
+
+        /** Whether a row stops it. */
+        public function get isStopped():Boolean
+        {
+            return row >= 0;
+        }
 
         /** Becomes a copy of another result. */
         public function copyFrom(other:MotionResult):void

@@ -1,10 +1,10 @@
 // This folder moves a body among the rows of a table. A MovingBody is what moves. Three classes say where its motions end: TouchSweep in the touch of a
-// row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the body meets (SlideRest); WalkMover makes a walk of
+// row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the body meets (RemainingMotion); WalkMover makes a walk of
 // slides and straight motions, with PlatformCarry before it and Foothold where it stands. Read this file first, then
 // BodyCore, CoreSweep.startMotion(), TouchSweep, Slider and WalkMover.go().
 // Core: the body, but smaller by a slop (BodyCore). Only what the core meets stops the body, so the body may touch what it stands on or runs along.
-// Shallow overlap: one that can come from rounding in the game. A motion begins with a lift out of those (OverlapRecovery), a walk with pushes out of
-// deep ones.
+// Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (OverlapRecovery), a walk with pushes out of
+// deep ones too.
 // Plane: it stands for a row that the body overlaps deeply, or has met on a slide. The motion must not cross it.
 // Obstacles: the rows that can stop a motion. Rows with a plane for a deep overlap are none, nor one-way rows that the body passes.
 package starlogo.queries.motion
@@ -38,13 +38,13 @@ package starlogo.queries.motion
     public final class MovingBody
     {
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
-        private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
+        private static const ONE_WAY_Z:Number = Math.SQRT1_2 - 1e-9;
 
         // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
         private static const WITH_ROOM:Number = 2.1;
 
         /**
-         * The whole body where it was tested last: a copy, because a filter's <code>accepts</code> may move the agent. Only <code>wholeAt()</code> moves
+         * The whole body where it was tested last: a copy, because a filter's <code>accepts</code> may move the agent. Only <code>moveTo()</code> moves
          * it. Read only.
          */
         public var whole:Body = new Body();
@@ -141,9 +141,9 @@ package starlogo.queries.motion
             rows.count = 0;
             if (hasShape)
             {
-                _search.beginAround(_seen.treeOfExtents(), wholeAt(from));
+                _search.beginAround(_seen.treeOfExtents(), moveTo(from));
                 _search.moveAlong(dx, dy, dz, 1);
-                found.listRows(_search, rows);
+                found.endWithRows(_search, rows);
             }
         }
 
@@ -162,9 +162,9 @@ package starlogo.queries.motion
             rows.count = 0;
             if (hasShape)
             {
-                _search.beginAround(_seen.treeOfExtents(), wholeAt(from));
+                _search.beginAround(_seen.treeOfExtents(), moveTo(from));
                 _search.widen(range, up, down);
-                found.listRows(_search, rows);
+                found.endWithRows(_search, rows);
             }
         }
 
@@ -180,8 +180,8 @@ package starlogo.queries.motion
             return _seen.narrowPhase;
         }
 
-        /** The whole body at a place. It is valid until the next call. */
-        public function wholeAt(place:Vector3D):Body
+        /** Moves the whole body to a place. Returns the body, which stays there until the next call. */
+        public function moveTo(place:Vector3D):Body
         {
             whole.moveTo(place);
             return whole;
@@ -190,7 +190,7 @@ package starlogo.queries.motion
         /** Whether the whole body touches a row when it stands at a place. */
         public function touches(row:int, place:Vector3D):Boolean
         {
-            return narrowPhase.areTouching(wholeAt(place), bodyOf(row));
+            return narrowPhase.areTouching(moveTo(place), bodyOf(row));
         }
 
         /** Whether a row stops only what comes from above. See Agent.isOneWay. */
@@ -199,10 +199,10 @@ package starlogo.queries.motion
             return _seen.table.list.agents[row].isOneWay;
         }
 
-        /** Whether a row is one-way, and the body, which meets it with a contact, does not come from above. Then the body goes on through the row. */
-        public function passes(row:int, contact:ContactPoint):Boolean
+        /** Whether the body goes on through a row that it meets with a contact: the row is one-way, and the body does not come from above. */
+        public function passesOneWay(row:int, contact:ContactPoint):Boolean
         {
-            return isOneWay(row) && contact.normalZ < UPWARDS;
+            return isOneWay(row) && contact.normalZ < ONE_WAY_Z;
         }
 
         /** The larger extent of the body and another. That of the ground is 0. */
@@ -219,7 +219,7 @@ package starlogo.queries.motion
         {
             var other:Body = bodyOf(row);
             var tests:PairTests = narrowPhase.pairTestsFor(whole, other);
-            tests.findContactOfParts(wholeAt(place), other, RelativeMotion.NONE, out);
+            tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
             if (!isShallow(row, out))
             {
                 tests.separate(whole, other, RelativeMotion.NONE, out);
@@ -231,7 +231,7 @@ package starlogo.queries.motion
         {
             var other:Body = bodyOf(row);
             var tests:PairTests = narrowPhase.pairTestsFor(whole, other);
-            tests.findContactOfParts(wholeAt(place), other, RelativeMotion.NONE, out);
+            tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
             tests.separate(whole, other, RelativeMotion.NONE, out);
         }
 
@@ -241,15 +241,15 @@ package starlogo.queries.motion
             return contact.depth <= BodyCore.SHALLOW * extentWith(bodyOf(row));
         }
 
-        /** Whether the body passes a row that its core touches, because the row is one-way, and the body does not rest on it. */
-        public function passesAt(row:int, place:Vector3D):Boolean
+        /** Whether the body goes on through a row that its core touches at a place: the row is one-way, and the body does not rest on it. */
+        public function passesOneWayAt(row:int, place:Vector3D):Boolean
         {
             if (!isOneWay(row))
             {
                 return false;
             }
             findSeparatingContact(row, place, _contact);
-            return !isShallow(row, _contact) || passes(row, _contact);
+            return !isShallow(row, _contact) || passesOneWay(row, _contact);
         }
 
         /**

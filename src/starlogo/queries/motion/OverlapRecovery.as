@@ -12,10 +12,10 @@ package starlogo.queries.motion
      * Gets a body out of what it overlaps. It frees the body's core where a motion begins (leaveOverlaps), leads the body off what it touches where its
      * motions end (restoreClearance), and tells a walk how deep the body is in others (measureOverlaps).
      *
-     * <p>A shallow overlap comes from rounding in the game: the body is lifted out of it. If the body overlaps a row more deeply, the plane of their
+     * <p>A shallow overlap comes from rounding in the game: the body is pushed out of it. If the body overlaps a row more deeply, the plane of their
      * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts.</p>
      *
-     * <p>The body is pushed out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
+     * <p>The pushes go out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
      * another. If it does not get free, for example between two opposite walls, it stays where it was. The tests of a pair know the shortest way
      * out of that pair (PairTests.separate).</p>
      *
@@ -23,13 +23,13 @@ package starlogo.queries.motion
      */
     public final class OverlapRecovery
     {
-        private static const ROUNDS:int = 30;
+        private static const MOST_ROUNDS:int = 30;
 
         // In place of a number of pushes: the body cannot be pushed out.
         private static const BLOCKED:int = -1;
 
         // From this round on contacts have to separate. Contacts of parts of a body may point sideways, round after round.
-        private static const SURE_ROUND:int = 2;
+        private static const FIRST_SEPARATING_ROUND:int = 2;
 
         // If a body only touches a row, it is never this many slops deep in it.
         private static const SLOPS_OF_TOUCH:Number = 2;
@@ -53,20 +53,20 @@ package starlogo.queries.motion
         /**
          * Frees the core of a body from the obstacles that it overlaps where its motion starts.
          *
-         * @param start how the motion starts. It receives the planes of deep overlaps. Obstacles for which a plane stands are none from then on. The
-         *     place changes if the body is lifted
+         * @param state how the motion starts. It receives the planes of deep overlaps. Obstacles for which a plane stands are none from then on. The
+         *     place changes if the body is pushed
          */
-        public function leaveOverlaps(start:MotionStart):void
+        public function leaveOverlaps(state:MotionState):void
         {
-            if (replaceObstacles(start, false) && !pushOut(start.core, start.obstacles, start.place, start.lifted))
+            if (replaceObstacles(state, false) && !pushOut(state.core, state.obstacles, state.startPlace, state.pushes))
             {
-                start.lifted.clear();
-                replaceObstacles(start, true);
+                state.pushes.clear();
+                replaceObstacles(state, true);
             }
-            if (start.core.isFlat && start.planes.count == 0)
+            if (state.core.isFlat && state.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOut(start.core, start.obstacles, start.place, null);
+                pushOff(state.core, state.obstacles, state.startPlace);
             }
         }
 
@@ -79,7 +79,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
         {
             _core.beginStanding(body, rows, place);
-            pushOut(_core, rows, place, null);
+            pushOff(_core, rows, place);
         }
 
         /**
@@ -109,35 +109,41 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body out of one row after the other until it needs no more pushes. With a list for the contacts it is lifted out of the shallow overlaps
-        // of its core; without one it is led off the rows that it only touches. Returns whether it gets free. If not, it is where it was.
-        private function pushOut(core:BodyCore, rows:IntList, place:Vector3D, lifted:ContactList):Boolean
+        // Pushes a body off the rows that it only touches.
+        private function pushOff(core:BodyCore, rows:IntList, place:Vector3D):void
+        {
+            pushOut(core, rows, place, null);
+        }
+
+        // Pushes a body out of the shallow overlaps of its core, which out receives; or if it is null, off the rows that the body only touches. Goes from
+        // one row to the other until no more pushes are needed. Returns whether the body gets free. If not, it is where it was.
+        private function pushOut(core:BodyCore, rows:IntList, place:Vector3D, out:ContactList):Boolean
         {
             var round:int = 0;
-            var pushes:int;
+            var count:int;
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
             do
             {
-                pushes = pushRound(core, rows, place, round, lifted);
+                count = pushRound(core, rows, place, round, out);
                 round++;
             }
-            while (pushes > 0 && round < ROUNDS);
-            if (pushes != 0)
+            while (count > 0 && round < MOST_ROUNDS);
+            if (count != 0)
             {
                 place.copyFrom(_before);
             }
-            return pushes == 0;
+            return count == 0;
         }
 
-        // Pushes a body out of each row once, if needed. Returns the number of pushes; BLOCKED if a row is too deep, or pushes back.
-        private function pushRound(core:BodyCore, rows:IntList, place:Vector3D, round:int, lifted:ContactList):int
+        // Pushes a body from each row once, if needed. Returns the number of pushes; BLOCKED if a row is too deep, or pushes back.
+        private function pushRound(core:BodyCore, rows:IntList, place:Vector3D, round:int, out:ContactList):int
         {
-            var pushes:int = 0;
+            var count:int = 0;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (lifted == null ? findPushOff(core, row, place, round, _contact) : findLift(core, row, place, round, _contact))
+                if (out == null ? findPushOff(core, row, place, round, _contact) : findPushOut(core, row, place, round, _contact))
                 {
                     if (!(_contact.depth < Infinity) || areOpposite(_contact, _last))
                     {
@@ -145,29 +151,28 @@ package starlogo.queries.motion
                     }
                     _contact.push(place, _contact.depth);
                     _last.copyFrom(_contact);
-                    if (lifted != null)
+                    if (out != null)
                     {
-                        lifted.add(_contact, row);
+                        out.add(_contact, row);
                     }
-                    pushes++;
+                    count++;
                 }
             }
-            return pushes;
+            return count;
         }
 
-        // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. One-way obstacles that the
-        // body passes leave too. Returns whether obstacles are left that the core overlapped.
-        private function replaceObstacles(start:MotionStart, alsoShallow:Boolean):Boolean
+        // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. These are obstacles no
+        // longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the core overlapped.
+        private function replaceObstacles(state:MotionState, alsoShallow:Boolean):Boolean
         {
-            var body:MovingBody = start.core.body;
-            var obstacles:IntList = start.obstacles;
+            var obstacles:IntList = state.obstacles;
             var isLeft:Boolean = false;
             var i:int = 0;
             while (i < obstacles.count)
             {
                 var row:int = obstacles.numbers[i];
-                var isOverlapped:Boolean = start.core.coreTouches(row, start.place);
-                if (isOverlapped && (body.passesAt(row, start.place) || (findOverlap(body, row, start.place, alsoShallow, _contact) && addPlane(row, start, _contact))))
+                var isOverlapped:Boolean = state.core.coreTouches(row, state.startPlace);
+                if (isOverlapped && (state.core.body.passesOneWayAt(row, state.startPlace) || addPlane(row, state, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -178,6 +183,22 @@ package starlogo.queries.motion
                 }
             }
             return isLeft;
+        }
+
+        // Lets a plane stand for a row that the core overlaps, if the overlap counts and a plane is needed. First the core becomes narrower, for the whole
+        // motion. If it is free of the row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether
+        // the plane stands.
+        private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
+        {
+            var core:BodyCore = state.core;
+            if (!findOverlap(core.body, row, state.startPlace, alsoShallow, _contact) || core.narrow(row, state.startPlace)
+                    || !core.bodyOverlaps(row, state.startPlace))
+            {
+                return false;
+            }
+            state.planes.add(_contact, row);
+            core.body.warnIfInside(row, _contact);
+            return true;
         }
 
         // Finds the contact of an overlap. Returns whether it counts.
@@ -192,22 +213,9 @@ package starlogo.queries.motion
             return !body.isShallow(row, out);
         }
 
-        // Lets a plane stand for a row that the core overlaps, if it is needed. First the core becomes narrower, for the whole motion. If it is free of the
-        // row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether the plane stands.
-        private static function addPlane(row:int, start:MotionStart, contact:ContactPoint):Boolean
-        {
-            if (start.core.narrow(row, start.place) || !start.core.bodyOverlaps(row, start.place))
-            {
-                return false;
-            }
-            start.planes.add(contact, row);
-            start.core.body.warnIfInside(row, contact);
-            return true;
-        }
-
-        // Finds the lift out of a row that the core overlaps: along the contact's normal by its depth, which is Infinity if the overlap is deep. Returns whether
+        // Finds the push out of a row that the core overlaps: along the contact's normal by its depth, which is Infinity if the overlap is deep. Returns whether
         // the core overlaps the row.
-        private function findLift(core:BodyCore, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
+        private function findPushOut(core:BodyCore, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
         {
             if (!core.coreTouches(row, place))
             {
@@ -224,7 +232,7 @@ package starlogo.queries.motion
         {
             var body:MovingBody = core.body;
             // mostly it is known faster that the core touches the row than how deep the overlap is
-            if (!findTouchingPlace(core, row, place, _touching) || body.passesAt(row, _touching) || (!core.isFlat && core.coreTouches(row, place)))
+            if (!findTouchingPlace(core, row, place, _touching) || body.passesOneWayAt(row, _touching) || (!core.isFlat && core.coreTouches(row, place)))
             {
                 return false;
             }
@@ -242,11 +250,11 @@ package starlogo.queries.motion
         // Finds the contact with a row that the body touches at a place.
         private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):void
         {
-            if (round < SURE_ROUND)
+            if (round < FIRST_SEPARATING_ROUND)
             {
                 body.findContact(row, place, out);
             }
-            if (round >= SURE_ROUND || areOpposite(out, _last))
+            if (round >= FIRST_SEPARATING_ROUND || areOpposite(out, _last))
             {
                 body.findSeparatingContact(row, place, out);
             }

@@ -55,14 +55,14 @@ package starlogo.queries.motion
             var row:int = walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
-                walk.turn = findMotion(link, _seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && isAdmitted(row, walk))
+                walk.carryTurn = findMotion(link, _seen.table.bodyOf(row).placement, walk.carry);
+                if ((walk.carryTurn != 0 || walk.carry.length > 0) && isAdmitted(row, walk))
                 {
                     return row;
                 }
             }
             walk.carry.setTo(0, 0, 0);
-            walk.turn = 0;
+            walk.carryTurn = 0;
             return -1;
         }
 
@@ -114,10 +114,10 @@ package starlogo.queries.motion
             _carried.incrementBy(walk.carry);
             _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);
             var place:Vector3D = _slid.place;
-            if (_slid.fraction < 1 && isIn(platform, walk, place))
+            if (_slid.fraction < 1 && leadsIntoPlatform(platform, walk, place))
             {
                 _slider.goStraight(walk.body, _others, walk.place, walk.carry, _straight);
-                if (!isIn(platform, walk, _straight.place))
+                if (!leadsIntoPlatform(platform, walk, _straight.place))
                 {
                     place = _straight.place;
                 }
@@ -126,7 +126,7 @@ package starlogo.queries.motion
         }
 
         // Whether the way to a place, from where the platform carries the agent, leads into the platform.
-        private function isIn(platform:int, walk:Walk, place:Vector3D):Boolean
+        private function leadsIntoPlatform(platform:int, walk:Walk, place:Vector3D):Boolean
         {
             _motion.copyFrom(place);
             _motion.decrementBy(_carried);

@@ -35,6 +35,12 @@ package starlogo.queries.motion
         /** For a fall: the least slope on which it goes on, as a tangent. */
         public var fallSlope:Number = 0;
 
+        /** Whether a contact can be a wall. */
+        public function get hasWalls():Boolean
+        {
+            return walkableZ != NO_WALLS;
+        }
+
         /** Sets the limits of a way along the ground and walls. */
         public function setWalls(walkableZ:Number, maxHorizontal:Number):void
         {

@@ -24,5 +24,11 @@ package starlogo.queries.motion
 
         /** The row of that contact; -1 if it has met nothing, or only what showed no contact (Impact.isNormalFallback). */
         public var floorRow:int = -1;
+
+        /** Whether it has a floor: a most level contact. */
+        public function get hasFloor():Boolean
+        {
+            return floorRow >= 0;
+        }
     }
 }

@@ -23,9 +23,9 @@ package starlogo.queries.motion
 
         private var _sweep:CoreSweep = new CoreSweep();
 
-        // How the motion starts, its rest, and what stops it first without one of the planes.
-        private var _start:MotionStart = new MotionStart();
-        private var _rest:SlideRest = new SlideRest();
+        // The state of the motion, what remains of it, and what stops it first without one of the planes.
+        private var _state:MotionState = new MotionState();
+        private var _remaining:RemainingMotion = new RemainingMotion();
         private var _without:Impact = new Impact();
 
         /**
@@ -39,48 +39,48 @@ package starlogo.queries.motion
          */
         public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
         {
-            var core:BodyCore = _start.core;
-            var planes:ContactList = _start.planes;
-            var impact:Impact = _start.impact;
+            var core:BodyCore = _state.core;
+            var planes:ContactList = _state.planes;
+            var impact:Impact = _state.impact;
             out.metWall = false;
             out.floor.setNormal(0, 0, -1);
             out.floorRow = -1;
-            _rest.begin(motion, limits);
-            _sweep.startMotion(body, rows, from, _rest.motion, _start);
-            out.place.copyFrom(_start.place);
-            if (!_start.isImpactKnown)
+            _remaining.begin(motion, limits);
+            _sweep.startMotion(body, rows, from, _remaining.motion, _state);
+            out.place.copyFrom(_state.startPlace);
+            if (!_state.isImpactKnown)
             {
-                _rest.beginCorner();
+                _remaining.beginCorner();
                 if (limits.staysLevel)
                 {
-                    makePlanesUpright(planes, _rest);
+                    makePlanesUpright(planes, _remaining);
                 }
-                _rest.project(planes);
-                sweepRest(out.place, _rest.motion, _start);
+                _remaining.project(planes);
+                sweepRest(out.place, _remaining.motion, _state);
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = planes.count;
-            for (var contacts:int = 0; contacts < MOST_CONTACTS && impact.row >= 0; contacts++)
+            for (var contacts:int = 0; contacts < MOST_CONTACTS && impact.isMet; contacts++)
             {
-                if (!isInCorner(core, impact, _rest.motion))
+                if (!isInCorner(core, impact, _remaining.motion))
                 {
-                    _rest.beginCorner();
+                    _remaining.beginCorner();
                     corner = planes.count;
                 }
-                var touchTime:Number = _sweep.findTouchTime(core, out.place, _rest.motion, impact);
-                _rest.advance(out.place, Math.max(touchTime + core.clearance / impact.contact.along(_rest.motion), 0));
-                takeContact(impact, limits, _rest, out);
+                var touchTime:Number = _sweep.findTouchTime(core, out.place, _remaining.motion, impact);
+                _remaining.advance(out.place, Math.max(touchTime + core.clearance / impact.contact.along(_remaining.motion), 0));
+                noteContact(impact, limits, _remaining, out);
                 var newest:int = planes.add(impact.contact, impact.row);
-                dropNeedless(out.place, _start, corner, newest);
-                _rest.project(planes);
-                sweepRest(out.place, _rest.motion, _start);
+                dropNeedlessPlanes(out.place, _state, corner, newest);
+                _remaining.project(planes);
+                sweepRest(out.place, _remaining.motion, _state);
             }
-            if (impact.row < 0)
+            if (!impact.isMet)
             {
-                _rest.advance(out.place, 1);
+                _remaining.advance(out.place, 1);
             }
             var whole:Number = motion.length;
-            out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
+            out.fraction = _remaining.gone < whole ? _remaining.gone / whole : 1;
         }
 
         /**
@@ -93,28 +93,28 @@ package starlogo.queries.motion
          */
         public function goStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            _sweep.findStop(body, rows, from, motion, _start, out);
+            _sweep.findStop(body, rows, from, motion, _state, out);
             var fraction:Number = 1;
-            if (out.row >= 0)
+            if (out.isStopped)
             {
-                fraction = Math.max(out.fraction + _start.core.clearance / out.contact.along(motion), 0);
+                fraction = Math.max(out.fraction + _state.core.clearance / out.contact.along(motion), 0);
             }
-            CoreSweep.setAlong(_start.place, motion, fraction, out.place);
+            CoreSweep.setAlong(_state.startPlace, motion, fraction, out.place);
         }
 
         /** Whether a row, one of those near the way of a body, would stop a straight motion. */
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            _start.core.begin(body, body.rows, from, motion);
-            return _sweep.meets(_start.core, row, from, motion);
+            _state.core.begin(body, body.rows, from, motion);
+            return _sweep.meets(_state.core, row, from, motion);
         }
 
         // Finds what stops the rest of a motion next.
-        private function sweepRest(place:Vector3D, rest:Vector3D, out:MotionStart):void
+        private function sweepRest(place:Vector3D, rest:Vector3D, out:MotionState):void
         {
             if (rest.lengthSquared > 0)
             {
-                _sweep.sweepObstacles(out.core, out.obstacles, place, rest, out.impact);
+                _sweep.findFirstObstacle(out.core, out.obstacles, place, rest, out.impact);
             }
             else
             {
@@ -123,10 +123,10 @@ package starlogo.queries.motion
         }
 
         // Notes what a slide meets: the most level surface is its floor. What is too steep becomes an upright wall. The rest climbs what is not.
-        private static function takeContact(impact:Impact, limits:SlideLimits, rest:SlideRest, out:SlideResult):void
+        private static function noteContact(impact:Impact, limits:SlideLimits, remaining:RemainingMotion, out:SlideResult):void
         {
             var contact:ContactPoint = impact.contact;
-            if (!impact.isNormalFallback && (out.floorRow < 0 || contact.normalZ > out.floor.normalZ))
+            if (!impact.isNormalFallback && (!out.hasFloor || contact.normalZ > out.floor.normalZ))
             {
                 out.floor.copyFrom(contact);
                 out.floorRow = impact.row;
@@ -134,34 +134,34 @@ package starlogo.queries.motion
             if (contact.normalZ < limits.walkableZ)
             {
                 out.metWall = true;
-                makeUpright(contact, rest);
+                makeUpright(contact, remaining);
             }
-            else if (limits.walkableZ > 0)
+            else if (limits.hasWalls)
             {
-                rest.climb(contact);
+                remaining.climb(contact);
             }
         }
 
         // Turns a contact that is too steep into an upright wall. The rest of the motion becomes level, because the slope would stop a motion up
         // or down.
-        private static function makeUpright(contact:ContactPoint, rest:SlideRest):void
+        private static function makeUpright(contact:ContactPoint, remaining:RemainingMotion):void
         {
             if (contact.normalX * contact.normalX + contact.normalY * contact.normalY > VERTICAL_NORMAL)
             {
                 contact.setNormal(contact.normalX, contact.normalY, 0);
                 contact.normalise();
-                rest.level();
+                remaining.level();
             }
         }
 
         // Turns the planes of what the body overlaps into upright walls, except of level floors and ceilings.
-        private static function makePlanesUpright(planes:ContactList, rest:SlideRest):void
+        private static function makePlanesUpright(planes:ContactList, remaining:RemainingMotion):void
         {
             for (var i:int = 0; i < planes.count; i++)
             {
                 if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.LEVEL_Z)
                 {
-                    makeUpright(planes.contacts[i], rest);
+                    makeUpright(planes.contacts[i], remaining);
                 }
             }
         }
@@ -169,26 +169,26 @@ package starlogo.queries.motion
         // Removes planes of this corner that are not needed, but not the newest. At the edges of tiles, a contact's plane may belong to a side that the
         // next tile hides. A plane is removed if the motion meets nothing in this corner without it. The rest of the motion has to be projected again
         // afterwards.
-        private function dropNeedless(place:Vector3D, start:MotionStart, corner:int, newest:int):void
+        private function dropNeedlessPlanes(place:Vector3D, state:MotionState, corner:int, newest:int):void
         {
-            for (var i:int = start.planes.count - 1; i >= corner; i--)
+            for (var i:int = state.planes.count - 1; i >= corner; i--)
             {
                 if (i != newest)
                 {
-                    _rest.project(start.planes, i);
-                    if (_rest.motion.lengthSquared > 0 && !meetsInCorner(start, place, _rest.motion))
+                    _remaining.project(state.planes, i);
+                    if (_remaining.motion.lengthSquared > 0 && !meetsInCorner(state, place, _remaining.motion))
                     {
-                        start.planes.remove(i);
+                        state.planes.remove(i);
                     }
                 }
             }
         }
 
         // Whether a motion from this corner is stopped in it.
-        private function meetsInCorner(start:MotionStart, place:Vector3D, motion:Vector3D):Boolean
+        private function meetsInCorner(state:MotionState, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.sweepRows(start.core, start.obstacles, place, motion, _without) && isInCorner(start.core, _without, motion)
-                && !start.core.body.passes(_without.row, _without.contact);
+            return _sweep.findFirstImpact(state.core, state.obstacles, place, motion, _without) && isInCorner(state.core, _without, motion)
+                && !state.core.body.passesOneWay(_without.row, _without.contact);
         }
 
         // Whether what a motion meets first is met in the corner where it begins.

@@ -15,8 +15,8 @@ package starlogo.queries.motion
      * Finds where a straight motion of a body first touches rows, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
      * it only touches, leaves or runs along does not stop it, because the core of the body is swept (CoreSweep).
      *
-     * <p>The motion is tested from where a lift out of all rows together has led the body (CoreSweep.startMotion). A row alone may lift it farther. But the
-     * motion ends where it would end without lifts, though no deeper in what the body was lifted out of.</p>
+     * <p>The motion is tested from where pushes out of all rows together have led the body (CoreSweep.startMotion). A row alone may push it farther. But the
+     * motion ends where it would end without pushes, though no deeper in what the body was pushed out of.</p>
      *
      * @private
      */
@@ -29,18 +29,18 @@ package starlogo.queries.motion
         // How often the way to where the core touches is halved. The rest is less than rounding.
         private static const HALVINGS:int = 40;
 
-        // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core would meet it.
+        // If a motion leads this many slops deeper into what it was pushed out of, the body has left the surface. Otherwise its core would meet it.
         private static const SLOPS_TO_LEAVE:Number = 2;
 
         private var _seen:SeenAgents;
         private var _sweep:CoreSweep = new CoreSweep();
 
-        // How a motion starts among all rows.
-        private var _common:MotionStart = new MotionStart();
+        // The state of a motion among all rows.
+        private var _stateOfAll:MotionState = new MotionState();
 
-        // A row alone as a list, how the motion starts with it, and the answer.
-        private var _rows:IntList = new IntList();
-        private var _start:MotionStart = new MotionStart();
+        // A row alone as a list, the state of the motion with it, and the answer.
+        private var _rowAlone:IntList = new IntList();
+        private var _stateOfRow:MotionState = new MotionState();
         private var _touch:MotionResult = new MotionResult();
 
         // The way from the computed end of a motion to where the core touches.
@@ -64,21 +64,21 @@ package starlogo.queries.motion
         public function findTouches(body:MovingBody, motion:Vector3D, wanted:int, hits:Hits, first:MotionResult):Collector
         {
             var found:Collector = _seen.beginSearch(wanted, Infinity, null, null);
-            _common.place.copyFrom(body.from);
-            _common.lifted.clear();
+            _stateOfAll.startPlace.copyFrom(body.from);
+            _stateOfAll.pushes.clear();
             if (addTouches(body, motion, found, hits, first))
             {
-                // a floor may be many rows: what is lifted out of one of them does not run into the next
-                _sweep.startMotion(body, body.rows, body.from, motion, _common);
-                if (!_common.place.equals(body.from))
+                // a floor may be many rows: what is pushed out of one of them does not run into the next
+                _sweep.startMotion(body, body.rows, body.from, motion, _stateOfAll);
+                if (!_stateOfAll.startPlace.equals(body.from))
                 {
                     found = _seen.beginSearch(wanted, Infinity, null, null);
                     addTouches(body, motion, found, hits, first);
                 }
             }
-            if (first.row < 0)
+            if (!first.isStopped)
             {
-                setEnd(body.from, motion, 1, _common, first.place);
+                setEnd(body.from, motion, 1, _stateOfAll, first.place);
             }
             return found;
         }
@@ -86,48 +86,48 @@ package starlogo.queries.motion
         // Adds the rows that stop the body. Returns whether the start among all rows may change the answer.
         private function addTouches(body:MovingBody, motion:Vector3D, found:Collector, hits:Hits, first:MotionResult):Boolean
         {
-            var mayLift:Boolean = false;
+            var mayPush:Boolean = false;
             hits.begin();
             first.row = -1;
             first.fraction = 1;
             first.isDeep = false;
-            // what stops the body at once does not end the loop, because a row behind it may lift the body
+            // what stops the body at once does not end the loop, because a row behind it may push the body
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.numbers[i];
-                mayLift = findTouch(body, row, motion, _common, _touch) || mayLift;
-                if (_touch.row >= 0)
+                mayPush = findTouch(body, row, motion, _stateOfAll, _touch) || mayPush;
+                if (_touch.isStopped)
                 {
                     found.add(row, _touch.fraction);
                     hits.add(row, _touch.fraction).copyFrom(_touch.contact);
-                    if (first.row < 0 || _touch.fraction < first.fraction)
+                    if (!first.isStopped || _touch.fraction < first.fraction)
                     {
                         first.copyFrom(_touch);
                     }
                 }
             }
-            return mayLift;
+            return mayPush;
         }
 
-        // Finds whether and when a row stops a motion of a body from where the body begins, as if there were no others. The common start is that among all
-        // rows. Rounding may hide the touch at its place: see goIntoTouch. Returns whether the start among all rows may change the answer: if the row
-        // alone lifts the body, or stops it at once in a shallow overlap.
-        private function findTouch(body:MovingBody, row:int, motion:Vector3D, common:MotionStart, out:MotionResult):Boolean
+        // Finds whether and when a row stops a motion of a body from where the body begins, as if there were no others. The state among all rows has the
+        // start. Rounding may hide the touch at its place: see goIntoTouch. Returns whether the start among all rows may change the answer: if the row
+        // alone pushes the body, or stops it at once in a shallow overlap.
+        private function findTouch(body:MovingBody, row:int, motion:Vector3D, ofAll:MotionState, out:MotionResult):Boolean
         {
-            _rows.count = 0;
-            _rows.add(row);
-            _sweep.findStop(body, _rows, common.place, motion, _start, out);
-            if (out.row >= 0)
+            _rowAlone.count = 0;
+            _rowAlone.add(row);
+            _sweep.findStop(body, _rowAlone, ofAll.startPlace, motion, _stateOfRow, out);
+            if (out.isStopped)
             {
                 if (!out.isDeep)
                 {
                     out.contact.depth = 0;
-                    leaveOutLift(motion, _start, out);
+                    leaveOutPush(motion, _stateOfRow, out);
                 }
-                setEnd(body.from, motion, out.fraction, common, out.place);
-                pushBack(body.from, _start, out.place);
+                setEnd(body.from, motion, out.fraction, ofAll, out.place);
+                pushBack(body.from, _stateOfRow, out.place);
             }
-            return !_start.place.equals(common.place) || (out.fraction == 0 && !out.isDeep);
+            return !_stateOfRow.startPlace.equals(ofAll.startPlace) || (out.fraction == 0 && !out.isDeep);
         }
 
         /**
@@ -175,38 +175,38 @@ package starlogo.queries.motion
             CoreSweep.setAlong(touch.corePlace, _toCore, touching - 1, place);
         }
 
-        // Takes the lift out of a time of touch: without it the body would have touched earlier.
-        private static function leaveOutLift(motion:Vector3D, start:MotionStart, out:MotionResult):void
+        // Takes the push out of a time of touch: without it the body would have touched earlier.
+        private static function leaveOutPush(motion:Vector3D, state:MotionState, out:MotionResult):void
         {
-            var from:Vector3D = start.core.body.from;
+            var from:Vector3D = state.core.body.from;
             var contact:ContactPoint = out.contact;
-            var lift:Number = contact.normalX * (start.place.x - from.x) + contact.normalY * (start.place.y - from.y)
-                + contact.normalZ * (start.place.z - from.z);
+            var push:Number = contact.normalX * (state.startPlace.x - from.x) + contact.normalY * (state.startPlace.y - from.y)
+                + contact.normalZ * (state.startPlace.z - from.z);
             var along:Number = contact.along(motion);
-            out.fraction = Math.max(0, Math.min(1, out.fraction + lift / along));
-            if (-out.fraction * along < start.core.slop && start.core.bodyTouches(out.row, from))
+            out.fraction = Math.max(0, Math.min(1, out.fraction + push / along));
+            if (-out.fraction * along < state.core.slop && state.core.bodyTouches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
                 out.fraction = 0;
             }
         }
 
-        // Sets where a fraction of a motion ends without lifts, but no deeper in what the body was lifted out of among all rows.
-        private static function setEnd(from:Vector3D, motion:Vector3D, fraction:Number, common:MotionStart, out:Vector3D):void
+        // Sets where a fraction of a motion ends without pushes, but no deeper in what the body was pushed out of among all rows.
+        private static function setEnd(from:Vector3D, motion:Vector3D, fraction:Number, ofAll:MotionState, out:Vector3D):void
         {
             CoreSweep.setAlong(from, motion, fraction, out);
-            pushBack(from, common, out);
+            pushBack(from, ofAll, out);
         }
 
-        // Pushes a place back where a body is deeper than it was at the beginning in what it was lifted out of. Without this, motions that are shorter than
-        // the clearance of a lift would lead deeper each time.
-        private static function pushBack(from:Vector3D, start:MotionStart, place:Vector3D):void
+        // Pushes a place back where a body is deeper than it was at the beginning in what it was pushed out of. Without this, motions that are shorter than
+        // the clearance of a push would lead deeper each time.
+        private static function pushBack(from:Vector3D, state:MotionState, place:Vector3D):void
         {
-            for (var i:int = 0; i < start.lifted.count; i++)
+            for (var i:int = 0; i < state.pushes.count; i++)
             {
-                var contact:ContactPoint = start.lifted.contacts[i];
+                var contact:ContactPoint = state.pushes.contacts[i];
                 var deeper:Number = contact.normalX * (from.x - place.x) + contact.normalY * (from.y - place.y) + contact.normalZ * (from.z - place.z);
-                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * start.core.slop)
+                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * state.core.slop)
                 {
                     contact.push(place, deeper);
                 }

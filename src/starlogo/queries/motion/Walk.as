@@ -24,10 +24,10 @@ package starlogo.queries.motion
         public var body:MovingBody;
 
         /** The number of pieces. A walk that is longer than the agent goes in pieces, because the ground may be even only so far. */
-        public var pieces:int = 1;
+        public var pieceCount:int = 1;
 
-        /** The way of a piece on the ground plane, and its length. */
-        public var piece:Vector3D = new Vector3D();
+        /** The motion of a piece on the ground plane, and its length. */
+        public var pieceMotion:Vector3D = new Vector3D();
         public var pieceLength:Number = 0;
 
         /** The least z of the normal of a surface that is not too steep to stand on. */
@@ -38,10 +38,10 @@ package starlogo.queries.motion
 
         /** How the platform that the agent stood on carries it: the motion, and the turn in degrees. Both are 0 if none does. */
         public var carry:Vector3D = new Vector3D();
-        public var turn:Number = 0;
+        public var carryTurn:Number = 0;
 
         /** Where the present piece begins. */
-        public var start:Vector3D = new Vector3D();
+        public var pieceStart:Vector3D = new Vector3D();
 
         /** Where the agent is now. */
         public var place:Vector3D = new Vector3D();

@@ -18,11 +18,11 @@ package starlogo.queries.motion
      */
     public final class WalkMover
     {
-        // The agent stands on ground that is at most this far below it. A part of the extent.
-        private static const CLOSE:Number = 1e-6;
+        // Walk.closeDepth, as a part of the extent.
+        private static const CLOSE_DEPTH:Number = 1e-6;
 
-        // A fall, with the slide after it, is undone if it leads less far down. A part of the extent.
-        private static const REST:Number = 1e-8;
+        // The least way down of a fall with the slide after it. A shorter one is undone. A part of the extent.
+        private static const LEAST_FALL:Number = 1e-8;
 
         // The most pushes out of what the agent overlaps where a walk begins.
         private static const MOST_PUSHES:int = 8;
@@ -36,10 +36,10 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
 
-        // How steps end: a slide, a slide that is only tried, and a straight way.
+        // How steps end: a slide, a slide that is only tried, and a way straight up or down.
         private var _slid:SlideResult = new SlideResult();
         private var _tried:SlideResult = new SlideResult();
-        private var _straight:MotionResult = new MotionResult();
+        private var _upright:MotionResult = new MotionResult();
 
         // Where a fall has come.
         private var _fallen:Vector3D = new Vector3D();
@@ -72,9 +72,9 @@ package starlogo.queries.motion
         private function begin(link:PlatformLink, walk:Walk):void
         {
             var platform:int = _platforms.find(link, walk);
-            walk.body.readAgent(walk.agent, walk.turn);
+            walk.body.readAgent(walk.agent, walk.carryTurn);
             walk.place.copyFrom(walk.body.from);
-            walk.closeDepth = CLOSE * walk.body.extent;
+            walk.closeDepth = CLOSE_DEPTH * walk.body.extent;
             collectRows(walk, 0);
             if (platform >= 0)
             {
@@ -87,27 +87,27 @@ package starlogo.queries.motion
         {
             var options:WalkOptions = walk.options;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
-            var range:Number = walk.pieces * walk.pieceLength / walk.walkableZ + widthAfterFall(walk) + walk.carry.length;
-            walk.body.collectRowsWithin(range + distance, walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.agent,
+            var range:Number = walk.pieceCount * walk.pieceLength / walk.walkableZ + widthAfterFall(walk) + walk.carry.length;
+            walk.body.collectRowsWithin(range + distance, walk.pieceCount * options.stepHeight, walk.pieceCount * options.snap + options.fall, walk.agent,
                     options.filter);
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
         private function recover(walk:Walk):Boolean
         {
-            walk.start.copyFrom(walk.place);
+            walk.pieceStart.copyFrom(walk.place);
             walk.footing.pushed = 0;
-            goUpright(walk, walk.place, -walk.closeDepth, _straight);
-            if (!_straight.isDeep)
+            goUpright(walk, walk.place, -walk.closeDepth, _upright);
+            if (!_upright.isDeep)
             {
-                return standAtEnd(walk, _straight);
+                return standAtEnd(walk, _upright);
             }
             pushOut(walk);
-            var x:Number = walk.place.x - walk.start.x;
-            var y:Number = walk.place.y - walk.start.y;
-            var z:Number = walk.place.z - walk.start.z;
+            var x:Number = walk.place.x - walk.pieceStart.x;
+            var y:Number = walk.place.y - walk.pieceStart.y;
+            var z:Number = walk.place.z - walk.pieceStart.z;
             walk.footing.pushed = Math.sqrt(x * x + y * y + z * z);
-            walk.start.copyFrom(walk.place);
+            walk.pieceStart.copyFrom(walk.place);
             return standBelow(walk, walk.closeDepth);
         }
 
@@ -139,13 +139,13 @@ package starlogo.queries.motion
         private function goPieces(walk:Walk, beginsStanding:Boolean):Boolean
         {
             var stands:Boolean = beginsStanding;
-            var startX:Number = walk.start.x;
-            var startY:Number = walk.start.y;
-            for (var i:int = 0; i < walk.pieces; i++)
+            var startX:Number = walk.pieceStart.x;
+            var startY:Number = walk.pieceStart.y;
+            for (var i:int = 0; i < walk.pieceCount; i++)
             {
                 if (i > 0)
                 {
-                    walk.start.copyFrom(walk.place);
+                    walk.pieceStart.copyFrom(walk.place);
                     // beyond a gap there may be ground again
                     stands ||= beginsStanding && standBelow(walk, walk.closeDepth);
                 }
@@ -156,13 +156,13 @@ package starlogo.queries.motion
                 else
                 {
                     // in the air all surfaces are walls, except of level floors
-                    slideAlong(walk, walk.start, 0, SlideLimits.LEVEL_Z, _slid);
+                    slideAlong(walk, walk.pieceStart, 0, SlideLimits.LEVEL_Z, _slid);
                     walk.place.copyFrom(_slid.place);
                 }
             }
             var dx:Number = walk.place.x - startX;
             var dy:Number = walk.place.y - startY;
-            walk.footing.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.pieces * walk.pieceLength)) : 1;
+            walk.footing.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.pieceCount * walk.pieceLength)) : 1;
             return stands;
         }
 
@@ -173,7 +173,7 @@ package starlogo.queries.motion
             if (walk.pieceLength == 0)
             {
                 // it stays exactly where it is
-                walk.place.copyFrom(walk.start);
+                walk.place.copyFrom(walk.pieceStart);
                 return true;
             }
             slideAlong(walk, walk.place, riseOf(walk), walk.walkableZ, _slid);
@@ -183,7 +183,7 @@ package starlogo.queries.motion
             }
             walk.place.copyFrom(_slid.place);
             // the ground may have led up only for a part of the piece: on a ramp, and over the edge of a step
-            var height:Number = Math.max(0, walk.place.z - walk.start.z);
+            var height:Number = Math.max(0, walk.place.z - walk.pieceStart.z);
             return standBelow(walk, height + walk.options.snap + walk.closeDepth);
         }
 
@@ -191,33 +191,33 @@ package starlogo.queries.motion
         private static function riseOf(walk:Walk):Number
         {
             var normal:Vector3D = walk.footing.normal;
-            return -(normal.x * walk.piece.x + normal.y * walk.piece.y) / normal.z;
+            return -(normal.x * walk.pieceMotion.x + normal.y * walk.pieceMotion.y) / normal.z;
         }
 
         // Tries a piece again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
         private function stepUp(walk:Walk, plain:Vector3D):Boolean
         {
-            goUpright(walk, walk.start, walk.options.stepHeight, _straight);
-            var height:Number = _straight.place.z - walk.start.z;
+            goUpright(walk, walk.pieceStart, walk.options.stepHeight, _upright);
+            var height:Number = _upright.place.z - walk.pieceStart.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slideAlong(walk, _straight.place, 0, walk.walkableZ, _tried);
+            slideAlong(walk, _upright.place, 0, walk.walkableZ, _tried);
             walk.place.copyFrom(_tried.place);
             if (!isFarther(walk, plain))
             {
                 return false;
             }
             var depth:Number = height + walk.options.snap + walk.closeDepth;
-            goUpright(walk, walk.place, -depth, _straight);
-            return standAtEnd(walk, _straight) || (slideOff(walk, depth, _straight) && isFarther(walk, plain));
+            goUpright(walk, walk.place, -depth, _upright);
+            return standAtEnd(walk, _upright) || (slideOff(walk, depth, _upright) && isFarther(walk, plain));
         }
 
         // Whether the agent is farther along the piece than another place.
         private static function isFarther(walk:Walk, other:Vector3D):Boolean
         {
-            var farther:Number = (walk.place.x - other.x) * walk.piece.x + (walk.place.y - other.y) * walk.piece.y;
+            var farther:Number = (walk.place.x - other.x) * walk.pieceMotion.x + (walk.place.y - other.y) * walk.pieceMotion.y;
             return farther > walk.closeDepth * walk.pieceLength;
         }
 
@@ -226,14 +226,14 @@ package starlogo.queries.motion
         // than the piece is long.
         private function slideOff(walk:Walk, depth:Number, below:MotionResult):Boolean
         {
-            if (below.row < 0)
+            if (!below.isStopped)
             {
                 return false;
             }
             slideDown(walk, below.place, depth - (walk.place.z - below.place.z), walk.pieceLength, _tried);
             walk.place.copyFrom(_tried.place);
-            var dx:Number = walk.place.x - walk.start.x;
-            var dy:Number = walk.place.y - walk.start.y;
+            var dx:Number = walk.place.x - walk.pieceStart.x;
+            var dy:Number = walk.place.y - walk.pieceStart.y;
             return dx * dx + dy * dy <= walk.pieceLength * walk.pieceLength && standBelow(walk, walk.closeDepth);
         }
 
@@ -256,10 +256,10 @@ package starlogo.queries.motion
                 {
                     return false;
                 }
-                goUpright(walk, _fallen, -depth, _straight);
-                left -= _straight.fraction * depth;
-                isStopped = _straight.row >= 0;
-                _fallen.copyFrom(_straight.place);
+                goUpright(walk, _fallen, -depth, _upright);
+                left -= _upright.fraction * depth;
+                isStopped = _upright.isStopped;
+                _fallen.copyFrom(_upright.place);
             }
             if (!isStopped)
             {
@@ -267,12 +267,12 @@ package starlogo.queries.motion
                 walk.place.copyFrom(_fallen);
                 return standBelow(walk, walk.closeDepth);
             }
-            if (standOn(walk, _straight.contact, _straight.row, _fallen))
+            if (standOn(walk, _upright.contact, _upright.row, _fallen))
             {
                 return true;
             }
             slideDown(walk, _fallen, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk), _slid);
-            if (!(walk.place.z - _slid.place.z < REST * walk.body.extent))
+            if (!(walk.place.z - _slid.place.z < LEAST_FALL * walk.body.extent))
             {
                 walk.place.copyFrom(_slid.place);
             }
@@ -295,22 +295,22 @@ package starlogo.queries.motion
         // is. Returns whether it stands.
         private function standBelow(walk:Walk, depth:Number):Boolean
         {
-            goUpright(walk, walk.place, -depth, _straight);
-            return standAtEnd(walk, _straight);
+            goUpright(walk, walk.place, -depth, _upright);
+            return standAtEnd(walk, _upright);
         }
 
         // Lets the agent stand where a way down has ended, on what has stopped it or on what else it touches there. Otherwise the agent stays where it is.
         // Returns whether it stands.
         private function standAtEnd(walk:Walk, down:MotionResult):Boolean
         {
-            return down.row >= 0 && (standOn(walk, down.contact, down.row, down.place) || standOnOther(walk, down.place));
+            return down.isStopped && (standOn(walk, down.contact, down.row, down.place) || standOnOther(walk, down.place));
         }
 
         // Lets the agent stand on what else it touches at a place, besides something too steep.
         private function standOnOther(walk:Walk, place:Vector3D):Boolean
         {
             slideDown(walk, place, walk.closeDepth, walk.body.extent, _tried);
-            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
+            return _tried.hasFloor && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
         }
 
         // Lets the agent stand at a place, on a row that it touches there, if the row carries it.
@@ -336,7 +336,7 @@ package starlogo.queries.motion
         private function slideAlong(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:SlideResult):void
         {
             _limits.setWalls(walkableZ, walk.pieceLength);
-            _motion.setTo(walk.piece.x, walk.piece.y, rise);
+            _motion.setTo(walk.pieceMotion.x, walk.pieceMotion.y, rise);
             _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
         }
 

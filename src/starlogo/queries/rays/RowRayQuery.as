@@ -64,7 +64,11 @@ package starlogo.queries.rays
             return (placement.x - ray.x) * ray.directionX + (placement.y - ray.y) * ray.directionY + (placement.z - ray.z) * ray.directionZ;
         }
 
-        /** Moves a ray into the space of a row's model. @param line receives it */
+        /**
+         * Moves a ray into the space of a row's model.
+         *
+         * @param line receives the ray there
+         */
         internal static function bringIntoModel(ray:Ray, placement:Placement, line:Ray):void
         {
             var ahead:Number = aheadOf(ray, placement);

@@ -51,7 +51,8 @@ package starlogo.queries.rays
         private function keepEnds(crossings:RayCrossings):void
         {
             var depth:int = 0;
-            var start:Number = NaN;
+            // where the ray begins, if that is inside of a part. No distance is equal to NaN
+            var insideFrom:Number = NaN;
             for (var i:int = 0; i < crossings.count; i++)
             {
                 var index:int = _all.numbers[i];
@@ -59,10 +60,10 @@ package starlogo.queries.rays
                 switch (crossings.sides[index])
                 {
                     case RayCrossings.INSIDE:
-                        start = crossings.distances[index];
+                        insideFrom = crossings.distances[index];
                         break;
                     case RayCrossings.ENTERS:
-                        isKept = depth == 0 && crossings.distances[index] != start;
+                        isKept = depth == 0 && crossings.distances[index] != insideFrom;
                         depth++;
                         break;
                     default:

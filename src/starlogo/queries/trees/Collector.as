@@ -11,13 +11,16 @@ package starlogo.queries.trees
     use namespace engine;
 
     /**
-     * Collects the rows that answer a question: the rows with the smallest keys, as many as are wanted. A key is a distance, a squared distance
-     * or a time. Rows with the same key are in the order of the list. The limit is the largest key of a row that is
-     * still wanted. It shrinks when enough rows are found, so the search visits less.
+     * The answer of a question while it is searched for: the rows with the smallest keys, as many as are wanted. A key is a distance, a squared
+     * distance or a time. Rows with the same key are in the order of the list.
      *
-     * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
+     * <p>A question takes one row after the other from <code>nextCandidate()</code>, tests it, and adds it with its key. Only a NearSearch finds rows by itself.
+     * The limit is the largest key of a row that is still wanted. It shrinks when enough rows are found, so the search visits less. One of the methods
+     * that begin with "end" makes the answer.</p>
+     *
+     * <p>Rows that a filter excludes are left out before they are tested. The filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. Motions and casts of shapes call it for all rows
-     * near them. It may ask questions itself. These have Collectors of their own (Nested).</p>
+     * near them. It may ask questions itself. These have Collectors of their own (PerQuestion).</p>
      *
      * @private
      */
@@ -74,17 +77,17 @@ package starlogo.queries.trees
         }
 
         /** The next row of a search that the filter may admit and that has a shape; -1 if there are no more. The last one is the row of the ground. */
-        public function nextOf(search:SweptBoxSearch):int
+        public function nextCandidate(search:SweptBoxSearch):int
         {
             for (var row:int = search.next(filter.breeds, limit); row >= 0; row = search.next(filter.breeds, limit))
             {
-                if (hasOther(row))
+                if (isCandidate(row))
                 {
                     if (filter.mayAdmit(row))
                     {
                         return row;
                     }
-                    search.tree.passOver(1);
+                    search.tree.countExcluded(1);
                 }
             }
             return _isGroundLeft ? takeGround() : -1;
@@ -95,11 +98,11 @@ package starlogo.queries.trees
         {
             var row:int = ListedAgents.GROUND_ROW;
             _isGroundLeft = false;
-            return hasOther(row) && filter.mayAdmit(row) ? row : -1;
+            return isCandidate(row) && filter.mayAdmit(row) ? row : -1;
         }
 
-        // Whether a row has a shape, and is not the one of the agent that asks.
-        private function hasOther(row:int):Boolean
+        // Whether a row may be in the answer: it has a shape, and is not the row of the agent that asks.
+        private function isCandidate(row:int):Boolean
         {
             return row != filter.askerRow && _seen.table.shapes[row] != null;
         }
@@ -114,7 +117,7 @@ package starlogo.queries.trees
             _rows.count = at + 1;
             if (_rows.count == _dropAt)
             {
-                sort();
+                keepWanted();
                 limit = _rows.keys[int(wanted - 1)];
                 // only then again, so that each row is sorted about twice
                 _dropAt = wanted > ALL / 2 ? ALL : 2 * wanted;
@@ -206,7 +209,7 @@ package starlogo.queries.trees
         {
             if (filter.accepts == null)
             {
-                sort();
+                keepWanted();
             }
             else
             {
@@ -216,7 +219,7 @@ package starlogo.queries.trees
         }
 
         // Sorts the rows, and keeps those that are wanted.
-        private function sort():void
+        private function keepWanted():void
         {
             _rows.sortFirst(_rows.count, _seen.table.list.ranks);
             _rows.count = Math.min(_rows.count, wanted);
@@ -263,9 +266,9 @@ package starlogo.queries.trees
         }
 
         /** Ends with all rows of a search that the filter admits and that have a shape, in the order of the list. They are added to <code>out</code>. */
-        public function listRows(search:SweptBoxSearch, out:IntList):void
+        public function endWithRows(search:SweptBoxSearch, out:IntList):void
         {
-            for (var row:int = nextOf(search); row >= 0; row = nextOf(search))
+            for (var row:int = nextCandidate(search); row >= 0; row = nextCandidate(search))
             {
                 add(row, 0);
             }

@@ -39,14 +39,14 @@ package starlogo.queries.trees
         }
 
         /** Whether a place of a list is in the cone. */
-        public function contains(places:Points, at:int):Boolean
+        public function contains(places:Points, index:int):Boolean
         {
             var axisX:Number = _placement.r00;
             var axisY:Number = _placement.r10;
             var axisZ:Number = _placement.r20;
-            var toX:Number = places.x[at] - _placement.x;
-            var toY:Number = places.y[at] - _placement.y;
-            var toZ:Number = places.z[at] - _placement.z;
+            var toX:Number = places.x[index] - _placement.x;
+            var toY:Number = places.y[index] - _placement.y;
+            var toZ:Number = places.z[index] - _placement.z;
             var acrossX:Number = axisY * toZ - axisZ * toY;
             var acrossY:Number = axisZ * toX - axisX * toZ;
             var acrossZ:Number = axisX * toY - axisY * toX;

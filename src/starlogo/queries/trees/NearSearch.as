@@ -7,9 +7,12 @@ package starlogo.queries.trees
     use namespace engine;
 
     /**
-     * Finds or counts the rows of a tree of places that are near a place. To find rows, it begins at the leaf of the agent that asks, and goes on
-     * with the nodes beside the path from there to the root. If the agent is not in the tree, it begins at the root. From each node it goes
-     * down to the nearer child first. If a filter's <code>accepts</code> decides, it visits the nearest of all nodes first.
+     * Finds or counts the rows whose places are near a place.
+     *
+     * <p>To find rows, it visits the nodes of the tree of places from near to far, because each row that is found may shrink the limit. It begins at
+     * the leaf of the agent that asks, and goes on with the nodes beside the path from there to the root. If the agent is not in the tree, it begins
+     * at the root. Of two children it visits the nearer one first. If a filter's <code>accepts</code> decides, it visits the nearest of all nodes
+     * first, so <code>accepts</code> is called for the nearest rows first.</p>
      *
      * <p>It compares squared distances, always computed as (x x + y y) + z z. In this order rounding never makes the distance to a box larger
      * than the distance to a place in the box.</p>
@@ -29,7 +32,7 @@ package starlogo.queries.trees
         private var _y:Number = 0;
         private var _z:Number = 0;
 
-        // The nodes that wait for a visit, and their squared distances.
+        // The nodes that wait for a visit, a stack, and their squared distances.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _squares:Vector.<Number> = new Vector.<Number>();
 
@@ -42,6 +45,7 @@ package starlogo.queries.trees
         /**
          * Finds the rows near a place.
          *
+         * @param found receives them. Its limit, a squared distance, says how near they must be
          * @param x the place
          * @param y the place
          * @param z the place
@@ -53,12 +57,13 @@ package starlogo.queries.trees
             var tree:RowTree = _tree;
             var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
             var asker:int = found.filter.askerRow;
-            var waiting:int = asker < 0 ? enqueue(RowTree.ROOT, 0) : beginBeside(tree.leafOf(asker));
+            var waiting:int = asker < 0 ? push(RowTree.ROOT, 0) : pushBeside(tree.leafOf(asker));
             while (waiting > 0 && found.limit >= 0)
             {
                 waiting--;
                 if (asks)
                 {
+                    putNearestLast(waiting);
                     askBefore(waiting);
                 }
                 var node:int = _nodes[waiting];
@@ -68,7 +73,7 @@ package starlogo.queries.trees
                 }
                 if (node < tree.firstLeaf)
                 {
-                    waiting = enqueueBoth(node << 1, waiting);
+                    waiting = pushBoth(node << 1, waiting);
                 }
                 else
                 {
@@ -81,6 +86,7 @@ package starlogo.queries.trees
          * Counts the rows near a place. If the filter excludes none, a node that is wholly within the limit is counted without a look at its rows. The
          * rows are collected only if the filter's <code>accepts</code> has to be asked.
          *
+         * @param found has the filter and the limit, a squared distance
          * @param x the place
          * @param y the place
          * @param z the place
@@ -92,7 +98,7 @@ package starlogo.queries.trees
             var asks:Boolean = found.filter.accepts != null;
             var countsWholeNodes:Boolean = !asks && !found.filter.excludes;
             var counted:int = 0;
-            var waiting:int = enqueue(RowTree.ROOT, 0);
+            var waiting:int = push(RowTree.ROOT, 0);
             while (waiting > 0)
             {
                 waiting--;
@@ -103,7 +109,7 @@ package starlogo.queries.trees
                 }
                 else if (node < tree.firstLeaf)
                 {
-                    waiting = enqueue((node << 1) + 1, enqueue(node << 1, waiting));
+                    waiting = push((node << 1) + 1, push(node << 1, waiting));
                 }
                 else
                 {
@@ -133,9 +139,9 @@ package starlogo.queries.trees
             return toX * toX + toY * toY + toZ * toZ <= _found.limit;
         }
 
-        // Makes a leaf the next node, because it probably has the nearest rows. After it come the nodes beside the path from the root to the
-        // leaf.
-        private function beginBeside(leaf:int):int
+        // Lets a leaf be visited first, because it probably has the nearest rows. The nodes beside the path from the root to the leaf come after it. Returns
+        // how many nodes wait.
+        private function pushBeside(leaf:int):int
         {
             var up:int = 0;
             while (leaf >> up > 1)
@@ -146,15 +152,24 @@ package starlogo.queries.trees
             while (up > 0)
             {
                 up--;
-                waiting = enqueue(leaf >> up ^ 1, waiting);
+                waiting = push(leaf >> up ^ 1, waiting);
             }
             _nodes[waiting] = leaf;
             _squares[waiting] = 0;
             return waiting + 1;
         }
 
-        // Makes the nearest of the waiting nodes the last of them. If it is a leaf, this first asks for the rows that are nearer than the leaf.
-        private function askBefore(last:int):void
+        // If a node is a leaf, asks for the rows that are nearer than the leaf.
+        private function askBefore(index:int):void
+        {
+            if (_nodes[index] >= _tree.firstLeaf)
+            {
+                _found.askBelow(_squares[index]);
+            }
+        }
+
+        // Makes the nearest of the waiting nodes the last of them.
+        private function putNearestLast(last:int):void
         {
             var nearest:int = last;
             for (var i:int = 0; i < last; i++)
@@ -170,17 +185,13 @@ package starlogo.queries.trees
             _squares[nearest] = _squares[last];
             _nodes[last] = node;
             _squares[last] = square;
-            if (node >= _tree.firstLeaf)
-            {
-                _found.askBelow(square);
-            }
         }
 
-        // Puts a node and its sibling on the waiting list, with the nearer one to be visited next. Returns how many nodes wait.
-        private function enqueueBoth(node:int, first:int):int
+        // Lets a node and its sibling wait, with the nearer one to be visited next. Returns how many nodes wait.
+        private function pushBoth(node:int, first:int):int
         {
-            var second:int = enqueue(node, first);
-            var waiting:int = enqueue(node + 1, second);
+            var second:int = push(node, first);
+            var waiting:int = push(node + 1, second);
             if (waiting == first + 2 && _squares[first] < _squares[second])
             {
                 var square:Number = _squares[first];
@@ -192,8 +203,8 @@ package starlogo.queries.trees
             return waiting;
         }
 
-        // Puts a node on the waiting list if its box is within the limit. Returns how many nodes wait.
-        private function enqueue(node:int, waiting:int):int
+        // Lets a node wait if its box is within the limit, and it may have rows that count. Returns how many nodes wait.
+        private function push(node:int, waiting:int):int
         {
             var boxes:Vector.<Number> = _tree.nodeBoxes;
             var box:int = RowTree.PER_BOX * node;
@@ -226,7 +237,7 @@ package starlogo.queries.trees
             var asker:int = filter.askerRow;
             var limit:Number = found.limit;
             var counted:int = 0;
-            var passedOver:int = 0;
+            var excluded:int = 0;
             var end:int = _tree.startOf(leaf + 1);
             for (var slot:int = _tree.startOf(leaf); slot < end; slot++)
             {
@@ -245,7 +256,7 @@ package starlogo.queries.trees
                 }
                 if (!filter.mayAdmit(row))
                 {
-                    passedOver++;
+                    excluded++;
                     continue;
                 }
                 if (cone != null && !cone.contains(places, slot))
@@ -259,7 +270,7 @@ package starlogo.queries.trees
                     limit = found.limit;
                 }
             }
-            _tree.passOver(passedOver);
+            _tree.countExcluded(excluded);
             return counted;
         }
     }

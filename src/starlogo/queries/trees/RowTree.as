@@ -17,7 +17,7 @@ package starlogo.queries.trees
      * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
      * in the order of the leaves. RowDivision brings them into that order.</p>
      *
-     * <p>A search for a rare breed can skip nodes without it. The nodes learn which breeds they have when searches have passed over as many rows
+     * <p>A search for a rare breed can skip nodes without it. The nodes learn which breeds they have when searches have tested as many rows
      * that filters exclude as the tree has, and again when an agent has got another breed.</p>
      *
      * @private
@@ -40,7 +40,7 @@ package starlogo.queries.trees
         public static const ALL_BREEDS:int = -1;
 
         // After this many moves per row the tree has to be built again, because its boxes have grown too much.
-        private static const MOVES:Number = 0.5;
+        private static const MOVES_PER_ROW:Number = 0.5;
 
         /** The number of rows. */
         public var count:int = 0;
@@ -60,8 +60,8 @@ package starlogo.queries.trees
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        // How many rows that filters exclude searches have tested since the nodes learned their breeds. A test reads it.
-        engine var passedOver:int = 0;
+        // How many rows that filters exclude were tested by searches since the nodes learned their breeds. A unit test reads it.
+        engine var excludedCount:int = 0;
 
         // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
         private var _breedSets:Vector.<int> = new Vector.<int>();
@@ -87,8 +87,8 @@ package starlogo.queries.trees
          */
         public function build(rows:Vector.<int>, count:int, points:Points, sizes:Extents):void
         {
-            _movesLeft = MOVES * count;
-            passedOver = 0;
+            _movesLeft = MOVES_PER_ROW * count;
+            excludedCount = 0;
             _breedsAsOf = -1;
             this.count = count;
             _points = points;
@@ -128,20 +128,20 @@ package starlogo.queries.trees
             return 1 << breed % BREED_BITS;
         }
 
-        /** Counts rows that a filter excludes, by their breeds or otherwise. */
-        public function passOver(number:int):void
+        /** Counts rows that were tested, although a filter excludes them, by their breeds or otherwise. */
+        public function countExcluded(number:int):void
         {
-            passedOver += number;
+            excludedCount += number;
         }
 
-        /** Lets the nodes learn their breeds, if searches have passed over so many rows that this takes no longer. */
+        /** Lets the nodes learn their breeds, if so many excluded rows were tested that this takes no longer. */
         public function learnBreeds(agents:Vector.<Agent>):void
         {
-            if (passedOver < count || _breedsAsOf == Breeds.changes)
+            if (excludedCount < count || _breedsAsOf == Breeds.changes)
             {
                 return;
             }
-            passedOver = 0;
+            excludedCount = 0;
             _breedsAsOf = Breeds.changes;
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {

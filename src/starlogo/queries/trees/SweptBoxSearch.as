@@ -32,9 +32,6 @@ package starlogo.queries.trees
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
 
-        // Where on the way the box meets the box that was tested last.
-        private var _entry:Number = 0;
-
         // The slots of the current leaf whose boxes overlap the box around the way, and how many of them are left.
         private var _slots:Vector.<int> = new Vector.<int>();
         private var _slotsLeft:int = 0;
@@ -144,7 +141,7 @@ package starlogo.queries.trees
                 {
                     _slotsLeft--;
                     var slot:int = _slots[_slotsLeft];
-                    if (!_moves || findEntry(tree.rowBoxes, RowTree.PER_BOX * slot))
+                    if (!_moves || findEntry(tree.rowBoxes, RowTree.PER_BOX * slot, _waiting))
                     {
                         return tree.rows[slot];
                     }
@@ -228,9 +225,8 @@ package starlogo.queries.trees
             var kept:int = first;
             for (var i:int = first; i < _waiting; i++)
             {
-                if (findEntry(tree.nodeBoxes, RowTree.PER_BOX * _nodes[i]))
+                if (findEntry(tree.nodeBoxes, RowTree.PER_BOX * _nodes[i], kept))
                 {
-                    _entries[kept] = _entry;
                     _nodes[kept] = _nodes[i];
                     kept++;
                 }
@@ -249,8 +245,8 @@ package starlogo.queries.trees
         }
 
         // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986), which
-        // _entry receives. Returns whether it is within _limit. V8 would box both if they were passed.
-        private function findEntry(boxes:Vector.<Number>, box:int):Boolean
+        // _entries receives at an index. Returns whether it is within _limit. V8 would box both if they were passed.
+        private function findEntry(boxes:Vector.<Number>, box:int, index:int):Boolean
         {
             var enters:Number = 0;
             var leaves:Number = _limit;
@@ -279,7 +275,7 @@ package starlogo.queries.trees
                     leaves = far;
                 }
             }
-            _entry = enters;
+            _entries[index] = enters;
             return enters <= leaves;
         }
     }

@@ -147,7 +147,7 @@ package starlogo.search.penetration
         private function halve():void
         {
             _tried.distance = (_inner + _outer) / 2;
-            if (_pair.testAt(_tried))
+            if (_pair.touchesAt(_tried))
             {
                 _inner = _tried.distance;
             }
@@ -167,7 +167,7 @@ package starlogo.search.penetration
             if (_inner == 0)
             {
                 _tried.distance = out.depth - probe;
-                if (_tried.distance <= 0 || _pair.testAt(_tried))
+                if (_tried.distance <= 0 || _pair.touchesAt(_tried))
                 {
                     return;
                 }
@@ -183,7 +183,7 @@ package starlogo.search.penetration
         private function areTouchingAtEnd():Boolean
         {
             _tried.distance = _outer;
-            return _pair.testAt(_tried);
+            return _pair.touchesAt(_tried);
         }
     }
 }

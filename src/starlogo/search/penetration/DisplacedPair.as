@@ -146,7 +146,7 @@ package starlogo.search.penetration
         }
 
         /** Displaces the first body. Returns whether it touches the second one there. */
-        public function testAt(displacement:Displacement):Boolean
+        public function touchesAt(displacement:Displacement):Boolean
         {
             displace(displacement);
             return areTouching();

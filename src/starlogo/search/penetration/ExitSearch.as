@@ -69,7 +69,7 @@ package starlogo.search.penetration
             _first.copyFrom(out);
             out.depth = Infinity;
             _pushOut.begin();
-            _pushOut.find(_first, Infinity, out);
+            var isPushed:Boolean = _pushOut.find(_first, Infinity, out);
             if (DisplacedPair.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
                 _other.copyFrom(_first);
@@ -77,11 +77,11 @@ package starlogo.search.penetration
                 _other.depth = 0;
                 // its point need not be the deepest
                 _other.forgetDeepest();
-                _pushOut.find(_other, DirectionSearch.GAIN * out.depth, out);
+                isPushed = _pushOut.find(_other, DirectionSearch.GAIN * out.depth, out) || isPushed;
             }
             if (!isShortEnough(out.depth))
             {
-                tryOutOfCovers(out);
+                tryOutOfCovers(isPushed, out);
                 if (_placesAbove != null)
                 {
                     _placesAbove.shorten(_pushOut, _directions, out);
@@ -107,19 +107,19 @@ package starlogo.search.penetration
             return contact.exitBound >= least || contact.isDeepestOfA && _bounds.exitBoundOf(_pair.second, contact, depth) >= least;
         }
 
-        // Tries the shortest way out of covers of the two. It is taken if there is no push.
-        private function tryOutOfCovers(out:ContactPoint):void
+        // Tries the shortest way out of covers of the two. If there is no push, it is taken, however long it is.
+        private function tryOutOfCovers(isPushed:Boolean, out:ContactPoint):void
         {
             _pair.putBack();
             _bounds.findContactOfCovers(_pair.first, _pair.second, _other);
-            if (out.depth == Infinity)
+            if (!isPushed)
             {
                 _directions.findAlong(_other, out);
                 return;
             }
             _tried.setDirection(_other.normalX, _other.normalY, _other.normalZ);
             _tried.distance = out.depth - _pair.tolerance;
-            if (_tried.distance > 0 && !_pair.testAt(_tried))
+            if (_tried.distance > 0 && !_pair.touchesAt(_tried))
             {
                 _directions.shorten(_tried, out);
             }

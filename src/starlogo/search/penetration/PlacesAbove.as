@@ -122,7 +122,7 @@ package starlogo.search.penetration
             }
             _tried.setDirection(x / length, y / length, z / length);
             _tried.distance = length + beyond;
-            if (_pair.testAt(_tried))
+            if (_pair.touchesAt(_tried))
             {
                 return false;
             }
@@ -183,7 +183,7 @@ package starlogo.search.penetration
         // If it is, finds when it meets the ground.
         private function sweepDown():Boolean
         {
-            if (_pair.testAt(_tried))
+            if (_pair.touchesAt(_tried))
             {
                 return false;
             }

@@ -71,8 +71,9 @@ package starlogo.search.penetration
          * @param first the contact of the two at the touch
          * @param most the length of the longest push that counts
          * @param out receives the normal and the depth if there is such a push
+         * @return whether there is one
          */
-        public function find(first:ContactPoint, most:Number, out:ContactPoint):void
+        public function find(first:ContactPoint, most:Number, out:ContactPoint):Boolean
         {
             var count:int = 1;
             _contacts.begin();
@@ -84,11 +85,12 @@ package starlogo.search.penetration
                 if (!goToBlocked())
                 {
                     takePush(first, out);
-                    return;
+                    return true;
                 }
                 addBlock();
                 count++;
             }
+            return false;
         }
 
         // Adds a contact: the next push leads out of it too. The more planes the last push ended on, the farther the next one leads out of the new contact.
@@ -129,17 +131,17 @@ package starlogo.search.penetration
             var isOfSeveral:Boolean = _push.planeCount > 1;
             _tried.setDirection(_push.displacement.x / _push.length, _push.displacement.y / _push.length, _push.displacement.z / _push.length);
             _tried.distance = _push.length;
-            if (isOfSeveral && _pair.testAt(_tried))
+            if (isOfSeveral && _pair.touchesAt(_tried))
             {
                 return true;
             }
             _tried.distance = _push.length + _pair.probeDistance;
-            if (_pair.testAt(_tried))
+            if (_pair.touchesAt(_tried))
             {
                 return true;
             }
             _tried.distance = _push.length + _pair.room;
-            return isOfSeveral && _pair.testAt(_tried);
+            return isOfSeveral && _pair.touchesAt(_tried);
         }
 
         // Takes the push. If the two are free before its end, the depth is refined.
@@ -148,7 +150,7 @@ package starlogo.search.penetration
             out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _push.length;
             _tried.distance = _push.length - _pair.probeDistance;
-            if (_tried.distance > 0 && !isDeepestStillInside(first) && !_pair.testAt(_tried))
+            if (_tried.distance > 0 && !isDeepestStillInside(first) && !_pair.touchesAt(_tried))
             {
                 _directions.shorten(_tried, out);
             }

@@ -52,14 +52,14 @@ package starlogo.queries.motion
                 body.collectRowsAlong(motion.x, motion.y, motion.z, agents[0], null);
                 core.begin(body, body.rows, from, motion);
                 var found:Impact = new Impact();
-                sweep.sweepRows(core, body.rows, from, motion, found);
+                sweep.findFirstImpact(core, body.rows, from, motion, found);
                 var expected:Impact = new Impact();
                 for (k = 0; k < body.rows.count; k++)
                 {
                     var alone:Impact = new Impact();
                     row.count = 0;
                     row.add(body.rows.numbers[k]);
-                    if (new CoreSweep().sweepRows(core, row, from, motion, alone) && alone.comparedTime < expected.comparedTime)
+                    if (new CoreSweep().findFirstImpact(core, row, from, motion, alone) && alone.comparedTime < expected.comparedTime)
                     {
                         expected = alone;
                     }

@@ -4,12 +4,12 @@ package starlogo.queries.motion
     import org.flexunit.asserts.assertEquals;
     import starlogo.convex.ContactPoint;
 
-    public class SlideRestTest
+    public class RemainingMotionTest
     {
         [Test]
         public function aPlaneThatIsMetAgainForgetsNoOther():void
         {
-            var rest:SlideRest = new SlideRest();
+            var rest:RemainingMotion = new RemainingMotion();
             var planes:ContactList = new ContactList();
             rest.begin(new Vector3D(1, 1, 0), SlideLimits.NONE);
             assertEquals(0, planes.add(planeAgainst(1, 0), 5));

@@ -1,3 +1,10 @@
+// A walk is read in this order:
+// 1. WalkQueries.walk: reads the options into a Walk, moves the agent to where the Walk ends, and copies its Footing
+// 2. WalkMover.go: carried by a platform, pushed out of overlaps, piece by piece along the ground, a fall, and a clearance at the end
+// 3. Slider: each way of a walk is a slide, or goes straight up or down
+// 4. CoreSweep: how such a way starts (startMotion), what stops it first (findFirstImpact), and when (findTouchTime)
+// 5. BodyCore: what stops it is what its core meets, and not what the body only touches
+// moveUntilTouch and the casts: MoveQueries, TouchSweep, CoreSweep.findStop. The head of MovingBody has the words of all these.
 package starlogo.queries
 {
     import starlogo.agents.Agent;
@@ -11,10 +18,10 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Moves characters, and answers how far something can go, for games that load no other questions. AgentQueries, which has them all, says what
+     * Moves agents, and answers how far something can go, for games that load no other questions. AgentQueries, which has them all, says what
      * holds for each.
      */
-    public final class AgentWalks
+    public final class AgentMotions
     {
         private var _moves:MoveQueries;
         private var _walks:WalkQueries;
@@ -25,11 +32,11 @@ package starlogo.queries
          * @param seen the agents that the questions see
          * @throws ArgumentError if it is null
          */
-        public function AgentWalks(seen:SeenAgents)
+        public function AgentMotions(seen:SeenAgents)
         {
             requireGiven("seen", seen);
             // A LevelShapes has no tests of pairs. A collision system has those that it needs, so an AgentQueries loads no tests of trees for a game
-            // without trees. For the same reason it does not hold an AgentWalks.
+            // without trees. For the same reason it does not hold an AgentMotions.
             seen.needTests(StructurePairTests.addTo);
             seen.needTests(TreePairTests.addTo);
             _moves = new MoveQueries(seen);

@@ -6,15 +6,15 @@ package starlogo.queries.motion
     import starlogo.search.penetration.ShortestExit;
 
     /**
-     * The rest of a slide. It is turned so that it crosses none of the planes that the slide has met (Fauerby, "Improved collision detection and response",
-     * 2003). Fauerby keeps two planes. Here all count that the Slider does not remove.
+     * The motion that remains of a slide. It is turned so that it crosses none of the planes that the slide has met (Fauerby, "Improved collision detection
+     * and response", 2003). Fauerby keeps two planes. Here all count that the Slider does not remove.
      *
-     * <p>What the rest would be without planes is the wanted motion. <code>climb()</code> and <code>level()</code> change it, and <code>project()</code>
-     * makes the rest of it.</p>
+     * <p>Without planes it would be the wanted motion. <code>climb()</code> and <code>level()</code> change the wanted motion, and
+     * <code>project()</code> turns it out of the planes.</p>
      *
      * @private
      */
-    public final class SlideRest
+    public final class RemainingMotion
     {
         /** A motion runs along a plane if the sine of the angle between them is at most this. */
         public static const PARALLEL_SINE:Number = 1e-12;
@@ -25,7 +25,7 @@ package starlogo.queries.motion
         // A slope may be less steep than a fall needs by this fraction, because its normal has rounding errors.
         private static const STEEPNESS_ROUNDING:Number = 1e-6;
 
-        /** The rest of the motion. Read only. */
+        /** The remaining motion. Read only. */
         public var motion:Vector3D = new Vector3D();
 
         /** The length of the way so far. Read only. */
@@ -56,7 +56,7 @@ package starlogo.queries.motion
             shorten();
         }
 
-        /** Begins a corner: the present rest becomes the wanted motion. A fall begins each corner straight down again. */
+        /** Begins a corner: the remaining motion becomes the wanted one. A fall begins each corner straight down again. */
         public function beginCorner():void
         {
             if (!_limits.isFall)
@@ -65,7 +65,7 @@ package starlogo.queries.motion
             }
         }
 
-        /** Moves a place by a fraction of the rest, from 0 to 1, and takes this fraction off the rest. */
+        /** Moves a place by a fraction of the remaining motion, from 0 to 1, and takes this fraction off it. */
         public function advance(place:Vector3D, fraction:Number):void
         {
             gone += fraction * motion.length;
@@ -91,7 +91,7 @@ package starlogo.queries.motion
         }
 
         /**
-         * Makes the rest the motion that crosses no plane and is nearest to the wanted motion. If this is hardly any motion, or a fall that is not steep
+         * The motion that crosses no plane and is nearest to the wanted one becomes the remaining motion. If this is hardly any motion, or a fall that is not steep
          * enough, none is left.
          *
          * @param without the index of a plane that does not count; -1 for none
@@ -120,7 +120,7 @@ package starlogo.queries.motion
             }
         }
 
-        // Shortens the rest to how far it may still go on the ground plane. None is left of a fall that is not steep enough, and of hardly any motion.
+        // Shortens the remaining motion to how far it may still go on the ground plane. None is left of a fall that is not steep enough, and of hardly any motion.
         private function shorten():void
         {
             var wide:Number = horizontalLength();
@@ -135,7 +135,7 @@ package starlogo.queries.motion
             }
         }
 
-        // The length of the rest on the ground plane.
+        // The length of the remaining motion on the ground plane.
         private function horizontalLength():Number
         {
             return Math.sqrt(motion.x * motion.x + motion.y * motion.y);

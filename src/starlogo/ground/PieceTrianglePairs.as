@@ -139,7 +139,7 @@ package starlogo.ground
         {
             while (nextTriangle())
             {
-                if (!isBelowPiece() && !kernel.stayApart(RelativeMotion.NONE) && !isBelowOnWayOut() && kernel.areTouching())
+                if (!isBelowPiece() && !kernel.planeKeepsApart(RelativeMotion.NONE) && !isBelowOnWayOut() && kernel.areTouching())
                 {
                     return true;
                 }

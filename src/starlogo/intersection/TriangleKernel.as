@@ -85,7 +85,7 @@ package starlogo.intersection
          *
          * @param motion of the shape; its start must be 0
          */
-        public function stayApart(motion:RelativeMotion):Boolean
+        public function planeKeepsApart(motion:RelativeMotion):Boolean
         {
             return plane.keepsApart(shape, motion);
         }

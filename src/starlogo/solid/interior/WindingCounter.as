@@ -15,8 +15,11 @@ package starlogo.solid.interior
      */
     public final class WindingCounter extends NodeVisitor
     {
-        /** How many windings of shells are counted for each triangle at most, while a surface is explored: in nested shells a point has many. */
-        internal static const MOST_FOR_EACH_TRIANGLE:int = 20;
+        /**
+         * How many shells are tested at most while a surface is explored, as a multiple of its number of triangles. In a model of many nested shells
+         * each point has to be tested with many of them, so the work would grow with the square of the triangles.
+         */
+        internal static const MOST_TESTS_PER_TRIANGLE:int = 20;
 
         // This many triangles, or up to twice as many, say where most of them are.
         private static const SAMPLES:int = 1000;

@@ -13,7 +13,7 @@ package starlogo.solid
     use namespace engine;
 
     /** Finds the first triangle of a model that a ray meets. */
-    internal final class TriangleRayVisitor extends NodeVisitor
+    internal final class TriangleRayEntryVisitor extends NodeVisitor
     {
         private var _search:BoxSearch = new BoxSearch();
         private var _mesh:TriangleMesh;

@@ -12,7 +12,7 @@ package starlogo.solid
     use namespace engine;
 
     /** Finds all triangles of a model that a ray meets. */
-    internal final class TriangleCrossingVisitor extends NodeVisitor
+    internal final class TriangleRayCrossingVisitor extends NodeVisitor
     {
         private var _search:BoxSearch = new BoxSearch();
         private var _mesh:TriangleMesh;

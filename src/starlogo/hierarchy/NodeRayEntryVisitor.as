@@ -12,7 +12,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class NodeRayVisitor extends NodeVisitor
+    public final class NodeRayEntryVisitor extends NodeVisitor
     {
         /** The factor on a node's half-extents. Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it. */
         internal static const NOT_WIDENED:Number = 1;

@@ -11,7 +11,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class NodeTouchVisitor extends NodeVisitor
+    public final class NodeImpactVisitor extends NodeVisitor
     {
         // Finds the nodes near the structure.
         private var _search:BoxSearch;
@@ -26,7 +26,7 @@ package starlogo.hierarchy
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** @param counts counts the nodes that are visited */
-        public function NodeTouchVisitor(counts:TreeCounts)
+        public function NodeImpactVisitor(counts:TreeCounts)
         {
             _search = new BoxSearch(counts);
         }

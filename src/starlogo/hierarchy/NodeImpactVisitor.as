@@ -51,7 +51,7 @@ package starlogo.hierarchy
             _structure.extentsInto(_extents);
             _search.setExtents(_extents, 0);
             _search.setMotion(motion);
-            _search.find(tree, depth, this);
+            _search.visitMet(tree, depth, this);
             return _found;
         }
 

@@ -27,7 +27,7 @@ package starlogo.hierarchy
             _ray.copyFrom(ray);
             _all = out;
             limit = ray.to;
-            _search.findAlong(ray, tree, depth, this);
+            _search.visitAlong(ray, tree, depth, this);
         }
 
         /** @inheritDoc */

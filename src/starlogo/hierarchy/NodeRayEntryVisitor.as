@@ -39,7 +39,7 @@ package starlogo.hierarchy
             _ray.copyFrom(ray);
             _first = -1;
             limit = ray.to;
-            _search.findAlong(ray, tree, depth, this);
+            _search.visitAlong(ray, tree, depth, this);
             return _first >= 0 && enters(tree, _first, out);
         }
 

@@ -7,6 +7,7 @@ package starlogo.solid
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
@@ -67,7 +68,7 @@ package starlogo.solid
             var plane:TrianglePlane;
             pair.a.mesh.readTriangle(best.a, _cornersOfA);
             pair.b.mesh.readTriangle(best.b, _cornersOfB);
-            Placement.placePoints(placement, _cornersOfB, 0, 9, _cornersOfB);
+            placePoints(placement, _cornersOfB, 0, 9, _cornersOfB);
             _kernel.shape.setTriangle(_cornersOfB, 0);
             _kernel.setTriangle(_cornersOfA);
             _kernel.findContact(motion, out);

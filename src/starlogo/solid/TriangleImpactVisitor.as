@@ -75,7 +75,7 @@ package starlogo.solid
             begin(model, structure, pose, motion);
             _choice.begin(limit);
             _found = -1;
-            _search.find(_mesh.tree, BoxTree.EXACT, this);
+            _search.visitMet(_mesh.tree, BoxTree.EXACT, this);
             motion.time = _choice.time;
             return _found;
         }

@@ -5,6 +5,7 @@ package starlogo.solid
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairVisitor;
     import starlogo.hierarchy.TreeCounts;
@@ -172,7 +173,7 @@ package starlogo.solid
                 {
                     _meshB.readTriangle(first + i, _placed, 9 * i);
                 }
-                Placement.placePoints(_placement, _placed, 0, 9 * count, _placed);
+                placePoints(_placement, _placed, 0, 9 * count, _placed);
             }
             return count;
         }

@@ -33,7 +33,7 @@ package starlogo.solid
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _all = out;
             limit = ray.to;
-            _search.findAlong(ray, model.boxTree, BoxTree.EXACT, this);
+            _search.visitAlong(ray, model.boxTree, BoxTree.EXACT, this);
         }
 
         /** @inheritDoc */

@@ -35,7 +35,7 @@ package starlogo.solid
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _first.slot = -1;
             limit = ray.to;
-            _search.findAlong(ray, model.boxTree, BoxTree.EXACT, this);
+            _search.visitAlong(ray, model.boxTree, BoxTree.EXACT, this);
             if (_first.slot < 0)
             {
                 return false;

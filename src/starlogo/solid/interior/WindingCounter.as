@@ -157,7 +157,7 @@ package starlogo.solid.interior
             var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
             _search.setPlace(x, y, z, margin);
             _search.setAxis(_axis, _isBackward ? -1 : 1);
-            _search.find(mesh.tree, BoxTree.EXACT, this);
+            _search.visitMet(mesh.tree, BoxTree.EXACT, this);
             for (var i:int = 0; i < _crossedCount; i++)
             {
                 var shell:int = _crossed[i];

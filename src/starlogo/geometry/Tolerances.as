@@ -34,6 +34,12 @@ package starlogo.geometry
          */
         public static const ORTHONORMALITY:Number = 1e-5;
 
+        /**
+         * The number up to which lengths, heights and determinants are rounding, where shapes have a size of about 1. Smaller: rounding
+         * decides how a hull loses corners, and flat sides of a hull have edges inside. Larger: short edges and shallow ones are lost.
+         */
+        public static const UNIT_ROUNDING:Number = 1e-12;
+
         // How near two shapes have to be to touch: the numbers of Touching.
 
         /**
@@ -227,12 +233,6 @@ package starlogo.geometry
          * wrong. Larger: the slower, exact computation decides more often.
          */
         public static const HULL_CERTAIN:Number = 1e-6;
-
-        /**
-         * The number up to which lengths, heights and determinants are rounding, where shapes have a size of about 1. Smaller: rounding
-         * decides how a hull loses corners, and flat sides of a hull have edges inside. Larger: short edges and shallow ones are lost.
-         */
-        public static const UNIT_ROUNDING:Number = 1e-12;
 
         // Structures that are fitted around a model: the package fitting.
 

@@ -6,9 +6,9 @@ package starlogo.intersection.boxes
     import starlogo.geometry.Tolerances;
 
     /**
-     * Finds when two moving boxes first touch, by separating axes over time. Boxes touch while no axis separates them. Each axis gives an
-     * interval of time during which it does not separate them. The boxes first touch when the last interval begins, if that is before the
-     * first one ends.
+     * Finds when two moving boxes first touch, by separating axes over time (Eberly, "Intersection of convex objects: the method of separating axes",
+     * 2001). Boxes touch while no axis separates them. Each axis gives an interval of time during which it does not separate them. The boxes first touch
+     * when the last interval begins, if that is before the first one ends.
      *
      * @private
      */

@@ -11,6 +11,9 @@ package starlogo.solid.interior
      * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a visitor, it counts the triangles that a
      * ray along an axis crosses.
      *
+     * <p>In the arithmetic, p, q and r are the corners of a triangle. Each has three coordinates as seen from the ray's origin: a along the ray's axis,
+     * b and c along the other two. So qb is the b of corner q.</p>
+     *
      * @private
      */
     public final class WindingCounter extends NodeVisitor

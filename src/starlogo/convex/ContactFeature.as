@@ -122,15 +122,15 @@ package starlogo.convex
             // rounding is relative to the face's extent, which two of its sides tell
             _sideSlack = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
                     + Math.abs(sides[6] - sides[3]) + Math.abs(sides[7] - sides[4]) + Math.abs(sides[8] - sides[5]));
-            var isAllCut:Boolean = true;
+            var areAllCut:Boolean = true;
             var last:int = face.end - 3;
             for (var at:int = 0; at < face.end; at += 3)
             {
-                isAllCut = cut(sides, last, at, contact, false) && isAllCut;
+                areAllCut = cut(sides, last, at, contact, false) && areAllCut;
                 last = at;
             }
             // what is nearest to a side may be beside the face, so these sides come last
-            for (at = 0; at < face.end && !isAllCut; at += 3)
+            for (at = 0; at < face.end && !areAllCut; at += 3)
             {
                 cut(sides, last, at, contact, true);
                 last = at;

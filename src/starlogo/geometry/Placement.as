@@ -1,3 +1,7 @@
+// The package geometry has the plain maths that all others share: placements, and functions with the same results on every machine. Read Placement first,
+// then Touching, which says when two shapes touch. Tolerances has the limits for rounding, in groups. The folder vertices is for lists of points: the box
+// around them, which of them are the same, what is wrong with them. The folder hull builds convex hulls: read ConvexHull, then QuickHull.
+
 package starlogo.geometry
 {
     import flash.geom.Vector3D;
@@ -10,11 +14,8 @@ package starlogo.geometry
      * about its origin (thesis §3.5).
      *
      * <p>A point p of the model is at <code>size R p + (x, y, z)</code>. R's rows are (r00 r01 r02), (r10 r11 r12), (r20 r21 r22). The
-     * numbers have double precision in every player. A Matrix3D does not, because Flash Player keeps it in single precision.</p>
-     *
-     * <p>This package has the plain maths that all others share: placements, and functions with the same results on every machine. Tolerances
-     * has the limits for rounding. Its folders are <code>vertices</code>, for lists of points, and
-     * <code>hull</code>, which builds convex hulls. Read Touching next, which says when two shapes touch.</p>
+     * numbers have double precision in every player. A Matrix3D does not, because Flash Player keeps it in single precision. They are read only:
+     * <code>setRotation()</code>, <code>setQuaternion()</code> and <code>setMatrix()</code> write them.</p>
      */
     public final class Placement
     {
@@ -37,8 +38,8 @@ package starlogo.geometry
         public var size:Number = 1;
 
         /**
-         * @private Whether the rotation is known to be the identity. Then <code>place()</code> leaves it out. Read only: the methods that set the
-         *     rotation set it.
+         * @private Whether the rotation is known to be the identity. Then <code>place()</code> leaves it out. The methods that write the rotation
+         *     write it. Read only.
          */
         engine var isUnrotated:Boolean = true;
 

@@ -12,8 +12,8 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.TreeAndStructure;
-    import starlogo.solid.TwoTrees;
+    import starlogo.solid.TreeStructurePair;
+    import starlogo.solid.TreeTreePair;
     import support.Fixtures;
 
     use namespace engine;
@@ -33,8 +33,8 @@ package benchmark
 
         private var _random:SeededRandom = new SeededRandom(2210);
         private var _counts:TreeCounts = new TreeCounts();
-        private var _trees:TwoTrees = new TwoTrees(_counts);
-        private var _treeAndBox:TreeAndStructure = new TreeAndStructure(_counts);
+        private var _trees:TreeTreePair = new TreeTreePair(_counts);
+        private var _treeAndBox:TreeStructurePair = new TreeStructurePair(_counts);
         private var _closest:ClosestPoints = new ClosestPoints();
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _visits:Array = [];

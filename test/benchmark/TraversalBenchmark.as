@@ -18,9 +18,9 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.TreeAndStructure;
-    import starlogo.solid.TreeImpactQuery;
-    import starlogo.solid.TwoTrees;
+    import starlogo.solid.TreeStructurePair;
+    import starlogo.solid.TreePairImpactQuery;
+    import starlogo.solid.TreeTreePair;
     import support.Fixtures;
 
     use namespace engine;
@@ -40,9 +40,9 @@ package benchmark
         private static const DEPTH:int = 5;
 
         private var _counts:TreeCounts = new TreeCounts();
-        private var _twoTrees:TwoTrees = new TwoTrees(_counts);
-        private var _treeAndStructure:TreeAndStructure = new TreeAndStructure(_counts);
-        private var _impacts:TreeImpactQuery = new TreeImpactQuery();
+        private var _twoTrees:TreeTreePair = new TreeTreePair(_counts);
+        private var _treeAndStructure:TreeStructurePair = new TreeStructurePair(_counts);
+        private var _impacts:TreePairImpactQuery = new TreePairImpactQuery();
         private var _trees:PosedTrees = new PosedTrees();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _ball:ModelTree;

@@ -18,12 +18,12 @@ package starlogo.convex
             findFeatures(cores, out);
             // how far the middle between the surfaces is from the common part, along the normal
             var offset:Number;
-            if (_first.end == ContactFeature.CORNER)
+            if (_first.isCorner)
             {
                 writeMean(_first, out);
                 offset = out.depth / 2 - cores.first.radius;
             }
-            else if (_second.end == ContactFeature.CORNER)
+            else if (_second.isCorner)
             {
                 writeMean(_second, out);
                 offset = cores.second.radius - out.depth / 2;
@@ -49,16 +49,16 @@ package starlogo.convex
             {
                 _second.find(cores.second, 1, contact);
             }
-            if (_second.end != ContactFeature.CORNER)
+            if (!_second.isCorner)
             {
                 _first.find(cores.first, -1, contact);
                 _first.move(cores.x, cores.y, cores.z);
             }
-            if (!isSecondSimpler && _first.end != ContactFeature.CORNER)
+            if (!isSecondSimpler && !_first.isCorner)
             {
                 _second.find(cores.second, 1, contact);
             }
-            if (_first.end > ContactFeature.CORNER && _second.end > ContactFeature.CORNER)
+            if (!_first.isCorner && !_second.isCorner)
             {
                 _first.makeOutline(contact);
                 _second.makeOutline(contact);
@@ -68,11 +68,11 @@ package starlogo.convex
         // Writes the middle of what two edges or faces share when seen along the normal. It is in the plane of either.
         private function findShared(out:ContactPoint):void
         {
-            if (_second.end > ContactFeature.EDGE)
+            if (_second.isFace)
             {
                 writeMeanWithin(_first, _second, out);
             }
-            else if (_first.end > ContactFeature.EDGE)
+            else if (_first.isFace)
             {
                 writeMeanWithin(_second, _first, out);
             }
@@ -107,44 +107,46 @@ package starlogo.convex
             out.z = z * (3 / end);
         }
 
-        // Writes where two segments cross, seen along the normal, or the point of the first one that is nearest to the other's end. If they are
-        // parallel, writes the middle of the part that they share.
-        private static function writeCrossing(p:Vector.<Number>, q:Vector.<Number>, out:ContactPoint):void
+        // Writes where two segments cross, seen along the normal, or the point of the first one that is nearest to an end of the second. If they are
+        // parallel, writes the middle of the part that they share. u is the first segment's vector, v the second's. Shares of u go from 0 at the first
+        // segment's start to 1 at its end.
+        private static function writeCrossing(first:Vector.<Number>, second:Vector.<Number>, out:ContactPoint):void
         {
-            var ux:Number = p[3] - p[0];
-            var uy:Number = p[4] - p[1];
-            var uz:Number = p[5] - p[2];
-            var vx:Number = q[3] - q[0];
-            var vy:Number = q[4] - q[1];
-            var vz:Number = q[5] - q[2];
-            var gapX:Number = q[0] - p[0];
-            var gapY:Number = q[1] - p[1];
-            var gapZ:Number = q[2] - p[2];
+            var ux:Number = first[3] - first[0];
+            var uy:Number = first[4] - first[1];
+            var uz:Number = first[5] - first[2];
+            var vx:Number = second[3] - second[0];
+            var vy:Number = second[4] - second[1];
+            var vz:Number = second[5] - second[2];
+            var gapX:Number = second[0] - first[0];
+            var gapY:Number = second[1] - first[1];
+            var gapZ:Number = second[2] - first[2];
             var uu:Number = ux * ux + uy * uy + uz * uz;
             var crossX:Number = uy * vz - uz * vy;
             var crossY:Number = uz * vx - ux * vz;
             var crossZ:Number = ux * vy - uy * vx;
             var squared:Number = crossX * crossX + crossY * crossY + crossZ * crossZ;
-            var one:Number;
-            var other:Number;
+            // where the part that they share begins and ends on the first segment
+            var begin:Number;
+            var end:Number;
             if (squared > Tolerances.DIRECTION * Tolerances.DIRECTION * uu * (vx * vx + vy * vy + vz * vz))
             {
-                var onQ:Number = ((gapY * uz - gapZ * uy) * crossX + (gapZ * ux - gapX * uz) * crossY + (gapX * uy - gapY * ux) * crossZ) / squared;
-                onQ = onQ > 0 ? (onQ < 1 ? onQ : 1) : 0;
-                one = ((gapX + onQ * vx) * ux + (gapY + onQ * vy) * uy + (gapZ + onQ * vz) * uz) / uu;
-                other = one;
+                var shareOfV:Number = ((gapY * uz - gapZ * uy) * crossX + (gapZ * ux - gapX * uz) * crossY + (gapX * uy - gapY * ux) * crossZ) / squared;
+                shareOfV = shareOfV > 0 ? (shareOfV < 1 ? shareOfV : 1) : 0;
+                begin = ((gapX + shareOfV * vx) * ux + (gapY + shareOfV * vy) * uy + (gapZ + shareOfV * vz) * uz) / uu;
+                end = begin;
             }
             else
             {
-                one = (gapX * ux + gapY * uy + gapZ * uz) / uu;
-                other = one + (vx * ux + vy * uy + vz * uz) / uu;
+                begin = (gapX * ux + gapY * uy + gapZ * uz) / uu;
+                end = begin + (vx * ux + vy * uy + vz * uz) / uu;
             }
-            one = one > 0 ? (one < 1 ? one : 1) : 0;
-            other = other > 0 ? (other < 1 ? other : 1) : 0;
-            var share:Number = (one + other) / 2;
-            out.x = p[0] + share * ux;
-            out.y = p[1] + share * uy;
-            out.z = p[2] + share * uz;
+            begin = begin > 0 ? (begin < 1 ? begin : 1) : 0;
+            end = end > 0 ? (end < 1 ? end : 1) : 0;
+            var share:Number = (begin + end) / 2;
+            out.x = first[0] + share * ux;
+            out.y = first[1] + share * uy;
+            out.z = first[2] + share * uz;
         }
     }
 }

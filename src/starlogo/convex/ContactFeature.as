@@ -5,11 +5,10 @@ package starlogo.convex
     /** The part of a core that is farthest along a direction: a corner, an edge or a face. An edge or a face can be clipped to a face. */
     internal final class ContactFeature
     {
-        /** The count of the numbers of a corner, and of an edge. A face has more. */
-        public static const CORNER:int = 3;
-        public static const EDGE:int = 6;
+        // How many numbers an edge has: three for each of its corners. A face has more.
+        private static const EDGE:int = 6;
 
-        /** The corners: x, y, z of each. <code>end</code> is the count of these numbers. Read only. */
+        /** The corners: x, y, z of each. <code>end</code> is the count of these numbers, 0 if no feature is found. Read only. */
         public var points:Vector.<Number> = new Vector.<Number>();
         public var end:int = 0;
 
@@ -22,8 +21,20 @@ package starlogo.convex
         // How far outside of a side of a face corners may be that clip() keeps.
         private var _sideSlack:Number = 0;
 
-        // The corners before the outline was made of them, or before a cut.
-        private var _before:Vector.<Number> = new Vector.<Number>();
+        // A second list. An outline or the result of a cut is written to it, and then it takes the place of the first.
+        private var _spare:Vector.<Number> = new Vector.<Number>();
+
+        /** Whether the feature is a corner. */
+        public function get isCorner():Boolean
+        {
+            return end == 3;
+        }
+
+        /** Whether the feature is a face. */
+        public function get isFace():Boolean
+        {
+            return end > EDGE;
+        }
 
         /** Leaves no corners. */
         public function clear():void
@@ -76,8 +87,8 @@ package starlogo.convex
         {
             var found:Vector.<Number> = points;
             var foundEnd:int = end;
-            points = _before;
-            _before = found;
+            points = _spare;
+            _spare = found;
             end = 0;
             // the first is farthest from another one
             var first:int = farthestFrom(0, found, foundEnd);
@@ -107,20 +118,21 @@ package starlogo.convex
          */
         public function clip(face:ContactFeature, contact:ContactPoint):void
         {
-            var p:Vector.<Number> = face.points;
-            _sideSlack = Tolerances.ROUNDING * (Math.abs(p[3] - p[0]) + Math.abs(p[4] - p[1]) + Math.abs(p[5] - p[2])
-                    + Math.abs(p[6] - p[3]) + Math.abs(p[7] - p[4]) + Math.abs(p[8] - p[5]));
-            var isAllCut:Boolean = true;
+            var sides:Vector.<Number> = face.points;
+            // rounding is relative to the face's extent, which two of its sides tell
+            _sideSlack = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
+                    + Math.abs(sides[6] - sides[3]) + Math.abs(sides[7] - sides[4]) + Math.abs(sides[8] - sides[5]));
+            var areAllCut:Boolean = true;
             var last:int = face.end - 3;
             for (var at:int = 0; at < face.end; at += 3)
             {
-                isAllCut = cut(p, last, at, contact, false) && isAllCut;
+                areAllCut = cut(sides, last, at, contact, false) && areAllCut;
                 last = at;
             }
             // what is nearest to a side may be beside the face, so these sides come last
-            for (at = 0; at < face.end && !isAllCut; at += 3)
+            for (at = 0; at < face.end && !areAllCut; at += 3)
             {
-                cut(p, last, at, contact, true);
+                cut(sides, last, at, contact, true);
                 last = at;
             }
         }
@@ -214,18 +226,19 @@ package starlogo.convex
             return best;
         }
 
-        // Keeps the part on the inner side of an edge of a polygon. If there is none, keeps all or only what is nearest to the edge, and returns false.
-        private function cut(edges:Vector.<Number>, edgeFrom:int, edgeTo:int, contact:ContactPoint, keepsNearest:Boolean):Boolean
+        // Keeps the part on the inner side of a side of a face. If there is none, keeps all or only what is nearest to the side, and returns false.
+        private function cut(sides:Vector.<Number>, sideFrom:int, sideTo:int, contact:ContactPoint, keepsNearest:Boolean):Boolean
         {
-            var edgeX:Number = edges[edgeTo] - edges[edgeFrom];
-            var edgeY:Number = edges[int(edgeTo + 1)] - edges[int(edgeFrom + 1)];
-            var edgeZ:Number = edges[int(edgeTo + 2)] - edges[int(edgeFrom + 2)];
-            // to the left of the edge, which is inwards
-            var inX:Number = contact.normalY * edgeZ - contact.normalZ * edgeY;
-            var inY:Number = contact.normalZ * edgeX - contact.normalX * edgeZ;
-            var inZ:Number = contact.normalX * edgeY - contact.normalY * edgeX;
-            var from:Number = inX * edges[edgeTo] + inY * edges[int(edgeTo + 1)] + inZ * edges[int(edgeTo + 2)];
-            var kept:Vector.<Number> = _before;
+            var sideX:Number = sides[sideTo] - sides[sideFrom];
+            var sideY:Number = sides[int(sideTo + 1)] - sides[int(sideFrom + 1)];
+            var sideZ:Number = sides[int(sideTo + 2)] - sides[int(sideFrom + 2)];
+            // to the left of the side, which is inwards
+            var inX:Number = contact.normalY * sideZ - contact.normalZ * sideY;
+            var inY:Number = contact.normalZ * sideX - contact.normalX * sideZ;
+            var inZ:Number = contact.normalX * sideY - contact.normalY * sideX;
+            // what is at least so far inwards is kept
+            var border:Number = inX * sides[sideTo] + inY * sides[int(sideTo + 1)] + inZ * sides[int(sideTo + 2)];
+            var kept:Vector.<Number> = _spare;
             var before:Vector.<Number> = points;
             var innermost:Number = -Infinity;
             for (var i:int = 0; i < end; i += 3)
@@ -234,24 +247,24 @@ package starlogo.convex
                 innermost = along > innermost ? along : innermost;
             }
             var rounding:Number = _sideSlack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
-            var isAllOutside:Boolean = innermost < from - rounding;
+            var isAllOutside:Boolean = innermost < border - rounding;
             if (isAllOutside)
             {
                 if (!keepsNearest)
                 {
                     return false;
                 }
-                from = innermost;
+                border = innermost;
             }
-            from -= rounding;
+            border -= rounding;
             var count:int = 0;
             var last:int = end - 3;
-            var lastInwards:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - from;
+            var lastInwards:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - border;
             // an edge is not a closed outline
             var isEdge:Boolean = end == EDGE;
             for (var at:int = 0; at < end; at += 3)
             {
-                var inwards:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - from;
+                var inwards:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - border;
                 if (inwards >= 0 != lastInwards >= 0 && !(isEdge && at == 0))
                 {
                     var share:Number = lastInwards / (lastInwards - inwards);
@@ -271,7 +284,7 @@ package starlogo.convex
                 lastInwards = inwards;
             }
             points = kept;
-            _before = before;
+            _spare = before;
             end = count;
             return !isAllOutside;
         }

@@ -29,7 +29,8 @@ package starlogo.convex
         private static const TRIANGLE_FACES:Vector.<int> = new <int>[0, 3, 6];
         private static const TRIANGLE_EDGES:Vector.<int> = new <int>[0, 3, 0, 0, 3, 6, 3, 3, 6, 0, 6, 6];
 
-        // A box's points have a bit for each axis, times 3.
+        // The points of a box are numbered by bits: 1 if a point is on the high side along axisX, 2 along axisY, 4 along axisZ. These are the numbers times
+        // 3, because each point has three coordinates.
         private static const BOX_FACES:Vector.<int> = new <int>[0, 3, 6, 0, 6, 12, 0, 12, 3];
         private static const BOX_EDGES:Vector.<int> = new <int>[0, 3, 0, 0, 0, 6, 0, 0, 0, 12, 0, 0];
 

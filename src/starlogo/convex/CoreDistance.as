@@ -14,7 +14,8 @@ package starlogo.convex
      */
     internal final class CoreDistance
     {
-        // The search ends after so many steps that came no nearer. After one or two of them, a step may still come nearer.
+        // The search ends after so many steps that came no nearer, because rounding hides where nearer points are. After one or two of them, a step may
+        // still come nearer.
         private static const MOST_STALLS:int = 8;
 
         private var _simplex:Simplex = new Simplex();
@@ -115,11 +116,13 @@ package starlogo.convex
             x /= length;
             y /= length;
             z /= length;
-            var i:int = cores.first.support(direction, -1);
-            var k:int = cores.second.support(direction, 1);
-            var p:Vector.<Number> = cores.first.points;
-            var q:Vector.<Number> = cores.second.points;
-            var separation:Number = x * (p[i] - q[k] + cores.x) + y * (p[int(i + 1)] - q[int(k + 1)] + cores.y) + z * (p[int(i + 2)] - q[int(k + 2)] + cores.z);
+            var ofFirst:int = cores.first.support(direction, -1);
+            var ofSecond:int = cores.second.support(direction, 1);
+            var first:Vector.<Number> = cores.first.points;
+            var second:Vector.<Number> = cores.second.points;
+            var separation:Number = x * (first[ofFirst] - second[ofSecond] + cores.x)
+                + y * (first[int(ofFirst + 1)] - second[int(ofSecond + 1)] + cores.y)
+                + z * (first[int(ofFirst + 2)] - second[int(ofSecond + 2)] + cores.z);
             if (separation > out.separation)
             {
                 out.setAxis(x, y, z, separation);
@@ -130,12 +133,12 @@ package starlogo.convex
                 }
             }
             // The simplex is in the plane through its nearest point. No corner is beyond that plane if this one is not.
-            var w:Vector.<Number> = _simplex.corners;
-            if (_simplex.count > 0 && separation >= x * w[0] + y * w[1] + z * w[2] - _simplex.rounding)
+            var corners:Vector.<Number> = _simplex.corners;
+            if (_simplex.count > 0 && separation >= x * corners[0] + y * corners[1] + z * corners[2] - _simplex.rounding)
             {
                 return false;
             }
-            return _simplex.add(cores, i, k);
+            return _simplex.add(cores, ofFirst, ofSecond);
         }
 
         // Whether the cores are known to be farther apart than the search has to know, also in all the time that is left.

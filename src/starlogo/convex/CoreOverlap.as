@@ -17,8 +17,8 @@ package starlogo.convex
      */
     internal final class CoreOverlap
     {
-        // How many numbers describe an edge: 0 to 2 its vector, times the shape's scale; 3 to 5 and 6 to 8 a normal of each of its two faces, as long
-        // as this vector times the height of the face's other point over it; 9 to 11 its start. The normals of bare edges are 0.
+        // How many numbers describe an edge. 0 to 2: its vector, times the shape's scale. 3 to 5 and 6 to 8: a normal of each of its two faces, as long
+        // as this vector times the height of the face's other point over it; 0 for bare edges. 9 to 11: its start.
         private static const PER_EDGE:int = 12;
 
         // An axis across two vectors is as long as their product, and the products of such axes have to be finite. So vectors of cores that are larger
@@ -120,8 +120,8 @@ package starlogo.convex
             }
         }
 
-        // Whether the perpendicular of an edge of the first core and one of the second points out of both cores: all of each core is on one side of
-        // its edge.
+        // Whether the perpendicular of an edge u of the first core and an edge v of the second points out of both cores: all of each core is on one side
+        // of its edge. That is so if both faces at u are on one side of v, both at v on one side of u, and these two sides are the same.
         private function isOutOfBoth(k:int):Boolean
         {
             var u:Vector.<Number> = _edge;
@@ -129,22 +129,22 @@ package starlogo.convex
             var x:Number = v[k];
             var y:Number = v[int(k + 1)];
             var z:Number = v[int(k + 2)];
-            var one:Number = x * u[3] + y * u[4] + z * u[5];
-            var other:Number = x * u[6] + y * u[7] + z * u[8];
-            if (one * other < 0)
+            var left:Number = x * u[3] + y * u[4] + z * u[5];
+            var right:Number = x * u[6] + y * u[7] + z * u[8];
+            if (left * right < 0)
             {
                 return false;
             }
-            var sum:Number = one + other;
+            var sideOfFirst:Number = left + right;
             x = u[0];
             y = u[1];
             z = u[2];
-            one = x * v[int(k + 3)] + y * v[int(k + 4)] + z * v[int(k + 5)];
-            other = x * v[int(k + 6)] + y * v[int(k + 7)] + z * v[int(k + 8)];
-            return one * other >= 0 && sum * (one + other) >= 0;
+            left = x * v[int(k + 3)] + y * v[int(k + 4)] + z * v[int(k + 5)];
+            right = x * v[int(k + 6)] + y * v[int(k + 7)] + z * v[int(k + 8)];
+            return left * right >= 0 && sideOfFirst * (left + right) >= 0;
         }
 
-        // Tries the perpendicular of an edge of the first core and one of the second.
+        // Tries the perpendicular of an edge u of the first core and an edge v of the second, whose numbers begin at k.
         private function tryAcross(k:int, cores:CorePair, out:CoreWitness):void
         {
             var u:Vector.<Number> = _edge;
@@ -190,6 +190,7 @@ package starlogo.convex
             return PER_EDGE * count;
         }
 
+        // Reads an edge, whose indices in the shape's list begin at one place, and writes its numbers from an index on.
         private static function readEdge(shape:ConvexShape, edge:int, out:Vector.<Number>, to:int):void
         {
             var p:Vector.<Number> = shape.points;

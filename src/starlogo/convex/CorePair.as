@@ -72,6 +72,12 @@ package starlogo.convex
             moveTo(motion);
         }
 
+        /** Leaves out the motion. The first shape stays where it is. */
+        public function clearMotion():void
+        {
+            motionX = motionY = motionZ = 0;
+        }
+
         /** Moves the first shape to where it is at the motion's time. */
         public function moveTo(motion:RelativeMotion):void
         {

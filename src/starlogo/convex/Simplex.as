@@ -26,7 +26,7 @@ package starlogo.convex
         /** The point nearest to the origin. */
         public var nearest:NearestPoint = new NearestPoint();
 
-        // For each corner, the points of both cores that it is the difference of.
+        // For each corner, the points of both cores that it is the difference of, as indices of their first numbers.
         private var _ofFirst:Vector.<int> = new Vector.<int>(4, true);
         private var _ofSecond:Vector.<int> = new Vector.<int>(4, true);
 
@@ -106,7 +106,7 @@ package starlogo.convex
         /** Writes the point of the first core that the nearest point is made of, where the core is stored. */
         public function writePoint(cores:CorePair, out:CoreGap):void
         {
-            var p:Vector.<Number> = cores.first.points;
+            var points:Vector.<Number> = cores.first.points;
             var weights:Vector.<Number> = nearest.weights;
             var pointX:Number = 0;
             var pointY:Number = 0;
@@ -115,9 +115,9 @@ package starlogo.convex
             {
                 var share:Number = weights[i];
                 var at:int = _ofFirst[i];
-                pointX += share * p[at];
-                pointY += share * p[int(at + 1)];
-                pointZ += share * p[int(at + 2)];
+                pointX += share * points[at];
+                pointY += share * points[int(at + 1)];
+                pointZ += share * points[int(at + 2)];
             }
             out.pointX = pointX + cores.first.x;
             out.pointY = pointY + cores.first.y;
@@ -126,14 +126,14 @@ package starlogo.convex
 
         private function writeCorner(cores:CorePair, corner:int):void
         {
-            var p:Vector.<Number> = cores.first.points;
-            var q:Vector.<Number> = cores.second.points;
-            var i:int = _ofFirst[corner];
-            var k:int = _ofSecond[corner];
+            var first:Vector.<Number> = cores.first.points;
+            var second:Vector.<Number> = cores.second.points;
+            var ofFirst:int = _ofFirst[corner];
+            var ofSecond:int = _ofSecond[corner];
             var at:int = 3 * corner;
-            corners[at] = p[i] - q[k] + cores.x;
-            corners[int(at + 1)] = p[int(i + 1)] - q[int(k + 1)] + cores.y;
-            corners[int(at + 2)] = p[int(i + 2)] - q[int(k + 2)] + cores.z;
+            corners[at] = first[ofFirst] - second[ofSecond] + cores.x;
+            corners[int(at + 1)] = first[int(ofFirst + 1)] - second[int(ofSecond + 1)] + cores.y;
+            corners[int(at + 2)] = first[int(ofFirst + 2)] - second[int(ofSecond + 2)] + cores.z;
         }
 
         // Keeps the corners that have a share of the nearest point.

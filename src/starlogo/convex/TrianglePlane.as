@@ -39,25 +39,25 @@ package starlogo.convex
         }
 
         /** Sets it to the plane of a triangle: nine numbers of a list, from an index on. */
-        public function setTriangle(p:Vector.<Number>, at:int):void
+        public function setTriangle(corners:Vector.<Number>, at:int):void
         {
-            var ux:Number = p[int(at + 3)] - p[at];
-            var uy:Number = p[int(at + 4)] - p[int(at + 1)];
-            var uz:Number = p[int(at + 5)] - p[int(at + 2)];
-            var vx:Number = p[int(at + 6)] - p[at];
-            var vy:Number = p[int(at + 7)] - p[int(at + 1)];
-            var vz:Number = p[int(at + 8)] - p[int(at + 2)];
+            var ux:Number = corners[int(at + 3)] - corners[at];
+            var uy:Number = corners[int(at + 4)] - corners[int(at + 1)];
+            var uz:Number = corners[int(at + 5)] - corners[int(at + 2)];
+            var vx:Number = corners[int(at + 6)] - corners[at];
+            var vy:Number = corners[int(at + 7)] - corners[int(at + 1)];
+            var vz:Number = corners[int(at + 8)] - corners[int(at + 2)];
             var uu:Number = ux * ux + uy * uy + uz * uz;
             var vv:Number = vx * vx + vy * vy + vz * vz;
-            var longest:Number = (ux - vx) * (ux - vx) + (uy - vy) * (uy - vy) + (uz - vz) * (uz - vz);
-            longest = longest > uu ? longest : uu;
-            longest = longest > vv ? longest : vv;
+            var squaredLongest:Number = (ux - vx) * (ux - vx) + (uy - vy) * (uy - vy) + (uz - vz) * (uz - vz);
+            squaredLongest = squaredLongest > uu ? squaredLongest : uu;
+            squaredLongest = squaredLongest > vv ? squaredLongest : vv;
             var x:Number = uy * vz - uz * vy;
             var y:Number = uz * vx - ux * vz;
             var z:Number = ux * vy - uy * vx;
             doubleArea = Math.sqrt(x * x + y * y + z * z);
             // the height over the longest edge is the double area divided by that edge
-            if (!(doubleArea * doubleArea > Tolerances.FLAT_TRIANGLE * longest * longest))
+            if (!(doubleArea * doubleArea > Tolerances.FLAT_TRIANGLE * squaredLongest * squaredLongest))
             {
                 normal.setTo(0, 0, 0);
                 offset = least = greatest = NaN;
@@ -69,9 +69,9 @@ package starlogo.convex
             normal.x = x;
             normal.y = y;
             normal.z = z;
-            offset = x * p[at] + y * p[int(at + 1)] + z * p[int(at + 2)];
-            var second:Number = x * p[int(at + 3)] + y * p[int(at + 4)] + z * p[int(at + 5)];
-            var third:Number = x * p[int(at + 6)] + y * p[int(at + 7)] + z * p[int(at + 8)];
+            offset = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
+            var second:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
+            var third:Number = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
             least = offset < second ? offset : second;
             least = least < third ? least : third;
             greatest = offset > second ? offset : second;

@@ -13,9 +13,9 @@ package starlogo.convex
         var x:Number = gap.x;
         var y:Number = gap.y;
         var z:Number = gap.z;
-        var squared:Number = gap.radiusA + gap.radiusB;
-        squared *= squared;
-        if (x * x + y * y + z * z <= squared)
+        var squaredRadius:Number = gap.radiusA + gap.radiusB;
+        squaredRadius *= squaredRadius;
+        if (x * x + y * y + z * z <= squaredRadius)
         {
             motion.time = 0;
             return;
@@ -30,17 +30,17 @@ package starlogo.convex
             return;
         }
         // The line enters half a chord before its point that is nearest to the other centre.
-        var motionSquared:Number = motionX * motionX + motionY * motionY + motionZ * motionZ;
-        var nearest:Number = closing / motionSquared;
+        var squaredMotion:Number = motionX * motionX + motionY * motionY + motionZ * motionZ;
+        var nearest:Number = closing / squaredMotion;
         x += nearest * motionX;
         y += nearest * motionY;
         z += nearest * motionZ;
-        var half:Number = squared - (x * x + y * y + z * z);
-        if (half < 0)
+        var squaredHalfChord:Number = squaredRadius - (x * x + y * y + z * z);
+        if (squaredHalfChord < 0)
         {
             return;
         }
-        var time:Number = nearest - Math.sqrt(half / motionSquared);
+        var time:Number = nearest - Math.sqrt(squaredHalfChord / squaredMotion);
         if (time <= motion.latest)
         {
             motion.time = time > 0 ? time : 0;

@@ -10,7 +10,7 @@ package starlogo.debug
     import starlogo.collision.CollisionSystem;
     import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
+    import starlogo.geometry.placePoints;
     import starlogo.models.Model;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.ModelShape;
@@ -79,7 +79,7 @@ package starlogo.debug
             }
             // A Matrix3D is not used, because it has single precision.
             var lines:Vector.<Number> = linesOfModel(agent, choice, collider);
-            return Placement.placePoints(agent.worldPlacement(), lines, 0, lines.length, all, all.length);
+            return placePoints(agent.worldPlacement(), lines, 0, lines.length, all, all.length);
         }
 
         private function linesOfModel(agent:Agent, choice:BaseShapeChoice, collider:Collider):Vector.<Number>

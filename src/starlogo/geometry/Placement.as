@@ -1,3 +1,7 @@
+// The package geometry has the plain maths that all others share: placements, and functions with the same results on every machine. Read Placement first,
+// then Touching, which says when two shapes touch. Tolerances has the limits for rounding, in groups. The folder vertices is for lists of points: the box
+// around them, which of them are the same, what is wrong with them. The folder hull builds convex hulls: read ConvexHull, then QuickHull.
+
 package starlogo.geometry
 {
     import flash.geom.Vector3D;
@@ -10,11 +14,8 @@ package starlogo.geometry
      * about its origin (thesis §3.5).
      *
      * <p>A point p of the model is at <code>size R p + (x, y, z)</code>. R's rows are (r00 r01 r02), (r10 r11 r12), (r20 r21 r22). The
-     * numbers have double precision in every player. A Matrix3D does not, because Flash Player keeps it in single precision.</p>
-     *
-     * <p>This package has the plain maths that all others share: placements, and functions with the same results on every machine. Tolerances
-     * has the limits for rounding. Its folders are <code>vertices</code>, for lists of points, and
-     * <code>hull</code>, which builds convex hulls. Read Touching next, which says when two shapes touch.</p>
+     * numbers have double precision in every player. A Matrix3D does not, because Flash Player keeps it in single precision. They are read only:
+     * <code>setRotation()</code>, <code>setQuaternion()</code> and <code>setMatrix()</code> write them.</p>
      */
     public final class Placement
     {
@@ -36,8 +37,11 @@ package starlogo.geometry
         /** The uniform scale, above 0. */
         public var size:Number = 1;
 
-        /** Whether the rotation is known to be the identity. Then <code>place()</code> leaves it out. Code that writes r00 to r22 sets it to false. */
-        public var isUnrotated:Boolean = true;
+        /**
+         * @private Whether the rotation is known to be the identity. Then <code>place()</code> leaves it out. The methods that write the rotation
+         *     write it. Read only.
+         */
+        engine var isUnrotated:Boolean = true;
 
         /** The rotation: row 0, column 0. */
         public var r00:Number = 1;
@@ -379,44 +383,23 @@ package starlogo.geometry
         }
 
         /**
-         * Transforms points, as place() transforms one.
-         *
-         * @param placement the transform
-         * @param from x, y, z of each
-         * @param first index of the first coordinate
-         * @param end index after the last coordinate
-         * @param out overwritten from an index on; stays longer if it had more points
-         * @param to that index
-         * @return out
+         * Sets the rotation of a placement to that of b as seen from a: the inverse of a's rotation times b's. It is not compared with the identity, so
+         * <code>place()</code> does not leave it out.
          *
          * @private
          */
-        engine static function placePoints(placement:Placement, from:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int = 0):Vector.<Number>
+        engine static function relateRotation(a:Placement, b:Placement, out:Placement):void
         {
-            var scale:Number = placement.size;
-            var moveX:Number = placement.x;
-            var moveY:Number = placement.y;
-            var moveZ:Number = placement.z;
-            var m00:Number = placement.r00 * scale;
-            var m01:Number = placement.r01 * scale;
-            var m02:Number = placement.r02 * scale;
-            var m10:Number = placement.r10 * scale;
-            var m11:Number = placement.r11 * scale;
-            var m12:Number = placement.r12 * scale;
-            var m20:Number = placement.r20 * scale;
-            var m21:Number = placement.r21 * scale;
-            var m22:Number = placement.r22 * scale;
-            for (var i:int = first; i < end; i += 3)
-            {
-                var fromX:Number = from[i];
-                var fromY:Number = from[int(i + 1)];
-                var fromZ:Number = from[int(i + 2)];
-                out[to] = m00 * fromX + m01 * fromY + m02 * fromZ + moveX;
-                out[int(to + 1)] = m10 * fromX + m11 * fromY + m12 * fromZ + moveY;
-                out[int(to + 2)] = m20 * fromX + m21 * fromY + m22 * fromZ + moveZ;
-                to += 3;
-            }
-            return out;
+            out.isUnrotated = false;
+            out.r00 = a.r00 * b.r00 + a.r10 * b.r10 + a.r20 * b.r20;
+            out.r01 = a.r00 * b.r01 + a.r10 * b.r11 + a.r20 * b.r21;
+            out.r02 = a.r00 * b.r02 + a.r10 * b.r12 + a.r20 * b.r22;
+            out.r10 = a.r01 * b.r00 + a.r11 * b.r10 + a.r21 * b.r20;
+            out.r11 = a.r01 * b.r01 + a.r11 * b.r11 + a.r21 * b.r21;
+            out.r12 = a.r01 * b.r02 + a.r11 * b.r12 + a.r21 * b.r22;
+            out.r20 = a.r02 * b.r00 + a.r12 * b.r10 + a.r22 * b.r20;
+            out.r21 = a.r02 * b.r01 + a.r12 * b.r11 + a.r22 * b.r21;
+            out.r22 = a.r02 * b.r02 + a.r12 * b.r12 + a.r22 * b.r22;
         }
 
         /**

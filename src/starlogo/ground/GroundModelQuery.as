@@ -7,7 +7,7 @@ package starlogo.ground
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.TriangleKernel;
-    import starlogo.solid.FirstTouch;
+    import starlogo.solid.ImpactChoice;
     import starlogo.solid.ImpactQuery;
     import starlogo.solid.ModelTree;
 
@@ -32,7 +32,7 @@ package starlogo.ground
 
         // The motion of the search for the first touch, and what chooses it. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
-        private var _touch:FirstTouch = new FirstTouch();
+        private var _touch:ImpactChoice = new ImpactChoice();
 
         // For the upper bound of a distance: a point of the ground, and the same point as the corners of a triangle.
         private var _nearest:GroundPoint = new GroundPoint();
@@ -86,7 +86,7 @@ package starlogo.ground
             _pairs.begin(_sweep, 0);
             while (_touch.time > 0 && _pairs.next())
             {
-                if (kernel.stayApart(_sweep))
+                if (kernel.planeKeepsApart(_sweep))
                 {
                     continue;
                 }

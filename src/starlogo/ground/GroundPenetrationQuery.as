@@ -171,7 +171,7 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap():Boolean
         {
-            if (_kernel.stayApart(RelativeMotion.NONE))
+            if (_kernel.planeKeepsApart(RelativeMotion.NONE))
             {
                 return false;
             }

@@ -79,7 +79,7 @@ package starlogo.ground
             while (_pairs.nextTriangle())
             {
                 var corners:Vector.<Number> = _pairs.triangle.corners;
-                if (_lowest.isAbove(corners, kernel.shape) || kernel.stayApart(RelativeMotion.NONE))
+                if (_lowest.isAbove(corners, kernel.shape) || kernel.planeKeepsApart(RelativeMotion.NONE))
                 {
                     continue;
                 }

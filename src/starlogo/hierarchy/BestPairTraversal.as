@@ -68,7 +68,7 @@ package starlogo.hierarchy
                     measure(trees, a, b, visitor, out);
                     continue;
                 }
-                var dividesA:Boolean = bEnds || !aEnds && trees.isFirstLarger(a, b);
+                var dividesA:Boolean = bEnds || !aEnds && trees.isNodeALarger(a, b);
                 var leftA:int = dividesA ? treeA.left[a] : a;
                 var leftB:int = dividesA ? b : treeB.left[b];
                 var rightA:int = dividesA ? leftA + 1 : a;

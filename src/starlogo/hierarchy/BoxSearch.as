@@ -4,8 +4,9 @@ package starlogo.hierarchy
     import starlogo.intersection.ray.Ray;
 
     /**
-     * Visits a tree, and calls a NodeVisitor for the nodes that decide (see BoxTree): those that an axis-aligned box may meet while it moves, or
-     * those that are near it. The nearer of two children comes first. A ray is a box without extents. A box that stands has no motion.
+     * Visits a tree, and calls a NodeVisitor for the nodes that decide (see BoxTree): those that an axis-aligned box may meet while it moves
+     * (<code>visitMet()</code>), or those that are near it (<code>visitNear()</code>). The nearer of two children comes first. A ray is a box without
+     * extents (<code>visitAlong()</code>). A box that stands has no motion.
      *
      * <p>A time is a multiple of the motion. The box meets a node between two times on each axis (Kay and Kajiya, "Ray tracing
      * complex scenes", SIGGRAPH 1986).</p>
@@ -14,8 +15,10 @@ package starlogo.hierarchy
      */
     public final class BoxSearch
     {
-        // 1 divided by the least motion; a smaller one counts as 0. Then the latest time. Larger numbers might become infinite.
-        private static const SLOWEST:Number = 1e100;
+        // 1 divided by the motion along an axis along which the box stands, or moves by less than 1e-100. Infinity would make NaN of a distance of 0.
+        private static const STILL:Number = 1e100;
+
+        // The latest time that counts. It is less than the time at which a box that stands beside a node would meet it.
         private static const LATEST:Number = 1e90;
 
         // How much larger boxes are on each side, as a fraction of the tree's radius and of the half-extents of what moves: a little more than
@@ -34,9 +37,9 @@ package starlogo.hierarchy
         private var _halfZ:Number = 0;
 
         // 1 divided by the motion along each axis, and the time from which on nodes count.
-        private var _inverseX:Number = SLOWEST;
-        private var _inverseY:Number = SLOWEST;
-        private var _inverseZ:Number = SLOWEST;
+        private var _inverseX:Number = STILL;
+        private var _inverseY:Number = STILL;
+        private var _inverseZ:Number = STILL;
         private var _from:Number = 0;
 
         // The nodes still to visit, and where the box meets them, or how far it is from them.
@@ -99,19 +102,19 @@ package starlogo.hierarchy
         private static function inverseOf(motion:Number):Number
         {
             var inverse:Number = 1 / motion;
-            if (inverse > -SLOWEST && inverse < SLOWEST)
+            if (inverse > -STILL && inverse < STILL)
             {
                 return inverse;
             }
-            return SLOWEST;
+            return STILL;
         }
 
         /** Visits the nodes that a ray may meet. The visitor's limit must be set: the ray's end. */
-        public function findAlong(ray:Ray, tree:BoxTree, depth:int, visitor:NodeVisitor):void
+        public function visitAlong(ray:Ray, tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
             setPlace(ray.x, ray.y, ray.z, 0);
             setVector(ray.directionX, ray.directionY, ray.directionZ, ray.from);
-            find(tree, depth, visitor);
+            visitMet(tree, depth, visitor);
         }
 
         /**
@@ -124,7 +127,7 @@ package starlogo.hierarchy
          * @param depth how many of its levels are visited
          * @param visitor its limit must be set: the latest time that counts
          */
-        public function find(tree:BoxTree, depth:int, visitor:NodeVisitor):void
+        public function visitMet(tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
             var slack:Number = SLACK * (tree.radius + _halfX + _halfY + _halfZ);
             var fromX:Number = _x;
@@ -136,7 +139,7 @@ package starlogo.hierarchy
             var inverseX:Number = _inverseX;
             var inverseY:Number = _inverseY;
             var inverseZ:Number = _inverseZ;
-            var isStill:Boolean = inverseX == SLOWEST && inverseY == SLOWEST && inverseZ == SLOWEST;
+            var isStill:Boolean = inverseX == STILL && inverseY == STILL && inverseZ == STILL;
             var absX:Number = inverseX < 0 ? -inverseX : inverseX;
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
@@ -256,7 +259,7 @@ package starlogo.hierarchy
          * @param depth how many of its levels are visited
          * @param visitor its limit must be set
          */
-        public function findNear(tree:BoxTree, depth:int, visitor:NodeVisitor):void
+        public function visitNear(tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
             var nodes:Vector.<int> = _nodes;
             var distances:Vector.<Number> = _enters;

@@ -24,7 +24,7 @@ package starlogo.hierarchy
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
 
-        // The second tree's axes, and the pair that is estimated.
+        // The axes of tree b, and the pair that is estimated.
         private var _pair:BoxPair = new BoxPair();
 
         // The radii of the spheres around both trees together. The rounding error is relative to it.
@@ -42,7 +42,7 @@ package starlogo.hierarchy
          * Finds the closest points of two trees.
          *
          * @param visitor decides about nodes that decide; null if their boxes do
-         * @param out receives the points and their distance, in the first model's space
+         * @param out receives the points and their distance, in a's space
          */
         public function findClosest(trees:PosedTrees, visitor:NodePairVisitor, out:ClosestPoints):void
         {
@@ -63,16 +63,16 @@ package starlogo.hierarchy
             var pair:BoxPair = _pair;
             var axes:BoxAxes = pair.axes;
             trees.readPair(a, b, pair);
-            var distance:Number = pair.x < 0 ? -pair.x : pair.x;
-            distance -= pair.aX + axes.abs00 * pair.bX + axes.abs01 * pair.bY + axes.abs02 * pair.bZ;
+            var distance:Number = pair.offsetX < 0 ? -pair.offsetX : pair.offsetX;
+            distance -= pair.aHalfX + axes.abs00 * pair.bHalfX + axes.abs01 * pair.bHalfY + axes.abs02 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
-            distance = pair.y < 0 ? -pair.y : pair.y;
-            distance -= pair.aY + axes.abs10 * pair.bX + axes.abs11 * pair.bY + axes.abs12 * pair.bZ;
+            distance = pair.offsetY < 0 ? -pair.offsetY : pair.offsetY;
+            distance -= pair.aHalfY + axes.abs10 * pair.bHalfX + axes.abs11 * pair.bHalfY + axes.abs12 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            distance = pair.z < 0 ? -pair.z : pair.z;
-            distance -= pair.aZ + axes.abs20 * pair.bX + axes.abs21 * pair.bY + axes.abs22 * pair.bZ;
+            distance = pair.offsetZ < 0 ? -pair.offsetZ : pair.offsetZ;
+            distance -= pair.aHalfZ + axes.abs20 * pair.bHalfX + axes.abs21 * pair.bHalfY + axes.abs22 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             var far:Number = out.least + trees.pose.tolerance + 2 * SLACK * (out.least + _radii);
@@ -82,30 +82,30 @@ package starlogo.hierarchy
                 return;
             }
             raise(Math.sqrt(squared), trees.pose, out);
-            estimateAlongSecond(pair, trees.pose, out);
+            estimateAlongAxesOfB(pair, trees.pose, out);
             if (out.points.distance < Infinity)
             {
                 estimateAlongLine(pair, trees.pose, out);
             }
         }
 
-        // Raises the bound to the distance of two boxes along the axes of the second one.
-        private function estimateAlongSecond(pair:BoxPair, pose:RelativePose, out:BestPair):void
+        // Raises the bound to the distance of two boxes along the axes of b's.
+        private function estimateAlongAxesOfB(pair:BoxPair, pose:RelativePose, out:BestPair):void
         {
             var axes:BoxAxes = pair.axes;
-            var distance:Number = axes.m00 * pair.x + axes.m10 * pair.y + axes.m20 * pair.z;
+            var distance:Number = axes.m00 * pair.offsetX + axes.m10 * pair.offsetY + axes.m20 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs00 * pair.aX + axes.abs10 * pair.aY + axes.abs20 * pair.aZ + pair.bX;
+            distance -= axes.abs00 * pair.aHalfX + axes.abs10 * pair.aHalfY + axes.abs20 * pair.aHalfZ + pair.bHalfX;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
-            distance = axes.m01 * pair.x + axes.m11 * pair.y + axes.m21 * pair.z;
+            distance = axes.m01 * pair.offsetX + axes.m11 * pair.offsetY + axes.m21 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs01 * pair.aX + axes.abs11 * pair.aY + axes.abs21 * pair.aZ + pair.bY;
+            distance -= axes.abs01 * pair.aHalfX + axes.abs11 * pair.aHalfY + axes.abs21 * pair.aHalfZ + pair.bHalfY;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            distance = axes.m02 * pair.x + axes.m12 * pair.y + axes.m22 * pair.z;
+            distance = axes.m02 * pair.offsetX + axes.m12 * pair.offsetY + axes.m22 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs02 * pair.aX + axes.abs12 * pair.aY + axes.abs22 * pair.aZ + pair.bZ;
+            distance -= axes.abs02 * pair.aHalfX + axes.abs12 * pair.aHalfY + axes.abs22 * pair.aHalfZ + pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             raise(Math.sqrt(squared), pose, out);
@@ -131,11 +131,11 @@ package starlogo.hierarchy
             alongX = alongX < 0 ? -alongX : alongX;
             alongY = alongY < 0 ? -alongY : alongY;
             alongZ = alongZ < 0 ? -alongZ : alongZ;
-            var distance:Number = pair.x * toX + pair.y * toY + pair.z * toZ - alongX * pair.bX - alongY * pair.bY - alongZ * pair.bZ;
+            var distance:Number = pair.offsetX * toX + pair.offsetY * toY + pair.offsetZ * toZ - alongX * pair.bHalfX - alongY * pair.bHalfY - alongZ * pair.bHalfZ;
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
             toZ = toZ < 0 ? -toZ : toZ;
-            raise((distance - pair.aX * toX - pair.aY * toY - pair.aZ * toZ) / length, pose, out);
+            raise((distance - pair.aHalfX * toX - pair.aHalfY * toY - pair.aHalfZ * toZ) / length, pose, out);
         }
 
         // Raises the bound to a computed distance, less its rounding error.
@@ -169,8 +169,8 @@ package starlogo.hierarchy
         /**
          * Reduces a measured distance of two nodes by more than its rounding error and the margins of nested nodes.
          *
-         * @param levelA the level of a node; 0 for a structure
-         * @param levelB the level of the other
+         * @param levelA the level of a's node
+         * @param levelB the level of b's node; 0 for a structure
          * @param radii the radii of both models together
          */
         internal static function reduce(measured:ClosestPoints, levelA:int, levelB:int, radii:Number):void

@@ -26,7 +26,7 @@ package starlogo.hierarchy
         /**
          * Finds when two trees first touch.
          *
-         * @param motion of the second tree, from the pose on
+         * @param motion of tree b, from the pose on
          * @param visitor decides about nodes that decide; null if their boxes do
          * @return the nodes or items that touch first, and the time; the next search overwrites it
          */

@@ -41,7 +41,7 @@ package starlogo.hierarchy
             _search.setExtents(_extents, 0);
             _nearest = out;
             limit = out.distance = Infinity;
-            _search.findNear(tree, depth, this);
+            _search.visitNear(tree, depth, this);
         }
 
         /** @inheritDoc */

@@ -11,8 +11,8 @@ package starlogo.hierarchy
     public class NodeVisitor
     {
         /**
-         * How far the search goes. In <code>BoxSearch.find()</code> it is a multiple of the box's motion: a time, or a distance if the motion has
-         * length 1. In <code>BoxSearch.findNear()</code> it is a distance from the box. Nodes beyond it are not visited. Whoever begins a search
+         * How far the search goes. In <code>BoxSearch.visitMet()</code> it is a multiple of the box's motion: a time, or a distance if the motion has
+         * length 1. In <code>BoxSearch.visitNear()</code> it is a distance from the box. Nodes beyond it are not visited. Whoever begins a search
          * sets it. A visitor that has found something makes it less, so that only better nodes follow.
          */
         public var limit:Number = 0;

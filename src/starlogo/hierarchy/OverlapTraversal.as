@@ -10,7 +10,7 @@ package starlogo.hierarchy
      * Decides whether two standing trees overlap. It is like BestPairTraversal, but without bounds, because each pair overlaps
      * or not.
      *
-     * <p>In the first model's space, its own boxes are axis-aligned, and all boxes of the second have the same rotation. So a pair of boxes
+     * <p>In the space of tree a, its own boxes are axis-aligned, and all boxes of tree b have the same rotation. So a pair of boxes
      * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
      * two nodes overlap, the larger one is divided, or both if the overlap is deep. The child nearer to the other node is visited first.</p>
      *
@@ -38,8 +38,8 @@ package starlogo.hierarchy
         // The pairs of nodes still to visit. The next one is last.
         private var _nodes:Vector.<int> = new Vector.<int>();
 
-        // The second tree's axes times its scale. Their absolute values are larger by a rounding error, because cross products of nearly parallel
-        // edges cancel. And the vector from the middle of the first tree's node to the middle of the second's, of the last pair that was tested.
+        // The axes of tree b times its scale. Their absolute values are larger by a rounding error, because cross products of nearly parallel edges
+        // cancel. And the vector from the middle of a's node to the middle of b's, of the last pair that was tested.
         private var _pair:BoxPair = new BoxPair();
 
         private var _counts:TreeCounts;
@@ -110,16 +110,16 @@ package starlogo.hierarchy
                 {
                     continue;
                 }
-                pair.x = x;
-                pair.y = y;
-                pair.z = z;
-                pair.aX = boxesA[int(atA + 3)] + tolerance;
-                pair.aY = boxesA[int(atA + 4)] + tolerance;
-                pair.aZ = boxesA[int(atA + 5)] + tolerance;
-                pair.bX = halfX * relative.size;
-                pair.bY = halfY * relative.size;
-                pair.bZ = halfZ * relative.size;
-                var overlap:int = overlapBesideFirst(pair);
+                pair.offsetX = x;
+                pair.offsetY = y;
+                pair.offsetZ = z;
+                pair.aHalfX = boxesA[int(atA + 3)] + tolerance;
+                pair.aHalfY = boxesA[int(atA + 4)] + tolerance;
+                pair.aHalfZ = boxesA[int(atA + 5)] + tolerance;
+                pair.bHalfX = halfX * relative.size;
+                pair.bHalfY = halfY * relative.size;
+                pair.bHalfZ = halfZ * relative.size;
+                var overlap:int = overlapBesideAxesOfA(pair);
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && visitor == null;
@@ -145,7 +145,7 @@ package starlogo.hierarchy
         private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
         {
             var stack:Vector.<int> = _nodes;
-            var dividesA:Boolean = !aEnds && (bEnds || isDeep || trees.isFirstLarger(a, b));
+            var dividesA:Boolean = !aEnds && (bEnds || isDeep || trees.isNodeALarger(a, b));
             var dividesB:Boolean = isDeep ? !bEnds : !dividesA;
             var nearer:int;
             if (dividesA)
@@ -173,26 +173,26 @@ package starlogo.hierarchy
             return top + 2;
         }
 
-        // How two boxes overlap that no axis of the first one separates: SEPARATE, SHALLOW or DEEP. The distance of b's middle from a is compared with
-        // the spheres around b and inside of it; then the axes of b decide.
-        private static function overlapBesideFirst(pair:BoxPair):int
+        // How two boxes overlap that no axis of a separates: SEPARATE, SHALLOW or DEEP. The distance of b's middle from a is compared with the spheres
+        // around b and inside of it; then the axes of b decide.
+        private static function overlapBesideAxesOfA(pair:BoxPair):int
         {
-            var x:Number = pair.x;
-            var y:Number = pair.y;
-            var z:Number = pair.z;
-            var halfX:Number = pair.aX;
-            var halfY:Number = pair.aY;
-            var halfZ:Number = pair.aZ;
-            var bX:Number = pair.bX;
-            var bY:Number = pair.bY;
-            var bZ:Number = pair.bZ;
+            var x:Number = pair.offsetX;
+            var y:Number = pair.offsetY;
+            var z:Number = pair.offsetZ;
+            var halfX:Number = pair.aHalfX;
+            var halfY:Number = pair.aHalfY;
+            var halfZ:Number = pair.aHalfZ;
+            var bHalfX:Number = pair.bHalfX;
+            var bHalfY:Number = pair.bHalfY;
+            var bHalfZ:Number = pair.bHalfZ;
             include "../intersection/squaredToBox.inc";
-            if (squaredDistance > bX * bX + bY * bY + bZ * bZ)
+            if (squaredDistance > bHalfX * bHalfX + bHalfY * bHalfY + bHalfZ * bHalfZ)
             {
                 return SEPARATE;
             }
-            var least:Number = bX < bY ? bX : bY;
-            least = bZ < least ? bZ : least;
+            var least:Number = bHalfX < bHalfY ? bHalfX : bHalfY;
+            least = bHalfZ < least ? bHalfZ : least;
             if (squaredDistance <= least * least)
             {
                 return DEEP;
@@ -200,34 +200,34 @@ package starlogo.hierarchy
             return BoxSeparation.overlapAlongFacesOfB(pair) ? SHALLOW : SEPARATE;
         }
 
-        // Returns the child of a node of the first tree that is nearer to the second one's node.
+        // Returns the child of a node of tree a that is nearer to b's node.
         private static function nearerChildOfA(pair:BoxPair, tree:BoxTree, node:int):int
         {
             var axis:int = tree.axisOf(node);
-            var along:Number = axis == 0 ? pair.x : (axis == 1 ? pair.y : pair.z);
+            var along:Number = axis == 0 ? pair.offsetX : (axis == 1 ? pair.offsetY : pair.offsetZ);
             return along > 0 ? tree.left[node] + 1 : tree.left[node];
         }
 
-        // Makes the vector of a pair begin at another node of the first tree than before. The boxes' numbers begin at the two indices.
+        // Makes the vector of a pair begin at another node of tree a than before. The boxes' numbers begin at the two indices.
         private static function beginPairAt(pair:BoxPair, boxes:Vector.<Number>, node:int, before:int):void
         {
-            pair.x += boxes[before] - boxes[node];
-            pair.y += boxes[int(before + 1)] - boxes[int(node + 1)];
-            pair.z += boxes[int(before + 2)] - boxes[int(node + 2)];
+            pair.offsetX += boxes[before] - boxes[node];
+            pair.offsetY += boxes[int(before + 1)] - boxes[int(node + 1)];
+            pair.offsetZ += boxes[int(before + 2)] - boxes[int(node + 2)];
         }
 
-        // Returns the child of a node of the second tree that is nearer to the first one's node.
+        // Returns the child of a node of tree b that is nearer to a's node.
         private static function nearerChildOfB(pair:BoxPair, rotation:Placement, tree:BoxTree, node:int):int
         {
             var axis:int = tree.axisOf(node);
-            var along:Number = rotation.r02 * pair.x + rotation.r12 * pair.y + rotation.r22 * pair.z;
+            var along:Number = rotation.r02 * pair.offsetX + rotation.r12 * pair.offsetY + rotation.r22 * pair.offsetZ;
             if (axis == 0)
             {
-                along = rotation.r00 * pair.x + rotation.r10 * pair.y + rotation.r20 * pair.z;
+                along = rotation.r00 * pair.offsetX + rotation.r10 * pair.offsetY + rotation.r20 * pair.offsetZ;
             }
             else if (axis == 1)
             {
-                along = rotation.r01 * pair.x + rotation.r11 * pair.y + rotation.r21 * pair.z;
+                along = rotation.r01 * pair.offsetX + rotation.r11 * pair.offsetY + rotation.r21 * pair.offsetZ;
             }
             return along < 0 ? tree.left[node] + 1 : tree.left[node];
         }

@@ -4,28 +4,27 @@ package starlogo.hierarchy
     import starlogo.intersection.boxes.BoxPair;
 
     /**
-     * Two trees that a traversal visits, as a record: the trees, to which depth each is visited, and the pose of the second one in the space of the
-     * first.
+     * Two trees a and b that a traversal visits, as a record: the trees, to which depth each is visited, and the pose of b in the space of a.
      *
      * @private
      */
     public final class PosedTrees
     {
-        /** The first tree, and how many of its levels are visited (see BoxTree). */
+        /** One tree, and how many of its levels are visited (see BoxTree). */
         public var a:BoxTree = null;
         public var depthA:int = 0;
 
-        /** The second tree, and how many of its levels are visited. */
+        /** The other tree, and how many of its levels are visited. */
         public var b:BoxTree = null;
         public var depthB:int = 0;
 
-        /** The pose of the second tree's nodes in the first tree's space. */
+        /** The pose of b's nodes in the space of a. */
         public var pose:RelativePose = new RelativePose();
 
         /**
-         * Reads the boxes of a node of the first tree and of one of the second.
+         * Reads the boxes of a node of a and a node of b.
          *
-         * @param out receives the half-extents of both, and the vector from the middle of the first one to that of the second
+         * @param out receives the half-extents of both, and the vector from the middle of a's node to that of b's
          */
         public function readPair(nodeA:int, nodeB:int, out:BoxPair):void
         {
@@ -36,21 +35,21 @@ package starlogo.hierarchy
             var x:Number = boxes[at] * scale;
             var y:Number = boxes[int(at + 1)] * scale;
             var z:Number = boxes[int(at + 2)] * scale;
-            out.bX = boxes[int(at + 3)] * scale;
-            out.bY = boxes[int(at + 4)] * scale;
-            out.bZ = boxes[int(at + 5)] * scale;
+            out.bHalfX = boxes[int(at + 3)] * scale;
+            out.bHalfY = boxes[int(at + 4)] * scale;
+            out.bHalfZ = boxes[int(at + 5)] * scale;
             boxes = a.boxes;
             at = 6 * nodeA;
-            out.x = relative.r00 * x + relative.r01 * y + relative.r02 * z + relative.x - boxes[at];
-            out.y = relative.r10 * x + relative.r11 * y + relative.r12 * z + relative.y - boxes[int(at + 1)];
-            out.z = relative.r20 * x + relative.r21 * y + relative.r22 * z + relative.z - boxes[int(at + 2)];
-            out.aX = boxes[int(at + 3)];
-            out.aY = boxes[int(at + 4)];
-            out.aZ = boxes[int(at + 5)];
+            out.offsetX = relative.r00 * x + relative.r01 * y + relative.r02 * z + relative.x - boxes[at];
+            out.offsetY = relative.r10 * x + relative.r11 * y + relative.r12 * z + relative.y - boxes[int(at + 1)];
+            out.offsetZ = relative.r20 * x + relative.r21 * y + relative.r22 * z + relative.z - boxes[int(at + 2)];
+            out.aHalfX = boxes[int(at + 3)];
+            out.aHalfY = boxes[int(at + 4)];
+            out.aHalfZ = boxes[int(at + 5)];
         }
 
-        /** Whether the sphere around the box of a node of the first tree is at least as large as the one around the box of a node of the second. */
-        public function isFirstLarger(nodeA:int, nodeB:int):Boolean
+        /** Whether the sphere around the box of a node of a is at least as large as the one around the box of a node of b. */
+        public function isNodeALarger(nodeA:int, nodeB:int):Boolean
         {
             var boxesA:Vector.<Number> = a.boxes;
             var boxesB:Vector.<Number> = b.boxes;

@@ -10,32 +10,26 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * The pose of one agent's model in the space of another agent's model. It is computed once for each pair of agents, because all nodes
-     * of their hierarchies share it.
+     * The pose of model b in the space of model a. It is computed once for each pair of agents, because all nodes of their hierarchies share it.
      *
      * @private
      */
     public final class RelativePose
     {
-        /** Transforms the second model into the first model's space. Its <code>isUnrotated</code> stays false: nothing is left out. */
+        /** Transforms b into a's space. */
         public var placement:Placement = new Placement();
 
-        /** The largest distance at which the two models still touch, in the first model's space: the rounding error of their places. */
+        /** The largest distance at which the two models still touch, in a's space: the rounding error of their places. */
         public var tolerance:Number = 0;
 
-        // For each kind, a structure of the second model in the first model's space.
+        // For each kind, a structure of b in a's space.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
 
-        public function RelativePose()
-        {
-            placement.isUnrotated = false;
-        }
-
         /**
-         * Computes the second model's origin and axes in the first model's space.
+         * Computes b's origin and axes in a's space.
          *
-         * @param a the first model's placement in the world
-         * @param b the second model's placement in the world
+         * @param a the placement of a in the world
+         * @param b the placement of b in the world
          */
         public function relate(a:Placement, b:Placement):void
         {
@@ -43,7 +37,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Does what <code>relate()</code> does when a motion has brought the first model from its placement to another place.
+         * Does what <code>relate()</code> does when a motion has brought a from its placement to another place.
          *
          * @param time of the motion
          */
@@ -61,23 +55,15 @@ package starlogo.hierarchy
             relative.x = a.r00 * x + a.r10 * y + a.r20 * z;
             relative.y = a.r01 * x + a.r11 * y + a.r21 * z;
             relative.z = a.r02 * x + a.r12 * y + a.r22 * z;
-            relative.r00 = a.r00 * b.r00 + a.r10 * b.r10 + a.r20 * b.r20;
-            relative.r01 = a.r00 * b.r01 + a.r10 * b.r11 + a.r20 * b.r21;
-            relative.r02 = a.r00 * b.r02 + a.r10 * b.r12 + a.r20 * b.r22;
-            relative.r10 = a.r01 * b.r00 + a.r11 * b.r10 + a.r21 * b.r20;
-            relative.r11 = a.r01 * b.r01 + a.r11 * b.r11 + a.r21 * b.r21;
-            relative.r12 = a.r01 * b.r02 + a.r11 * b.r12 + a.r21 * b.r22;
-            relative.r20 = a.r02 * b.r00 + a.r12 * b.r10 + a.r22 * b.r20;
-            relative.r21 = a.r02 * b.r01 + a.r12 * b.r11 + a.r22 * b.r21;
-            relative.r22 = a.r02 * b.r02 + a.r12 * b.r12 + a.r22 * b.r22;
+            Placement.relateRotation(a, b, relative);
         }
 
         /**
-         * Computes the second model's motion in the first model's space.
+         * Computes the motion of b in a's space.
          *
-         * @param a the first model's placement in the world
-         * @param worldMotion the first model's motion relative to the second, in the world
-         * @param out receives the motion, from the second model's pose on, but no time: its start must be 0
+         * @param a the placement of a in the world
+         * @param worldMotion the motion of a relative to b, in the world
+         * @param out receives the motion, from b's pose on, but no time: its start must be 0
          */
         public static function relateMotion(a:Placement, worldMotion:RelativeMotion, out:RelativeMotion):void
         {
@@ -91,11 +77,11 @@ package starlogo.hierarchy
         }
 
         /**
-         * Turns the contact of the second model with the first, in the first one's space, into the contact of the first with the second, in the world.
+         * Turns the contact of b with a, in a's space, into the contact of a with b, in the world.
          *
          * @param contact at the motion's time
-         * @param a the first model's placement in the world, where it stands without the motion
-         * @param motion the first model's motion relative to the second, in the world
+         * @param a the placement of a in the world, where it stands without the motion
+         * @param motion the motion of a relative to b, in the world
          */
         public static function moveContactToWorld(contact:ContactPoint, a:Placement, motion:RelativeMotion):void
         {
@@ -114,9 +100,9 @@ package starlogo.hierarchy
         }
 
         /**
-         * A structure of the second model in the first model's space. The next call for the same kind overwrites it.
+         * A structure of b in a's space. The next call for the same kind overwrites it.
          *
-         * @param structure in the second model's space
+         * @param structure in b's space
          */
         public function place(structure:BoundingStructure):BoundingStructure
         {

@@ -14,7 +14,7 @@ package starlogo.intersection
      */
     internal final class BoxSegment
     {
-        /** For <code>capsuleBox()</code>. */
+        /** The segment that <code>capsuleBox()</code> sets, of a capsule that stands. */
         public static const STANDING:BoxSegment = new BoxSegment();
 
         /** The segment's start, as seen from the box's middle. */

@@ -8,7 +8,7 @@ package starlogo.intersection
     /** The axes of two capsules, or the centre of a sphere and the axis of a capsule, and their closest points. */
     internal final class SegmentPair
     {
-        /** For <code>capsuleCapsule()</code>. */
+        /** The pair that <code>capsuleCapsule()</code> sets, whose capsules stand. */
         public static const STANDING:SegmentPair = new SegmentPair();
 
         /** u is the axis of a, and v the axis of b, each from its start to its end. All fields are read only. */

@@ -9,6 +9,7 @@ package starlogo.intersection
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.placePoints;
 
     use namespace engine;
 
@@ -55,7 +56,7 @@ package starlogo.intersection
         /** Sets the shape to a triangle: nine numbers. The placement moves it into the other triangles' space. */
         public function setShapeToTriangle(corners:Vector.<Number>, placement:Placement):void
         {
-            Placement.placePoints(placement, corners, 0, 9, _placed);
+            placePoints(placement, corners, 0, 9, _placed);
             shape.setTriangle(_placed, 0);
         }
 
@@ -85,7 +86,7 @@ package starlogo.intersection
          *
          * @param motion of the shape; its start must be 0
          */
-        public function stayApart(motion:RelativeMotion):Boolean
+        public function planeKeepsApart(motion:RelativeMotion):Boolean
         {
             return plane.keepsApart(shape, motion);
         }

@@ -47,25 +47,25 @@ package starlogo.intersection
         var halfX:Number = a.halfX;
         var halfY:Number = a.halfY;
         var halfZ:Number = a.halfZ;
-        var bX:Number = b.halfX;
-        var bY:Number = b.halfY;
-        var bZ:Number = b.halfZ;
+        var bHalfX:Number = b.halfX;
+        var bHalfY:Number = b.halfY;
+        var bHalfZ:Number = b.halfZ;
         // the squared distance of b's centre from a, to compare with the two spheres of b
         include "squaredToBox.inc";
-        if (squaredDistance > bX * bX + bY * bY + bZ * bZ)
+        if (squaredDistance > bHalfX * bHalfX + bHalfY * bHalfY + bHalfZ * bHalfZ)
         {
             return false;
         }
-        var inner:Number = bX < bY ? bX : bY;
-        inner = inner < bZ ? inner : bZ;
+        var inner:Number = bHalfX < bHalfY ? bHalfX : bHalfY;
+        inner = inner < bHalfZ ? inner : bHalfZ;
         if (squaredDistance <= inner * inner)
         {
             return true;
         }
         var pair:BoxPair = BoxPair.STANDING;
-        pair.x = x;
-        pair.y = y;
-        pair.z = z;
+        pair.offsetX = x;
+        pair.offsetY = y;
+        pair.offsetZ = z;
         pair.setHalves(a, b);
         pair.axes.setTo(a, b);
         if (!BoxSeparation.overlapAlongFacesOfA(pair) || !BoxSeparation.overlapAlongFacesOfB(pair))

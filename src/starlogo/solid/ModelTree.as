@@ -1,3 +1,27 @@
+// The package solid says how a model meets another model, a structure or a ray, where the model's tree decides, or in exact tests its triangles.
+// A question goes to one of the classes in the first row. A Search of the package hierarchy then visits nodes of one tree, a Traversal pairs of nodes
+// of two trees. Where the visit ends, boxes decide or triangles. Read ModelTree first, then TreePair and TreeTreePair, then TrianglePairVisitor.
+// 
+// | a tree and a structure   | two trees              | a tree and a ray
+// who is asked           | TreeStructurePair        | TreeTreePair           | TreeRayEntryQuery (the first place), TreeRayCrossingQuery (all)
+// 
+// boxes decide
+// whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
+// when or where first   | NodeImpactVisitor        | ImpactTraversal        | NodeRayEntryVisitor, NodeRayCrossingVisitor
+// the distance          | NodeDistanceVisitor      | DistanceTraversal      | -
+// the contact           | PairTable                | PairTable              | -
+// 
+// triangles decide
+// whether they touch    | TriangleImpactVisitor    | TrianglePairVisitor    | -
+// when or where first   | TriangleImpactVisitor    | TrianglePairVisitor    | TriangleRayEntryVisitor, TriangleRayCrossingVisitor
+// the distance          | TriangleDistanceVisitor  | TrianglePairVisitor    | -
+// the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
+// 
+// what is inside         | ModelTree.isInside()     | TreeContainmentQuery   | ModelTree.isInside()
+// 
+// A TreePairImpactQuery, for a pair of either kind, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of
+// several triangles that are touched first, the ImpactChoice chooses one. The package solid.interior knows what is inside of a surface.
+
 package starlogo.solid
 {
     import flash.geom.Vector3D;
@@ -20,12 +44,6 @@ package starlogo.solid
     /**
      * A model's tree, together with its triangles and what is inside of them. Only <code>refit()</code> changes the tree. The triangles
      * and their inside are prepared when they are first needed, or when the model is loaded. For the engine.
-     *
-     * <p>The package solid says how two models meet if trees, or for exact tests triangles, decide: whether they overlap, when they first touch,
-     * how far they are apart. A TreePair answers: TwoTrees by the Traversals of the package hierarchy, TreeAndStructure by its Searches, with the
-     * <i>Visitor</i> that decides. A Triangle visitor decides by the triangles of a node, the TrianglePairVisitor by those of two nodes.
-     * TriangleContactFinder finds how two triangles touch. The package solid.interior knows what is inside of a surface. Read this class first, then
-     * TreePair and TwoTrees, then TrianglePairVisitor.</p>
      *
      * @private
      */
@@ -132,8 +150,8 @@ package starlogo.solid
             return _mesh;
         }
 
-        /** What is inside of the triangles, for models that have some. If it is not prepared yet, prepares it, which is slow. */
-        internal function prepareInterior():Interior
+        /** What is inside of the triangles, for models that have some. The first call prepares it, which is slow. */
+        internal function preparedInterior():Interior
         {
             prepareExact();
             return _interior;
@@ -152,7 +170,7 @@ package starlogo.solid
             {
                 isOutside = OPEN_SIDES.hasOpenSide(middle, boxTree);
             }
-            return !isOutside && prepareInterior().isInside(middle);
+            return !isOutside && preparedInterior().isInside(middle);
         }
 
         /**

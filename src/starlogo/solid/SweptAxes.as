@@ -15,6 +15,8 @@ package starlogo.solid
         // How many numbers describe an axis: the axis itself; the least place along it that the shape comes to; the greatest one at time 0; how far the
         // shape moves along it until time 1, which is not negative.
         private static const PER_AXIS:int = 6;
+
+        // The largest number of axes, which a box or a hull has: two for each of three directions. A capsule has three, a sphere one.
         private static const MOST_AXES:int = 6;
 
         // The shape, the radius around its core, and its motion.
@@ -51,16 +53,16 @@ package starlogo.solid
         {
             var shape:ConvexShape = _shape;
             var motion:RelativeMotion = _motion;
-            var p:Vector.<Number> = shape.points;
+            var points:Vector.<Number> = shape.points;
             if (shape.core == ConvexShape.POINT)
             {
                 addAxis(motion.x, motion.y, motion.z);
             }
             else if (shape.core == ConvexShape.SEGMENT)
             {
-                var x:Number = p[3] - p[0];
-                var y:Number = p[4] - p[1];
-                var z:Number = p[5] - p[2];
+                var x:Number = points[3] - points[0];
+                var y:Number = points[4] - points[1];
+                var z:Number = points[5] - points[2];
                 var squared:Number = x * x + y * y + z * z;
                 var share:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
                 addAxis(motion.x - share * x, motion.y - share * y, motion.z - share * z);
@@ -68,10 +70,11 @@ package starlogo.solid
             if (shape.areEdgesPerpendicular)
             {
                 var edges:Vector.<int> = shape.edges;
+                // the ends of the edges, which begin at the first point
                 for (var i:int = 1; i < edges.length; i += 4)
                 {
-                    var to:int = edges[i];
-                    addEdge(p[to] - p[0], p[int(to + 1)] - p[1], p[int(to + 2)] - p[2]);
+                    var end:int = edges[i];
+                    addEdge(points[end] - points[0], points[int(end + 1)] - points[1], points[int(end + 2)] - points[2]);
                 }
             }
             else if (shape.core != ConvexShape.POINT)
@@ -108,12 +111,12 @@ package starlogo.solid
         }
 
         /**
-         * Whether an axis separates a triangle from the shape until a time.
+         * Whether one of the axes separates a triangle from the shape until a time.
          *
          * @param corners nine numbers of the triangle
          * @param motion has the latest time: they stay apart until then. Nothing else of it counts
          */
-        public function stayApart(corners:Vector.<Number>, motion:RelativeMotion):Boolean
+        public function separate(corners:Vector.<Number>, motion:RelativeMotion):Boolean
         {
             if (_end == 0)
             {
@@ -127,12 +130,12 @@ package starlogo.solid
                 var x:Number = axes[i];
                 var y:Number = axes[int(i + 1)];
                 var z:Number = axes[int(i + 2)];
-                var p:Number = x * corners[0] + y * corners[1] + z * corners[2];
-                var q:Number = x * corners[3] + y * corners[4] + z * corners[5];
-                var r:Number = x * corners[6] + y * corners[7] + z * corners[8];
+                var first:Number = x * corners[0] + y * corners[1] + z * corners[2];
+                var second:Number = x * corners[3] + y * corners[4] + z * corners[5];
+                var third:Number = x * corners[6] + y * corners[7] + z * corners[8];
                 var low:Number = axes[int(i + 3)];
                 var high:Number = axes[int(i + 4)] + latest * axes[int(i + 5)];
-                if (p < low && q < low && r < low || p > high && q > high && r > high)
+                if (first < low && second < low && third < low || first > high && second > high && third > high)
                 {
                     return true;
                 }
@@ -146,9 +149,10 @@ package starlogo.solid
             var shape:ConvexShape = _shape;
             var motion:RelativeMotion = _motion;
             var points:Vector.<Number> = shape.points;
-            var second:int = shape.pointsEnd - 3;
+            var lastPoint:int = shape.pointsEnd - 3;
+            // the triangle's edge goes from one corner to the next, and the third one is opposite to it
             var from:int = 6;
-            var third:int = 3;
+            var opposite:int = 3;
             for (var to:int = 0; to < 9; to += 3)
             {
                 var x:Number = corners[from] - shape.x;
@@ -160,14 +164,14 @@ package starlogo.solid
                 var acrossX:Number = motion.y * edgeZ - motion.z * edgeY;
                 var acrossY:Number = motion.z * edgeX - motion.x * edgeZ;
                 var acrossZ:Number = motion.x * edgeY - motion.y * edgeX;
-                // where the edge, the third corner and both points of the shape are along the axis
+                // where the edge, the opposite corner and the shape's first and last points are along the axis
                 var edge:Number = acrossX * x + acrossY * y + acrossZ * z;
-                var corner:Number = acrossX * (corners[third] - shape.x) + acrossY * (corners[int(third + 1)] - shape.y)
-                    + acrossZ * (corners[int(third + 2)] - shape.z);
-                var p:Number = acrossX * points[0] + acrossY * points[1] + acrossZ * points[2];
-                var q:Number = acrossX * points[second] + acrossY * points[int(second + 1)] + acrossZ * points[int(second + 2)];
-                var low:Number = p < q ? p : q;
-                var high:Number = p < q ? q : p;
+                var corner:Number = acrossX * (corners[opposite] - shape.x) + acrossY * (corners[int(opposite + 1)] - shape.y)
+                    + acrossZ * (corners[int(opposite + 2)] - shape.z);
+                var start:Number = acrossX * points[0] + acrossY * points[1] + acrossZ * points[2];
+                var end:Number = acrossX * points[lastPoint] + acrossY * points[int(lastPoint + 1)] + acrossZ * points[int(lastPoint + 2)];
+                var low:Number = start < end ? start : end;
+                var high:Number = start < end ? end : start;
                 var gap:Number = edge < corner ? edge - high : low - edge;
                 if (gap > 0)
                 {
@@ -179,7 +183,7 @@ package starlogo.solid
                         return true;
                     }
                 }
-                third = from;
+                opposite = from;
                 from = to;
             }
             return false;

@@ -31,14 +31,14 @@ package starlogo.solid
          * @param out receives the point twice, in the world, if there is one; null if only the answer is needed
          * @return whether there is one
          */
-        public function findInside(pair:TwoTrees, out:ClosestPoints):Boolean
+        public function findInside(pair:TreeTreePair, out:ClosestPoints):Boolean
         {
             if (!pair.a.hasTriangles || !pair.b.hasTriangles)
             {
                 return false;
             }
-            var insideA:Interior = pair.a.prepareInterior();
-            var insideB:Interior = pair.b.prepareInterior();
+            var insideA:Interior = pair.a.preparedInterior();
+            var insideB:Interior = pair.b.preparedInterior();
             var treeA:BoxTree = pair.a.boxTree;
             var treeB:BoxTree = pair.b.boxTree;
             var pose:Placement = pair.pose.placement;

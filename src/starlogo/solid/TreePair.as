@@ -11,12 +11,12 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Two placed models, of which the first is a tree: whether they overlap, how far they are apart, and when their surfaces first touch. Abstract: the
-     * second one is a tree too (TwoTrees), or a structure stands for it (TreeAndStructure). Nothing is allocated once the stacks have grown and the
-     * models' triangles are prepared.
+     * Two placed models a and b, of which a is a tree: whether they overlap, how far they are apart, and when their surfaces first touch. Abstract: b is
+     * a tree too (TreeTreePair), or a structure stands for it (TreeStructurePair). Nothing is allocated once the stacks have grown and the models'
+     * triangles are prepared.
      *
      * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models transforms
-     * the second model into the first model's space, where all is decided.</p>
+     * b into a's space, where all is decided.</p>
      *
      * <p>The answers are nested. Nodes and triangles cover only the surface. So if the surfaces do not touch, <code>findInside()</code> decides.</p>
      *
@@ -24,13 +24,13 @@ package starlogo.solid
      */
     public class TreePair
     {
-        /** The first model's placement in the world. */
+        /** The placement of a in the world. */
         public var placementA:Placement = null;
 
-        /** The second model's placement in the world. */
+        /** The placement of b in the world. */
         public var placementB:Placement = null;
 
-        /** The second model's pose in the space of the first one. */
+        /** The pose of b in a's space. */
         public var pose:RelativePose = new RelativePose();
 
         /** Whether the two touch where they stand: their surfaces do, or one of them is inside of the other. */
@@ -66,7 +66,7 @@ package starlogo.solid
             pose.relate(placementA, placementB);
         }
 
-        /** Sets the pose to that where a motion has brought the first model at a time. */
+        /** Sets the pose to that where a motion has brought a at a time. */
         internal final function relateAt(motion:RelativeMotion, time:Number):void
         {
             pose.relateAt(placementA, motion, time, placementB);
@@ -81,9 +81,9 @@ package starlogo.solid
         /**
          * Finds when the surfaces of the two first touch.
          *
-         * @param motion of the second model in the first model's space, from the pose on; receives the time
-         * @param out receives the contact then, in the first model's space, with a normal from the first model to the second, and the number of the
-         *     first model's triangle if the second one is a structure; null if only the time is needed
+         * @param motion of b in a's space, from the pose on; receives the time
+         * @param out receives the contact then, in a's space, with a normal from a to b, and the number of a's triangle if b is a structure; null if
+         *     only the time is needed
          */
         internal function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -91,15 +91,14 @@ package starlogo.solid
         }
 
         /**
-         * Finds the contact of the first model's root with the second one's root, or with the structure. The parameters are those of
-         * <code>findImpact()</code>.
+         * Finds the contact of a's root with b's root, or with the structure. The parameters are those of <code>findImpact()</code>.
          */
         internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
         {
             throw new IllegalOperationError(this + " does not implement findContactOfRoots");
         }
 
-        /** Finds the distance and the closest points of the surfaces in their pose. The argument receives them, in the first model's space. */
+        /** Finds the distance and the closest points of the surfaces in their pose. The argument receives them, in a's space. */
         internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
             throw new IllegalOperationError(this + " does not implement findClosestOfSurfaces");

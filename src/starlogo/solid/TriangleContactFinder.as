@@ -7,6 +7,7 @@ package starlogo.solid
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
@@ -29,61 +30,60 @@ package starlogo.solid
         // the plane at a small angle, of the square root of twice this fraction.
         private static const PROBE_GAP:Number = 1e-6;
 
-        // The corners of both triangles, in the first model's space.
-        private var _cornersOfFirst:Vector.<Number> = new Vector.<Number>(9, true);
-        private var _cornersOfSecond:Vector.<Number> = new Vector.<Number>(9, true);
+        // The corners of both triangles, in a's space.
+        private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _cornersOfB:Vector.<Number> = new Vector.<Number>(9, true);
 
         // Has one triangle as its shape, and the plane of the other.
         private var _kernel:TriangleKernel = new TriangleKernel();
 
-        // The first model's motion, if the second one stands.
+        // The motion of a, as seen from b.
         private var _reversed:RelativeMotion = new RelativeMotion();
 
-        // The probe in the first model's space, and what finds triangles there: with the pose of that space in the space of each model, and the motion
-        // of a ball that stands.
+        // The probe in a's space, the poses of that space in the spaces of both models, and what finds a model's triangles at the probe, which stands.
         private var _probe:Sphere = new Sphere(new Vector3D(), 0);
-        private var _touches:TriangleTouchVisitor;
-        private var _toFirst:RelativePose = new RelativePose();
-        private var _toSecond:RelativePose = new RelativePose();
+        private var _triangles:TriangleImpactVisitor;
+        private var _inA:RelativePose = new RelativePose();
+        private var _inB:RelativePose = new RelativePose();
         private var _still:RelativeMotion = new RelativeMotion();
 
         /** @param counts counts the triangles that are tested */
         public function TriangleContactFinder(counts:TreeCounts)
         {
-            _touches = new TriangleTouchVisitor(counts);
+            _triangles = new TriangleImpactVisitor(counts);
         }
 
         /**
-         * Finds the contact, in the first model's space.
+         * Finds the contact, in a's space.
          *
          * @param pair the two trees
          * @param best has the slots of the triangles
-         * @param motion of the second model, which is where it is at the motion's time; its start must be 0
-         * @param out receives the contact, with a normal from the first model to the second
+         * @param motion of b, which is where it is at the motion's time; its start must be 0
+         * @param out receives the contact, with a normal from a to b
          */
-        public function find(pair:TwoTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
+        public function find(pair:TreeTreePair, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
             var placement:Placement = pair.pose.placement;
-            var margin:Number = pair.outerTolerance(motion);
+            var margin:Number = pair.quickTolerance(motion);
             var plane:TrianglePlane;
-            pair.a.mesh.readTriangle(best.a, _cornersOfFirst);
-            pair.b.mesh.readTriangle(best.b, _cornersOfSecond);
-            Placement.placePoints(placement, _cornersOfSecond, 0, 9, _cornersOfSecond);
-            _kernel.shape.setTriangle(_cornersOfSecond, 0);
-            _kernel.setTriangle(_cornersOfFirst);
+            pair.a.mesh.readTriangle(best.a, _cornersOfA);
+            pair.b.mesh.readTriangle(best.b, _cornersOfB);
+            placePoints(placement, _cornersOfB, 0, 9, _cornersOfB);
+            _kernel.shape.setTriangle(_cornersOfB, 0);
+            _kernel.setTriangle(_cornersOfA);
             _kernel.findContact(motion, out);
-            Placement.invert(placement, _toSecond.placement);
+            Placement.invert(placement, _inB.placement);
             plane = _kernel.plane;
-            if (plane.isMetBy(_kernel.shape, margin, motion, out) && !hasTriangleBehind(pair.b, _toSecond, pair.tolerance, motion, out))
+            if (plane.isMetBy(_kernel.shape, margin, motion, out) && !hasTriangleBehind(pair.b, _inB, pair.tolerance, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
             }
-            _kernel.setTriangle(_cornersOfSecond);
-            _kernel.shape.setTriangle(_cornersOfFirst, 0);
+            _kernel.setTriangle(_cornersOfB);
+            _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
             plane = _kernel.plane;
-            if (plane.isMetBy(_kernel.shape, margin, _reversed, out) && !hasTriangleBehind(pair.a, _toFirst, pair.tolerance, RelativeMotion.NONE, out))
+            if (plane.isMetBy(_kernel.shape, margin, _reversed, out) && !hasTriangleBehind(pair.a, _inA, pair.tolerance, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }
@@ -99,7 +99,7 @@ package starlogo.solid
             _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
-            return _touches.findImpact(model, _probe, pose, _still) >= 0;
+            return _triangles.findImpact(model, _probe, pose, _still) >= 0;
         }
     }
 }

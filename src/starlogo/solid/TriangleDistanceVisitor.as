@@ -55,7 +55,7 @@ package starlogo.solid
             _slot = -1;
             limit = out.distance = Infinity;
             _search.setExtents(_extents, 0);
-            _search.findNear(model.boxTree, BoxTree.EXACT, this);
+            _search.visitNear(model.boxTree, BoxTree.EXACT, this);
             if (_slot >= 0)
             {
                 // the model's point first

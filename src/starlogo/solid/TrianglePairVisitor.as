@@ -5,6 +5,7 @@ package starlogo.solid
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairVisitor;
     import starlogo.hierarchy.TreeCounts;
@@ -14,44 +15,48 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Decides by triangles about two nodes: whether they touch, when they first do, and how far they are apart. The triangles of the second node are
-     * moved into the first model's space, and kept as long as it is the second node. TriangleKernel decides about two triangles, unless a quick test
-     * rules them out. TriangleContactFinder finds the contact of the two that touch first.
+     * Decides by triangles about a node of tree a and a node of tree b: whether they touch, when they first do, and how far they are apart. The
+     * triangles of b's node are placed in a's space, and kept as long as the next pairs have the same node. TriangleKernel decides about two triangles,
+     * unless a quick test rules them out. TriangleContactFinder finds the contact of the two that touch first.
      */
     internal final class TrianglePairVisitor extends NodePairVisitor
     {
-        private var _firstMesh:TriangleMesh = null;
-        private var _extentsOfFirst:Vector.<Number> = null;
-        private var _cornersOfFirst:Vector.<Number> = new Vector.<Number>(9, true);
-        private var _secondMesh:TriangleMesh = null;
+        private static const NONE:int = -1;
 
-        // The second model's placement in the first model's space, and its motion, which ends at the first touch so far.
+        private var _meshA:TriangleMesh = null;
+        private var _meshB:TriangleMesh = null;
+
+        // The extents of all triangles of a, and the corners of the current one.
+        private var _extentsOfA:Vector.<Number> = null;
+        private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
+
+        // The placement of b in a's space, and the motion of b, which ends at the first touch so far.
         private var _placement:Placement = null;
         private var _motion:RelativeMotion = new RelativeMotion();
 
-        // The slot of the first triangle of the second node, or -1 if no triangles are moved.
-        private var _movedFrom:int = -1;
+        // The slot of the first triangle that is placed, or NONE.
+        private var _firstPlaced:int = NONE;
 
-        // The corners of the moved triangles, by their index in the node: nine numbers each.
-        private var _moved:Vector.<Number> = new Vector.<Number>();
+        // The corners of the triangles of b's node in a's space, by their index in the node: nine numbers each.
+        private var _placed:Vector.<Number> = new Vector.<Number>();
 
-        // The extents of the current triangle of the second node and of its motion, with the tolerance of quick tests: minX, maxX, minY, ...
+        // The extents of b's current triangle and of its motion, with the tolerance of quick tests: minX, maxX, minY, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // Decides about the current triangle of the second node, which is its shape, and triangles of the first model.
+        // Decides about b's current triangle, which is its shape, and triangles of a.
         private var _kernel:TriangleKernel = new TriangleKernel();
 
         private var _counts:TreeCounts;
 
-        // The largest distance at which triangles touch, and that of quick tests: see TwoTrees.
+        // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see TreeTreePair.
         private var _tolerance:Number = 0;
-        private var _outerTolerance:Number = 0;
+        private var _quickTolerance:Number = 0;
 
-        // The plane of the current triangle of the second node.
-        private var _planeOfSecond:TrianglePlane = new TrianglePlane();
+        // The plane of b's current triangle.
+        private var _planeOfB:TrianglePlane = new TrianglePlane();
 
-        // Chooses the triangles that touch first.
-        private var _touch:FirstTouch = new FirstTouch();
+        // Chooses the two triangles that touch first.
+        private var _choice:ImpactChoice = new ImpactChoice();
 
         /** @param counts counts the pairs of triangles that are tested or measured */
         public function TrianglePairVisitor(counts:TreeCounts)
@@ -62,38 +67,39 @@ package starlogo.solid
         /**
          * Begins with two trees that have triangles.
          *
-         * @param pair its pose is where the second model is at time 0
-         * @param motion of the second model in the first model's space; RelativeMotion.NONE if it stands
+         * @param pair its pose is where b is at time 0
+         * @param motion of b in a's space; RelativeMotion.NONE if it stands
          * @return this
          */
-        public function begin(pair:TwoTrees, motion:RelativeMotion):NodePairVisitor
+        public function begin(pair:TreeTreePair, motion:RelativeMotion):NodePairVisitor
         {
             _placement = pair.pose.placement;
-            _firstMesh = pair.a.mesh;
-            _secondMesh = pair.b.mesh;
-            _extentsOfFirst = _firstMesh.extents;
+            _meshA = pair.a.mesh;
+            _meshB = pair.b.mesh;
+            _extentsOfA = _meshA.extents;
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
-            _touch.begin(motion.latest);
-            _movedFrom = -1;
+            _choice.begin(motion.latest);
+            _firstPlaced = NONE;
             _tolerance = pair.tolerance;
-            _outerTolerance = pair.outerTolerance(motion);
+            _quickTolerance = pair.quickTolerance(motion);
             return this;
         }
 
         /** @inheritDoc */
         override public function areTouching(a:int, b:int):Boolean
         {
-            var count:int = moveSecond(b);
-            var end:int = _firstMesh.tree.end[a];
+            var count:int = placeTriangles(b);
+            var end:int = _meshA.tree.end[a];
             for (var i:int = 0; i < count; i++)
             {
-                setSecond(i);
-                for (var slot:int = _firstMesh.tree.first[a]; slot < end; slot++)
+                setTriangleOfB(i);
+                for (var slot:int = _meshA.tree.first[a]; slot < end; slot++)
                 {
                     if (areExtentsNear(slot))
                     {
-                        setFirst(slot);
+                        _counts.triangleTests++;
+                        setTriangleOfA(slot);
                         if (areTrianglesTouching())
                         {
                             return true;
@@ -108,29 +114,30 @@ package starlogo.solid
         override public function findImpact(a:int, b:int, best:BestPair):void
         {
             var motion:RelativeMotion = _motion;
-            var first:int = _firstMesh.tree.first[a];
-            var end:int = _firstMesh.tree.end[a];
+            var first:int = _meshA.tree.first[a];
+            var end:int = _meshA.tree.end[a];
             // Higher indices come first, as in the traversal.
-            for (var i:int = moveSecond(b) - 1; i >= 0 && _touch.time > 0; i--)
+            for (var i:int = placeTriangles(b) - 1; i >= 0 && _choice.time > 0; i--)
             {
-                setSecond(i);
-                _planeOfSecond.setTriangle(_moved, 9 * i);
-                for (var slot:int = end - 1; slot >= first && _touch.time > 0; slot--)
+                setTriangleOfB(i);
+                _planeOfB.setTriangle(_placed, 9 * i);
+                for (var slot:int = end - 1; slot >= first && _choice.time > 0; slot--)
                 {
                     if (!areExtentsNear(slot))
                     {
                         continue;
                     }
-                    setFirst(slot);
+                    _counts.triangleTests++;
+                    setTriangleOfA(slot);
                     if (findTime(motion))
                     {
-                        if (_touch.choose(motion, _kernel.plane, _planeOfSecond))
+                        if (_choice.choose(motion, _kernel.plane, _planeOfB))
                         {
                             best.a = slot;
-                            best.b = _movedFrom + i;
+                            best.b = _firstPlaced + i;
                         }
-                        best.time = _touch.time;
-                        best.least = motion.latest = _touch.latest;
+                        best.time = _choice.time;
+                        best.least = motion.latest = _choice.latest;
                     }
                 }
             }
@@ -140,12 +147,12 @@ package starlogo.solid
         override public function findCloser(a:int, b:int, best:BestPair):void
         {
             var points:ClosestPoints = best.points;
-            var count:int = moveSecond(b);
-            var end:int = _firstMesh.tree.end[a];
+            var count:int = placeTriangles(b);
+            var end:int = _meshA.tree.end[a];
             for (var i:int = 0; i < count && points.distance > 0; i++)
             {
-                setSecond(i);
-                for (var slot:int = _firstMesh.tree.first[a]; slot < end; slot++)
+                setTriangleOfB(i);
+                for (var slot:int = _meshA.tree.first[a]; slot < end; slot++)
                 {
                     findCloserPoints(slot, i, points);
                 }
@@ -153,63 +160,61 @@ package starlogo.solid
             best.least = points.distance;
         }
 
-        // Moves the triangles of a node of the second model, and returns their number. The node has no children: two such nodes do not begin with the
+        // Places the triangles of a node of b in a's space, and returns their number. The node has no children: two such nodes do not begin with the
         // same triangle.
-        private function moveSecond(node:int):int
+        private function placeTriangles(node:int):int
         {
-            var first:int = _secondMesh.tree.first[node];
-            var count:int = _secondMesh.tree.end[node] - first;
-            if (first != _movedFrom)
+            var first:int = _meshB.tree.first[node];
+            var count:int = _meshB.tree.end[node] - first;
+            if (first != _firstPlaced)
             {
-                _movedFrom = first;
+                _firstPlaced = first;
                 for (var i:int = 0; i < count; i++)
                 {
-                    _secondMesh.readTriangle(first + i, _moved, 9 * i);
+                    _meshB.readTriangle(first + i, _placed, 9 * i);
                 }
-                Placement.placePoints(_placement, _moved, 0, 9 * count, _moved);
+                placePoints(_placement, _placed, 0, 9 * count, _placed);
             }
             return count;
         }
 
-        // Sets the current triangle of the second node, by its index there. Its shape has the margin of both triangles. The motion may end earlier
-        // afterwards.
-        private function setSecond(index:int):void
+        // Sets b's current triangle, by its index in the node. Its shape has the margin of both triangles. The motion may end earlier afterwards.
+        private function setTriangleOfB(index:int):void
         {
-            _kernel.shape.setTriangle(_moved, 9 * index);
+            _kernel.shape.setTriangle(_placed, 9 * index);
             _kernel.shape.margin += _tolerance;
             writeExtents(9 * index, 0, _motion.latest * _motion.x);
             writeExtents(9 * index + 1, 2, _motion.latest * _motion.y);
             writeExtents(9 * index + 2, 4, _motion.latest * _motion.z);
         }
 
-        // Writes the extents of a moved triangle and of its motion along an axis: reads its first coordinate at one index, and writes to another.
+        // Writes the extents of a placed triangle and of its motion along an axis: reads its first coordinate at one index, and writes to another.
         private function writeExtents(at:int, to:int, travel:Number):void
         {
-            var p:Number = _moved[at];
-            var q:Number = _moved[int(at + 3)];
-            var r:Number = _moved[int(at + 6)];
-            var low:Number = q < p ? q : p;
-            var high:Number = q < p ? p : q;
-            low = r < low ? r : low;
-            high = r > high ? r : high;
-            low -= _outerTolerance;
-            high += _outerTolerance;
+            var first:Number = _placed[at];
+            var second:Number = _placed[int(at + 3)];
+            var third:Number = _placed[int(at + 6)];
+            var low:Number = second < first ? second : first;
+            var high:Number = second < first ? first : second;
+            low = third < low ? third : low;
+            high = third > high ? third : high;
+            low -= _quickTolerance;
+            high += _quickTolerance;
             _extents[to] = travel < 0 ? low + travel : low;
             _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
 
-        // Sets the current triangle of the first model, which is tested.
-        private function setFirst(slot:int):void
+        // Sets a's current triangle.
+        private function setTriangleOfA(slot:int):void
         {
-            _counts.triangleTests++;
-            _firstMesh.readTriangle(slot, _cornersOfFirst);
-            _kernel.setTriangle(_cornersOfFirst);
+            _meshA.readTriangle(slot, _cornersOfA);
+            _kernel.setTriangle(_cornersOfA);
         }
 
         // Whether the two current triangles touch.
         private function areTrianglesTouching():Boolean
         {
-            return !staysOnOneSide() && !TriangleSeparation.areApart(_cornersOfFirst, 0, _kernel.shape) && _kernel.areTouching();
+            return !staysOnOneSide() && !TriangleSeparation.areApart(_cornersOfA, 0, _kernel.shape) && _kernel.areTouching();
         }
 
         // Finds when the two current triangles first touch. Sets the motion's time if that is no later than its latest time, and returns whether it is.
@@ -223,54 +228,53 @@ package starlogo.solid
             return motion.time <= motion.latest;
         }
 
-        // Finds the closest points of the second node's triangle, by its index there, and a triangle of the first model, if they are nearer than those
-        // so far.
+        // Finds the closest points of a triangle of a, and of b's triangle by its index in the node, if they are nearer than those so far.
         private function findCloserPoints(slot:int, index:int, points:ClosestPoints):void
         {
             if (!(squaredDistanceOfExtents(slot) < points.distance * points.distance))
             {
                 return;
             }
-            _firstMesh.readTriangle(slot, _cornersOfFirst);
-            if (!isBeyond(index, points))
+            _meshA.readTriangle(slot, _cornersOfA);
+            if (!isFartherAlongGap(index, points))
             {
                 _counts.triangleTests++;
-                if (_kernel.findCloser(_cornersOfFirst, points))
+                if (_kernel.findCloser(_cornersOfA, points))
                 {
-                    // the first model's point first
+                    // a's point first
                     points.swap();
                 }
             }
         }
 
-        // Whether the extents of a triangle of the first model meet those of the second model's triangle and of its motion.
+        // Whether the extents of a triangle of a meet those of b's current triangle and of its motion.
         private function areExtentsNear(slot:int):Boolean
         {
-            var ofFirst:Vector.<Number> = _extentsOfFirst;
-            var ofSecond:Vector.<Number> = _extents;
+            var ofA:Vector.<Number> = _extentsOfA;
+            var ofB:Vector.<Number> = _extents;
             var at:int = 6 * slot;
-            return !(ofFirst[at] > ofSecond[1] || ofFirst[int(at + 1)] < ofSecond[0] || ofFirst[int(at + 2)] > ofSecond[3] || ofFirst[int(at + 3)] < ofSecond[2]
-                    || ofFirst[int(at + 4)] > ofSecond[5] || ofFirst[int(at + 5)] < ofSecond[4]);
+            return !(ofA[at] > ofB[1] || ofA[int(at + 1)] < ofB[0] || ofA[int(at + 2)] > ofB[3] || ofA[int(at + 3)] < ofB[2]
+                    || ofA[int(at + 4)] > ofB[5] || ofA[int(at + 5)] < ofB[4]);
         }
 
-        // Whether the current triangle of the second node stays on one side of the plane of the first model's.
+        // Whether b's current triangle stays on one side of the plane of a's.
         private function staysOnOneSide():Boolean
         {
-            return _kernel.plane.findEntry(_kernel.shape, _outerTolerance, _motion) > _motion.latest;
+            return _kernel.plane.findEntry(_kernel.shape, _quickTolerance, _motion) > _motion.latest;
         }
 
-        // The squared distance of the extents of a triangle of the first model from those of the current triangle. Both are prepared, because each
-        // triangle is compared with many; squaredDistanceToExtents() reads corners.
+        // The squared distance of the extents of a triangle of a from those of b's current triangle. Both are prepared, because each triangle is
+        // compared with many; squaredDistanceToExtents() reads corners.
         private function squaredDistanceOfExtents(slot:int):Number
         {
-            var ofFirst:Vector.<Number> = _extentsOfFirst;
-            var ofSecond:Vector.<Number> = _extents;
+            var ofA:Vector.<Number> = _extentsOfA;
+            var ofB:Vector.<Number> = _extents;
             var at:int = 6 * slot;
             var squared:Number = 0;
             for (var i:int = 0; i < 6; i += 2)
             {
-                var above:Number = ofFirst[int(at + i)] - ofSecond[int(i + 1)];
-                var below:Number = ofSecond[i] - ofFirst[int(at + i + 1)];
+                var above:Number = ofA[int(at + i)] - ofB[int(i + 1)];
+                var below:Number = ofB[i] - ofA[int(at + i + 1)];
                 var distance:Number = above > below ? above : below;
                 if (distance > 0)
                 {
@@ -280,23 +284,23 @@ package starlogo.solid
             return squared;
         }
 
-        // Whether the triangle of the first model is so far before the second model's triangle, along the vector from the first model's closest point so
-        // far to the second's, that the two cannot be nearer. Places along it are scaled by its length, so the distance so far becomes its square. The
-        // second one is projected each time, because few pairs come here whose extents are near enough.
-        private function isBeyond(index:int, points:ClosestPoints):Boolean
+        // Whether a's current triangle is so far before b's triangle, along the vector from the closest point so far of a to that of b, that the two
+        // cannot be nearer. Places along the vector are scaled by its length, so the distance so far becomes its square. The triangle of b is projected
+        // each time, because few pairs come here whose extents are near enough.
+        private function isFartherAlongGap(index:int, points:ClosestPoints):Boolean
         {
-            var second:int = 9 * index;
+            var at:int = 9 * index;
             var x:Number = points.b.x - points.a.x;
             var y:Number = points.b.y - points.a.y;
             var z:Number = points.b.z - points.a.z;
-            var corners:Vector.<Number> = _moved;
-            var p:Number = x * corners[second] + y * corners[int(second + 1)] + z * corners[int(second + 2)];
-            var q:Number = x * corners[int(second + 3)] + y * corners[int(second + 4)] + z * corners[int(second + 5)];
-            var r:Number = x * corners[int(second + 6)] + y * corners[int(second + 7)] + z * corners[int(second + 8)];
-            p = p < q ? p : q;
-            p = p < r ? p : r;
-            var end:Number = p - points.distance * points.distance;
-            corners = _cornersOfFirst;
+            var corners:Vector.<Number> = _placed;
+            var least:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
+            var place:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
+            least = place < least ? place : least;
+            place = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
+            least = place < least ? place : least;
+            var end:Number = least - points.distance * points.distance;
+            corners = _cornersOfA;
             return x * corners[0] + y * corners[1] + z * corners[2] <= end && x * corners[3] + y * corners[4] + z * corners[5] <= end
                 && x * corners[6] + y * corners[7] + z * corners[8] <= end;
         }

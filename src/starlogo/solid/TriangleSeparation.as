@@ -11,6 +11,9 @@ package starlogo.solid
      * orientation predicates", Journal of Graphics Tools, 2003). If all of a triangle is on one side, it may have no such corner. Any of its corners
      * is taken then, so fewer pairs are ruled out.</p>
      *
+     * <p>a is the first triangle, a list of nine numbers from an index on. b is the second one, whose points are relative to its first corner. u and v
+     * are two edges of a that begin at one corner, f and g two edges of b. (x, y, z) is the direction that is tried, of any length.</p>
+     *
      * @private
      */
     internal final class TriangleSeparation
@@ -39,13 +42,13 @@ package starlogo.solid
         // Returns which corner of a is alone on its side of b's plane; any one if none is; BESIDE if all of a is far enough on one side.
         private static function cornerAcrossB(a:Vector.<Number>, at:int, b:ConvexShape):int
         {
-            var p:Vector.<Number> = b.points;
-            var fx:Number = p[3];
-            var fy:Number = p[4];
-            var fz:Number = p[5];
-            var gx:Number = p[6];
-            var gy:Number = p[7];
-            var gz:Number = p[8];
+            var points:Vector.<Number> = b.points;
+            var fx:Number = points[3];
+            var fy:Number = points[4];
+            var fz:Number = points[5];
+            var gx:Number = points[6];
+            var gy:Number = points[7];
+            var gz:Number = points[8];
             var x:Number = fy * gz - fz * gy;
             var y:Number = fz * gx - fx * gz;
             var z:Number = fx * gy - fy * gx;
@@ -61,14 +64,14 @@ package starlogo.solid
             low = first < low ? first : low;
             high = first < high ? high : first;
             // For a needle, b's own corners are off the plane that was computed.
-            var ownF:Number = x * fx + y * fy + z * fz;
-            var ownG:Number = x * gx + y * gy + z * gz;
-            ownF = ownF < 0 ? -ownF : ownF;
-            ownG = ownG < 0 ? -ownG : ownG;
+            var offF:Number = x * fx + y * fy + z * fz;
+            var offG:Number = x * gx + y * gy + z * gz;
+            offF = offF < 0 ? -offF : offF;
+            offG = offG < 0 ? -offG : offG;
             var distance:Number = low > 0 ? low : -high;
-            distance -= ownF + ownG;
-            var least:Number = MARGINS * b.margin;
-            if (distance > 0 && distance * distance > least * least * (x * x + y * y + z * z))
+            distance -= offF + offG;
+            var needed:Number = MARGINS * b.margin;
+            if (distance > 0 && distance * distance > needed * needed * (x * x + y * y + z * z))
             {
                 return BESIDE;
             }
@@ -78,7 +81,7 @@ package starlogo.solid
         // Returns which corner of b is alone on its side of a's plane; any one if none is.
         private static function cornerAcrossA(a:Vector.<Number>, at:int, b:ConvexShape):int
         {
-            var p:Vector.<Number> = b.points;
+            var points:Vector.<Number> = b.points;
             var aX:Number = a[at];
             var aY:Number = a[int(at + 1)];
             var aZ:Number = a[int(at + 2)];
@@ -92,52 +95,52 @@ package starlogo.solid
             var y:Number = uz * vx - ux * vz;
             var z:Number = ux * vy - uy * vx;
             var first:Number = x * (b.x - aX) + y * (b.y - aY) + z * (b.z - aZ);
-            var second:Number = first + x * p[3] + y * p[4] + z * p[5];
-            var third:Number = first + x * p[6] + y * p[7] + z * p[8];
+            var second:Number = first + x * points[3] + y * points[4] + z * points[5];
+            var third:Number = first + x * points[6] + y * points[7] + z * points[8];
             return first * second > 0 ? 2 : first * third > 0 ? 1 : 0;
         }
 
-        // Whether a direction perpendicular to an edge of each keeps the triangles apart. The edges are those at a corner of each.
+        // Whether a direction perpendicular to an edge of each keeps the triangles apart. The edges are those at a corner of each, counted from 0.
         private static function areEdgesApart(a:Vector.<Number>, at:int, cornerA:int, b:ConvexShape, cornerB:int):Boolean
         {
-            var i:int = at + 3 * cornerA;
-            var j:int = cornerA == 2 ? at : i + 3;
-            var k:int = cornerA == 0 ? at + 6 : i - 3;
-            var p:int = 3 * cornerB;
-            var q:int = cornerB == 2 ? 0 : p + 3;
-            var r:int = cornerB == 0 ? 6 : p - 3;
-            return isApartAcross(a, i, j, k, b, p, q, r) || isApartAcross(a, i, j, k, b, p, r, q)
-                || isApartAcross(a, i, k, j, b, p, r, q) || isApartAcross(a, i, k, j, b, p, q, r);
+            var fromA:int = at + 3 * cornerA;
+            var nextA:int = cornerA == 2 ? at : fromA + 3;
+            var lastA:int = cornerA == 0 ? at + 6 : fromA - 3;
+            var fromB:int = 3 * cornerB;
+            var nextB:int = cornerB == 2 ? 0 : fromB + 3;
+            var lastB:int = cornerB == 0 ? 6 : fromB - 3;
+            return isApartAcross(a, fromA, nextA, lastA, b, fromB, nextB, lastB) || isApartAcross(a, fromA, nextA, lastA, b, fromB, lastB, nextB)
+                || isApartAcross(a, fromA, lastA, nextA, b, fromB, lastB, nextB) || isApartAcross(a, fromA, lastA, nextA, b, fromB, nextB, lastB);
         }
 
-        // Whether the direction perpendicular to a's edge from corner i to j, u, and b's edge from p to q, f, keeps the triangles apart. The other
-        // edges at i and p are v and g.
-        private static function isApartAcross(a:Vector.<Number>, i:int, j:int, k:int, b:ConvexShape, p:int, q:int, r:int):Boolean
+        // Whether the direction perpendicular to an edge of each keeps the triangles apart: the edges u from fromA to toA, and f from fromB to toB. The
+        // edges v and g go to the other corner of each. All corners are given as the indices of their first numbers.
+        private static function isApartAcross(a:Vector.<Number>, fromA:int, toA:int, otherA:int, b:ConvexShape, fromB:int, toB:int, otherB:int):Boolean
         {
             var points:Vector.<Number> = b.points;
-            var aX:Number = a[i];
-            var aY:Number = a[int(i + 1)];
-            var aZ:Number = a[int(i + 2)];
-            var bX:Number = points[p];
-            var bY:Number = points[int(p + 1)];
-            var bZ:Number = points[int(p + 2)];
-            var ux:Number = a[j] - aX;
-            var uy:Number = a[int(j + 1)] - aY;
-            var uz:Number = a[int(j + 2)] - aZ;
-            var fx:Number = points[q] - bX;
-            var fy:Number = points[int(q + 1)] - bY;
-            var fz:Number = points[int(q + 2)] - bZ;
+            var aX:Number = a[fromA];
+            var aY:Number = a[int(fromA + 1)];
+            var aZ:Number = a[int(fromA + 2)];
+            var bX:Number = points[fromB];
+            var bY:Number = points[int(fromB + 1)];
+            var bZ:Number = points[int(fromB + 2)];
+            var ux:Number = a[toA] - aX;
+            var uy:Number = a[int(toA + 1)] - aY;
+            var uz:Number = a[int(toA + 2)] - aZ;
+            var fx:Number = points[toB] - bX;
+            var fy:Number = points[int(toB + 1)] - bY;
+            var fz:Number = points[int(toB + 2)] - bZ;
             var x:Number = uy * fz - uz * fy;
             var y:Number = uz * fx - ux * fz;
             var z:Number = ux * fy - uy * fx;
             var alongU:Number = x * ux + y * uy + z * uz;
-            var alongV:Number = x * (a[k] - aX) + y * (a[int(k + 1)] - aY) + z * (a[int(k + 2)] - aZ);
+            var alongV:Number = x * (a[otherA] - aX) + y * (a[int(otherA + 1)] - aY) + z * (a[int(otherA + 2)] - aZ);
             var low:Number = alongU < alongV ? alongU : alongV;
             var high:Number = alongU < alongV ? alongV : alongU;
             low = low < 0 ? low : 0;
             high = high > 0 ? high : 0;
             var alongF:Number = x * fx + y * fy + z * fz;
-            var alongG:Number = x * (points[r] - bX) + y * (points[int(r + 1)] - bY) + z * (points[int(r + 2)] - bZ);
+            var alongG:Number = x * (points[otherB] - bX) + y * (points[int(otherB + 1)] - bY) + z * (points[int(otherB + 2)] - bZ);
             var lowB:Number = alongF < alongG ? alongF : alongG;
             var highB:Number = alongF < alongG ? alongG : alongF;
             lowB = lowB < 0 ? lowB : 0;
@@ -146,8 +149,8 @@ package starlogo.solid
             low -= between + highB;
             high -= between + lowB;
             var distance:Number = low > 0 ? low : -high;
-            var least:Number = MARGINS * b.margin;
-            return distance > 0 && distance * distance > least * least * (x * x + y * y + z * z);
+            var needed:Number = MARGINS * b.margin;
+            return distance > 0 && distance * distance > needed * needed * (x * x + y * y + z * z);
         }
     }
 }

@@ -20,22 +20,22 @@ package starlogo.solid
         var squared:Number = 0;
         for (var axis:int = 0; axis < 6; axis += 2)
         {
-            var p:Number = points[a];
-            var q:Number = points[b];
-            var r:Number = points[c];
+            var atA:Number = points[a];
+            var atB:Number = points[b];
+            var atC:Number = points[c];
             var low:Number = extents[axis];
             var high:Number = extents[int(axis + 1)];
             var distance:Number = 0;
-            if (p > high && q > high && r > high)
+            if (atA > high && atB > high && atC > high)
             {
-                distance = p < q ? p : q;
-                distance = distance < r ? distance : r;
+                distance = atA < atB ? atA : atB;
+                distance = distance < atC ? distance : atC;
                 distance -= high;
             }
-            else if (p < low && q < low && r < low)
+            else if (atA < low && atB < low && atC < low)
             {
-                distance = p > q ? p : q;
-                distance = distance > r ? distance : r;
+                distance = atA > atB ? atA : atB;
+                distance = distance > atC ? distance : atC;
                 distance = low - distance;
             }
             squared += distance * distance;

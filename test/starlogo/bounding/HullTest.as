@@ -11,6 +11,7 @@ package starlogo.bounding
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.placePoints;
     import starlogo.geometry.hull.ConvexHull;
     import starlogo.intersection.intersects;
     import support.PointSets;
@@ -289,7 +290,7 @@ package starlogo.bounding
                 placement.z = random.between(-50, 50);
                 var hull:Hull = new Hull(points);
                 var placed:Hull = Hull(hull.place(placement));
-                var moved:Vector.<Number> = Placement.placePoints(placement, hull.corners, 0, hull.corners.length, new Vector.<Number>());
+                var moved:Vector.<Number> = placePoints(placement, hull.corners, 0, hull.corners.length, new Vector.<Number>());
                 for (var k:int = 0; k < moved.length; k++)
                 {
                     assertNear(moved[k], placed.corners[k], 1e-12 * (placement.size + 50));

@@ -139,7 +139,7 @@ package starlogo.geometry
                 var point:Vector3D = new Vector3D(_random.between(-1, 1), _random.between(-1, 1), _random.between(-1, 1));
                 var matrix:Vector.<Number> = new <Number>[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1];
                 placement.writeMatrix(matrix);
-                var moved:Vector.<Number> = Placement.placePoints(placement, new <Number>[9, 9, 9, point.x, point.y, point.z], 3, 6, new Vector.<Number>());
+                var moved:Vector.<Number> = placePoints(placement, new <Number>[9, 9, 9, point.x, point.y, point.z], 3, 6, new Vector.<Number>());
                 var expected:Array = [0, 1, 2].map(function(row:int, ...rest):Number
                     {
                         return matrix[row] * point.x + matrix[4 + row] * point.y + matrix[8 + row] * point.z + matrix[12 + row];

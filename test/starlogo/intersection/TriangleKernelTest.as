@@ -191,7 +191,7 @@ package starlogo.intersection
             sweep.setStructure(structure, new Placement());
             sweep.setTriangle(corners);
             motion.time = RelativeMotion.NEVER;
-            if (!sweep.stayApart(motion))
+            if (!sweep.planeKeepsApart(motion))
             {
                 sweep.findTime(motion);
             }

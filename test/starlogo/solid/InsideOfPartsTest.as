@@ -119,7 +119,7 @@ package starlogo.solid
             for each (var x:Number in [0.2, -0.2])
             {
                 var point:Vector.<Number> = turned(new <Number>[x, 0.05, 0.5], turn);
-                assertEquals(message, x < 0, hierarchy.prepareInterior().isInside(new Vector3D(point[0], point[1], point[2])));
+                assertEquals(message, x < 0, hierarchy.preparedInterior().isInside(new Vector3D(point[0], point[1], point[2])));
             }
         }
 
@@ -178,7 +178,7 @@ package starlogo.solid
 
         private static function solidOf(vertices:Vector.<Number>, triangles:Vector.<uint>):Interior
         {
-            return hierarchyOf(vertices, triangles).prepareInterior();
+            return hierarchyOf(vertices, triangles).preparedInterior();
         }
 
         private static function hierarchyOf(vertices:Vector.<Number>, triangles:Vector.<uint>):ModelTree

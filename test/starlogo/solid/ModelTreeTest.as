@@ -80,7 +80,7 @@ package starlogo.solid
                 var z:Number = random.between(-0.2, 1.2);
                 var expected:Boolean = SolidAngles.windingAround(model, x, y, z) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals(expected, hierarchy.prepareInterior().isInside(new Vector3D(x, y, z)));
+                assertEquals(expected, hierarchy.preparedInterior().isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 50 && inside < 250);
         }
@@ -92,14 +92,14 @@ package starlogo.solid
             for each (var expected:Array in [[SolidModels.crossed(), 1], [SolidModels.doll(), 2], [SolidModels.apart(), 3], [BuiltInModel.sphere(), 1]])
             {
                 var hierarchy:ModelTree = hierarchyOf(expected[0].vertices, expected[0].triangles);
-                assertEquals(expected[0].name, expected[1] * points, hierarchy.prepareInterior().partPoints.length);
+                assertEquals(expected[0].name, expected[1] * points, hierarchy.preparedInterior().partPoints.length);
             }
             var apart:Model = SolidModels.apart();
-            var least:Number = hierarchyOf(apart.vertices, apart.triangles).prepareInterior().leastPartExtent;
+            var least:Number = hierarchyOf(apart.vertices, apart.triangles).preparedInterior().leastPartExtent;
             assertTrue("the least one: " + least, Math.abs(least - 0.2 / 1.15) < 1e-9);
             // a bear's limbs run into its body
             var bear:Model = read("/assets/bear.obj");
-            var asked:int = hierarchyOf(bear.vertices, bear.triangles).prepareInterior().partPoints.length / points;
+            var asked:int = hierarchyOf(bear.vertices, bear.triangles).preparedInterior().partPoints.length / points;
             assertTrue("parts: " + asked, asked <= 6);
         }
 
@@ -142,7 +142,7 @@ package starlogo.solid
         private static function checkAlongRays(hierarchy:ModelTree, model:Model, random:SeededRandom):void
         {
             var inside:int = 0;
-            assertTrue("closed", hierarchy.prepareInterior().hasClosedShell);
+            assertTrue("closed", hierarchy.preparedInterior().hasClosedShell);
             for (var i:int = 0; i < 400; i++)
             {
                 var corner:int = random.integer(0, model.triangles.length - 1);
@@ -160,7 +160,7 @@ package starlogo.solid
                 }
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals(model.name + ", point " + i, expected, hierarchy.prepareInterior().isInside(new Vector3D(x, y, z)));
+                assertEquals(model.name + ", point " + i, expected, hierarchy.preparedInterior().isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 10 && inside < 390);
         }
@@ -194,7 +194,7 @@ package starlogo.solid
         {
             var model:Model = read(address);
             var hierarchy:ModelTree = hierarchyOf(model.vertices, model.triangles);
-            assertTrue("closed", hierarchy.prepareInterior().hasClosedShell);
+            assertTrue("closed", hierarchy.preparedInterior().hasClosedShell);
             var random:SeededRandom = new SeededRandom(seed);
             var inside:int = 0;
             for (var i:int = 0; i < 150; i++)
@@ -206,7 +206,7 @@ package starlogo.solid
                 var z:Number = model.vertices[near + 2] + spread * random.normal();
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals("point " + i, expected, hierarchy.prepareInterior().isInside(new Vector3D(x, y, z)));
+                assertEquals("point " + i, expected, hierarchy.preparedInterior().isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 20 && inside < 130);
         }

@@ -21,7 +21,7 @@ package starlogo.solid
             {
                 return "none";
             }
-            var interior:Interior = hierarchy.prepareInterior();
+            var interior:Interior = hierarchy.preparedInterior();
             var windings:WindingCounter = interior.windingCounter;
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;

@@ -37,8 +37,8 @@ package starlogo.solid
 
         private static var sHierarchies:Object = {};
 
-        private var _trees:TwoTrees = new TwoTrees(new TreeCounts());
-        private var _treeAndStructure:TreeAndStructure = new TreeAndStructure(new TreeCounts());
+        private var _trees:TreeTreePair = new TreeTreePair(new TreeCounts());
+        private var _treeAndStructure:TreeStructurePair = new TreeStructurePair(new TreeCounts());
 
         [Test]
         public function specksBesideGiants():void
@@ -89,7 +89,7 @@ package starlogo.solid
             var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
             var stands:Placement = new Placement();
-            var pair:TreeAndStructure = _treeAndStructure;
+            var pair:TreeStructurePair = _treeAndStructure;
             var out:ClosestPoints = new ClosestPoints();
             var corners:Vector.<Number> = new Vector.<Number>(9);
             for (var slot:int = bear.boxTree.itemCount - 1; slot > cube.boxTree.itemCount; slot -= 100)

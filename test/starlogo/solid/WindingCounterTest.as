@@ -59,7 +59,7 @@ package starlogo.solid
                 var library:HierarchiesLibrary = new HierarchiesLibrary();
                 library.add(name, model.vertices, withSomeReversed(model.triangles));
                 var tree:ModelTree = library.treeOf(name);
-                assertTrue("closed", tree.prepareInterior().hasClosedShell);
+                assertTrue("closed", tree.preparedInterior().hasClosedShell);
                 for (var k:int = 0; k < 25; k++)
                 {
                     var point:Vector3D = k % 2 == 0 ? between(model) : besideAVertex(model);
@@ -71,7 +71,7 @@ package starlogo.solid
                     count++;
                     inside += expected ? 1 : 0;
                     wrong.addIf(tree.isInside(point, 0) != expected, "asked", "surface " + i + ", " + point + ", " + expected);
-                    wrong.addIf(tree.prepareInterior().isInside(point) != expected, "counted", "surface " + i + ", " + point + ", " + expected);
+                    wrong.addIf(tree.preparedInterior().isInside(point) != expected, "counted", "surface " + i + ", " + point + ", " + expected);
                 }
             }
             wrong.assertNone();

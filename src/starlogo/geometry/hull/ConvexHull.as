@@ -2,6 +2,7 @@ package starlogo.geometry.hull
 {
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.placePoints;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.steps.finish;
     import starlogo.steps.StepSequence;
@@ -191,7 +192,7 @@ package starlogo.geometry.hull
                 from = grid;
                 work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
                     {
-                        Placement.placePoints(turning, _vertices, 3 * first, 3 * end, grid, 3 * first);
+                        placePoints(turning, _vertices, 3 * first, 3 * end, grid, 3 * first);
                         bounds.add(grid, first, end);
                     });
             }

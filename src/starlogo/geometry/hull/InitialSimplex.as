@@ -1,31 +1,19 @@
 package starlogo.geometry.hull
 {
+    import starlogo.geometry.Tolerances;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.vertexProblem;
     import starlogo.steps.StepSequence;
 
     /**
      * Finds up to four vertices that are far from each other, the number of dimensions that they span, and axes along them. If they span
-     * fewer than three dimensions, all other vertices lie in the same plane, line or place, up to FLAT and ROUNDING.
+     * fewer than three dimensions, all other vertices lie in the same plane, line or place, up to the flatness.
      * Each of the four takes a pass over the vertices, in steps.
      *
      * @private
      */
     public final class InitialSimplex extends StepSequence
     {
-        // The thickness up to which vertices count as lying in a plane, on a line or in one place, as a fraction of their extent. Smaller: the
-        // rounding of a flat model counts as a shape. Larger: boxes around thin models are looser.
-        private static const FLAT:Number = 1e-12;
-
-        // This fraction of the largest coordinate is added to the thickness that FLAT allows. Smaller: a flat model far from the origin counts as a
-        // solid one. Larger: a thin model far from the origin counts as a flat one.
-        private static const ROUNDING:Number = 1e-14;
-
-        // The share of their axis-aligned box that vertices must fill to get a grid along the coordinate axes. Vertices that fill less get a grid
-        // along axes of their own. Smaller: thin rotated models lose precision. Larger: models with flat sides along the axes get a rotated grid, on
-        // which these sides are not exactly flat.
-        private static const THIN:Number = 0.02;
-
         private static const VERTICES_PER_STEP:int = 4000;
 
         /** The axis-aligned box around the vertices. All results are complete after the last step. */
@@ -59,7 +47,7 @@ package starlogo.geometry.hull
         /** The distance up to which a vertex counts as in a plane, a line or a place. */
         public function get flatness():Number
         {
-            return FLAT * bounds.extent + ROUNDING * bounds.largest;
+            return Tolerances.HULL_FLAT * bounds.extent + Tolerances.HULL_ROUNDING * bounds.largest;
         }
 
         /**
@@ -74,7 +62,7 @@ package starlogo.geometry.hull
             {
                 spanned *= Math.abs(along(i, corners[i + 1]) - along(i, corners[0]));
             }
-            return spanned < THIN * boxVolume;
+            return spanned < Tolerances.HULL_THIN * boxVolume;
         }
 
         private function measure():void

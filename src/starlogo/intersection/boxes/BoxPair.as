@@ -27,7 +27,7 @@ package starlogo.intersection.boxes
      */
     public final class BoxPair
     {
-        /** For <code>boxBox()</code>. */
+        /** The pair that <code>boxBox()</code> sets, whose boxes stand. */
         public static const STANDING:BoxPair = new BoxPair();
 
         /** The axes of b. */
@@ -42,19 +42,19 @@ package starlogo.intersection.boxes
         public var margin:Number = 0;
 
         /** The vector from a's middle to b's at time 0. boxBox() shortens it in place of a margin. */
-        public var x:Number = 0;
-        public var y:Number = 0;
-        public var z:Number = 0;
+        public var offsetX:Number = 0;
+        public var offsetY:Number = 0;
+        public var offsetZ:Number = 0;
 
         /** The half-extents of a. */
-        public var aX:Number = 0;
-        public var aY:Number = 0;
-        public var aZ:Number = 0;
+        public var aHalfX:Number = 0;
+        public var aHalfY:Number = 0;
+        public var aHalfZ:Number = 0;
 
         /** The half-extents of b. */
-        public var bX:Number = 0;
-        public var bY:Number = 0;
-        public var bZ:Number = 0;
+        public var bHalfX:Number = 0;
+        public var bHalfY:Number = 0;
+        public var bHalfZ:Number = 0;
 
         /** The latest time that counts: see RelativeMotion. */
         public var latest:Number = 1;
@@ -65,12 +65,12 @@ package starlogo.intersection.boxes
         /** Sets the half-extents. */
         public function setHalves(a:Box, b:Box):void
         {
-            aX = a.halfX;
-            aY = a.halfY;
-            aZ = a.halfZ;
-            bX = b.halfX;
-            bY = b.halfY;
-            bZ = b.halfZ;
+            aHalfX = a.halfX;
+            aHalfY = a.halfY;
+            aHalfZ = a.halfZ;
+            bHalfX = b.halfX;
+            bHalfY = b.halfY;
+            bHalfZ = b.halfZ;
         }
     }
 }

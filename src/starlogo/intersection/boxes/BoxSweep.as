@@ -6,9 +6,9 @@ package starlogo.intersection.boxes
     import starlogo.geometry.Tolerances;
 
     /**
-     * Finds when two moving boxes first touch, by separating axes over time. Boxes touch while no axis separates them. Each axis gives an
-     * interval of time during which it does not separate them. The boxes first touch when the last interval begins, if that is before the
-     * first one ends.
+     * Finds when two moving boxes first touch, by separating axes over time (Eberly, "Intersection of convex objects: the method of separating axes",
+     * 2001). Boxes touch while no axis separates them. Each axis gives an interval of time during which it does not separate them. The boxes first touch
+     * when the last interval begins, if that is before the first one ends.
      *
      * @private
      */
@@ -71,66 +71,6 @@ package starlogo.intersection.boxes
             writeTime(narrowByFaces(pair), pair);
         }
 
-        // Sets the pair's time to when the boxes first touch, if they do.
-        private function writeTime(areTouching:Boolean, pair:BoxPair):void
-        {
-            pair.time = areTouching ? Math.min(_times.touch, _times.last) : RelativeMotion.NEVER;
-        }
-
-        // Narrows the interval by the faces of both. Returns whether anything is left.
-        private function narrowByFaces(pair:BoxPair):Boolean
-        {
-            var times:ContactInterval = _times;
-            var b:BoxAxes = pair.axes;
-            var along:AxisMotion = _along;
-            along.margin = pair.margin;
-            var fromX:Number = pair.x;
-            var fromY:Number = pair.y;
-            var fromZ:Number = pair.z;
-            var halfX:Number = pair.bX;
-            var halfY:Number = pair.bY;
-            var halfZ:Number = pair.bZ;
-            along.offset = fromX;
-            along.travel = pair.motionX;
-            along.halfExtents = pair.aX + halfX * b.abs00 + halfY * b.abs01 + halfZ * b.abs02;
-            if (!times.narrow(along))
-            {
-                return false;
-            }
-            along.offset = fromY;
-            along.travel = pair.motionY;
-            along.halfExtents = pair.aY + halfX * b.abs10 + halfY * b.abs11 + halfZ * b.abs12;
-            if (!times.narrow(along))
-            {
-                return false;
-            }
-            along.offset = fromZ;
-            along.travel = pair.motionZ;
-            along.halfExtents = pair.aZ + halfX * b.abs20 + halfY * b.abs21 + halfZ * b.abs22;
-            if (!times.narrow(along))
-            {
-                return false;
-            }
-            along.offset = fromX * b.m00 + fromY * b.m10 + fromZ * b.m20;
-            along.travel = b.m00 * pair.motionX + b.m10 * pair.motionY + b.m20 * pair.motionZ;
-            along.halfExtents = halfX + pair.aX * b.abs00 + pair.aY * b.abs10 + pair.aZ * b.abs20;
-            if (!times.narrow(along))
-            {
-                return false;
-            }
-            along.offset = fromX * b.m01 + fromY * b.m11 + fromZ * b.m21;
-            along.travel = b.m01 * pair.motionX + b.m11 * pair.motionY + b.m21 * pair.motionZ;
-            along.halfExtents = halfY + pair.aX * b.abs01 + pair.aY * b.abs11 + pair.aZ * b.abs21;
-            if (!times.narrow(along))
-            {
-                return false;
-            }
-            along.offset = fromX * b.m02 + fromY * b.m12 + fromZ * b.m22;
-            along.travel = b.m02 * pair.motionX + b.m12 * pair.motionY + b.m22 * pair.motionZ;
-            along.halfExtents = halfZ + pair.aX * b.abs02 + pair.aY * b.abs12 + pair.aZ * b.abs22;
-            return times.narrow(along);
-        }
-
         // Sets the pair of two boxes. While a moves, b moves in the opposite direction as seen from a.
         private static function setPair(a:Box, b:Box, motion:RelativeMotion, pair:BoxPair):void
         {
@@ -142,17 +82,77 @@ package starlogo.intersection.boxes
             var fromZ:Number = b.center.z - a.center.z - motion.startZ;
             var axis:Vector3D = a.axisX;
             pair.motionX = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
-            pair.x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            pair.offsetX = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             axis = a.axisY;
             pair.motionY = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
-            pair.y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            pair.offsetY = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             axis = a.axisZ;
             pair.motionZ = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
-            pair.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            pair.offsetZ = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             pair.axes.setTo(a, b);
             pair.setHalves(a, b);
             pair.margin = motion.margin;
             pair.latest = motion.latest;
+        }
+
+        // Sets the pair's time to when the boxes first touch, if they do.
+        private function writeTime(areTouching:Boolean, pair:BoxPair):void
+        {
+            pair.time = areTouching ? Math.min(_times.touch, _times.last) : RelativeMotion.NEVER;
+        }
+
+        // Narrows the interval by the faces of both. Returns whether anything is left.
+        private function narrowByFaces(pair:BoxPair):Boolean
+        {
+            var times:ContactInterval = _times;
+            var axes:BoxAxes = pair.axes;
+            var along:AxisMotion = _along;
+            along.margin = pair.margin;
+            var fromX:Number = pair.offsetX;
+            var fromY:Number = pair.offsetY;
+            var fromZ:Number = pair.offsetZ;
+            var bHalfX:Number = pair.bHalfX;
+            var bHalfY:Number = pair.bHalfY;
+            var bHalfZ:Number = pair.bHalfZ;
+            along.offset = fromX;
+            along.travel = pair.motionX;
+            along.halfExtents = pair.aHalfX + bHalfX * axes.abs00 + bHalfY * axes.abs01 + bHalfZ * axes.abs02;
+            if (!times.narrow(along))
+            {
+                return false;
+            }
+            along.offset = fromY;
+            along.travel = pair.motionY;
+            along.halfExtents = pair.aHalfY + bHalfX * axes.abs10 + bHalfY * axes.abs11 + bHalfZ * axes.abs12;
+            if (!times.narrow(along))
+            {
+                return false;
+            }
+            along.offset = fromZ;
+            along.travel = pair.motionZ;
+            along.halfExtents = pair.aHalfZ + bHalfX * axes.abs20 + bHalfY * axes.abs21 + bHalfZ * axes.abs22;
+            if (!times.narrow(along))
+            {
+                return false;
+            }
+            along.offset = fromX * axes.m00 + fromY * axes.m10 + fromZ * axes.m20;
+            along.travel = axes.m00 * pair.motionX + axes.m10 * pair.motionY + axes.m20 * pair.motionZ;
+            along.halfExtents = bHalfX + pair.aHalfX * axes.abs00 + pair.aHalfY * axes.abs10 + pair.aHalfZ * axes.abs20;
+            if (!times.narrow(along))
+            {
+                return false;
+            }
+            along.offset = fromX * axes.m01 + fromY * axes.m11 + fromZ * axes.m21;
+            along.travel = axes.m01 * pair.motionX + axes.m11 * pair.motionY + axes.m21 * pair.motionZ;
+            along.halfExtents = bHalfY + pair.aHalfX * axes.abs01 + pair.aHalfY * axes.abs11 + pair.aHalfZ * axes.abs21;
+            if (!times.narrow(along))
+            {
+                return false;
+            }
+            along.offset = fromX * axes.m02 + fromY * axes.m12 + fromZ * axes.m22;
+            along.travel = axes.m02 * pair.motionX + axes.m12 * pair.motionY + axes.m22 * pair.motionZ;
+            along.halfExtents = bHalfZ + pair.aHalfX * axes.abs02 + pair.aHalfY * axes.abs12 + pair.aHalfZ * axes.abs22;
+            return times.narrow(along);
         }
 
         // Narrows the interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of
@@ -160,29 +160,29 @@ package starlogo.intersection.boxes
         // rounding would break it.
         private function narrowByEdges(pair:BoxPair):Boolean
         {
-            var b:BoxAxes = pair.axes;
+            var axes:BoxAxes = pair.axes;
             var edges:Vector.<Number> = _edges;
-            edges[0] = b.m00;
-            edges[1] = b.m10;
-            edges[2] = b.m20;
-            edges[3] = b.m01;
-            edges[4] = b.m11;
-            edges[5] = b.m21;
-            edges[6] = b.m02;
-            edges[7] = b.m12;
-            edges[8] = b.m22;
+            edges[0] = axes.m00;
+            edges[1] = axes.m10;
+            edges[2] = axes.m20;
+            edges[3] = axes.m01;
+            edges[4] = axes.m11;
+            edges[5] = axes.m21;
+            edges[6] = axes.m02;
+            edges[7] = axes.m12;
+            edges[8] = axes.m22;
             var halves:Vector.<Number> = _halves;
             for (var i:int = 0; i < 3; i++)
             {
-                halves[i] = pair.bX * edges[i];
-                halves[int(i + 3)] = pair.bY * edges[int(i + 3)];
-                halves[int(i + 6)] = pair.bZ * edges[int(i + 6)];
+                halves[i] = pair.bHalfX * edges[i];
+                halves[int(i + 3)] = pair.bHalfY * edges[int(i + 3)];
+                halves[int(i + 6)] = pair.bHalfZ * edges[int(i + 6)];
             }
             return narrowAcross(pair, 0, 3, 6) && narrowAcross(pair, 3, 6, 0) && narrowAcross(pair, 6, 0, 3);
         }
 
-        // Narrows the interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is
-        // left.
+        // Narrows the interval by the cross products of edge p of b and the three edges of a, which are the coordinate axes. q and r are b's other edges.
+        // All three are indices into the lists of edges. Returns whether anything is left.
         private function narrowAcross(pair:BoxPair, p:int, q:int, r:int):Boolean
         {
             var times:ContactInterval = _times;
@@ -206,9 +206,9 @@ package starlogo.intersection.boxes
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeY + sizeZ > SHORTEST)
             {
-                along.offset = pair.z * pY - pair.y * pZ;
+                along.offset = pair.offsetZ * pY - pair.offsetY * pZ;
                 along.travel = pair.motionZ * pY - pair.motionY * pZ;
-                along.halfExtents = pair.aY * sizeZ + pair.aZ * sizeY + alongQ + alongR;
+                along.halfExtents = pair.aHalfY * sizeZ + pair.aHalfZ * sizeY + alongQ + alongR;
                 along.margin = pair.margin * (sizeY + sizeZ);
                 if (!times.narrow(along))
                 {
@@ -221,9 +221,9 @@ package starlogo.intersection.boxes
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeX + sizeZ > SHORTEST)
             {
-                along.offset = pair.x * pZ - pair.z * pX;
+                along.offset = pair.offsetX * pZ - pair.offsetZ * pX;
                 along.travel = pair.motionX * pZ - pair.motionZ * pX;
-                along.halfExtents = pair.aZ * sizeX + pair.aX * sizeZ + alongQ + alongR;
+                along.halfExtents = pair.aHalfZ * sizeX + pair.aHalfX * sizeZ + alongQ + alongR;
                 along.margin = pair.margin * (sizeX + sizeZ);
                 if (!times.narrow(along))
                 {
@@ -238,9 +238,9 @@ package starlogo.intersection.boxes
             alongQ = alongQ < 0 ? -alongQ : alongQ;
             alongR = rY * pX - rX * pY;
             alongR = alongR < 0 ? -alongR : alongR;
-            along.offset = pair.y * pX - pair.x * pY;
+            along.offset = pair.offsetY * pX - pair.offsetX * pY;
             along.travel = pair.motionY * pX - pair.motionX * pY;
-            along.halfExtents = pair.aX * sizeY + pair.aY * sizeX + alongQ + alongR;
+            along.halfExtents = pair.aHalfX * sizeY + pair.aHalfY * sizeX + alongQ + alongR;
             along.margin = pair.margin * (sizeX + sizeY);
             return times.narrow(along);
         }

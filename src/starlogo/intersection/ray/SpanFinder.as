@@ -71,7 +71,8 @@ package starlogo.intersection.ray
             var x:Number = ray.x - center.x;
             var y:Number = ray.y - center.y;
             var z:Number = ray.z - center.z;
-            // the middle of the part, and the vector to it from the centre. It is perpendicular to the line, so no digits cancel
+            // The middle of the part, and the vector to it from the centre. It is perpendicular to the line, so no digits cancel (Haines, Günther and
+            // Akenine-Möller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems, 2019).
             var middle:Number = -(x * ray.directionX + y * ray.directionY + z * ray.directionZ);
             x += middle * ray.directionX;
             y += middle * ray.directionY;
@@ -208,7 +209,8 @@ package starlogo.intersection.ray
             return true;
         }
 
-        // Where the line is inside of all half-spaces of a hull. It touches a half-space to within the factor on the plane's distance from the centre.
+        // Where the line is inside of all half-spaces of a hull (Cyrus and Beck, "Generalized two- and three-dimensional clipping", Computers & Graphics,
+        // 1978). It touches a half-space to within the factor on the plane's distance from the centre.
         private static function findInHull(ray:Ray, hull:Hull, out:RaySpan):Boolean
         {
             var center:Vector3D = hull.center;

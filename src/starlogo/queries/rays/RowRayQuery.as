@@ -11,7 +11,7 @@ package starlogo.queries.rays
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.TreeLimits;
-    import starlogo.solid.TreeRayQuery;
+    import starlogo.solid.TreeRayEntryQuery;
 
     use namespace engine;
 
@@ -32,7 +32,7 @@ package starlogo.queries.rays
         private var _seen:SeenAgents;
         private var _inModel:Ray = new Ray();
         private var _span:RaySpan = new RaySpan();
-        private var _solid:TreeRayQuery = new TreeRayQuery();
+        private var _solid:TreeRayEntryQuery = new TreeRayEntryQuery();
 
         /** @param seen has the rows */
         public function RowRayQuery(seen:SeenAgents)

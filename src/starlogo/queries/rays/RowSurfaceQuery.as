@@ -10,7 +10,7 @@ package starlogo.queries.rays
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.TreeLimits;
-    import starlogo.solid.TreeCrossingQuery;
+    import starlogo.solid.TreeRayCrossingQuery;
 
     use namespace engine;
 
@@ -24,7 +24,7 @@ package starlogo.queries.rays
         private var _seen:SeenAgents;
         private var _inModel:Ray = new Ray();
         private var _span:RaySpan = new RaySpan();
-        private var _trees:TreeCrossingQuery = new TreeCrossingQuery();
+        private var _trees:TreeRayCrossingQuery = new TreeRayCrossingQuery();
 
         // All crossings with a row's shape, those that are surfaces, and one of them.
         private var _crossings:RayCrossings = new RayCrossings();

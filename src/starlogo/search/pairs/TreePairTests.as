@@ -18,10 +18,10 @@ package starlogo.search.pairs
     import starlogo.search.penetration.ExitSearch;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.TreeAndStructure;
-    import starlogo.solid.TreeImpactQuery;
+    import starlogo.solid.TreeStructurePair;
+    import starlogo.solid.TreePairImpactQuery;
     import starlogo.solid.TreePair;
-    import starlogo.solid.TwoTrees;
+    import starlogo.solid.TreeTreePair;
 
     use namespace engine;
 
@@ -36,9 +36,9 @@ package starlogo.search.pairs
 
         private var _limits:TreeLimits;
         private var _counts:TreeCounts;
-        private var _trees:TwoTrees;
-        private var _treeAndStructure:TreeAndStructure;
-        private var _impacts:TreeImpactQuery = new TreeImpactQuery();
+        private var _trees:TreeTreePair;
+        private var _treeAndStructure:TreeStructurePair;
+        private var _impacts:TreePairImpactQuery = new TreePairImpactQuery();
 
         private var _reversed:RelativeMotion = new RelativeMotion();
 
@@ -58,8 +58,8 @@ package starlogo.search.pairs
         {
             _limits = limits;
             _counts = counts;
-            _trees = new TwoTrees(counts);
-            _treeAndStructure = new TreeAndStructure(counts);
+            _trees = new TreeTreePair(counts);
+            _treeAndStructure = new TreeStructurePair(counts);
             _separation = new ExitSearch(new DisplacedPair(this), this, null);
         }
 

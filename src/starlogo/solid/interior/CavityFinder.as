@@ -43,7 +43,8 @@ package starlogo.solid.interior
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _plane:TrianglePlane = new TrianglePlane();
 
-        private var _windingCount:int = 0;
+        // How many shells were tested with points so far.
+        private var _testedShells:int = 0;
 
         /**
          * @param windingCounter of the surface, which has the shells and receives which of them bound cavities
@@ -152,10 +153,10 @@ package starlogo.solid.interior
             }
         }
 
-        // Whether more points decide about a shell. One point decides if too many windings are counted, as in models with very many nested shells.
+        // Whether more points decide about a shell. One point decides if too many shells are tested, as in models with very many nested shells.
         private function isUndecided(shell:ClosedShell):Boolean
         {
-            return shell.enclosing == null || shell.enclosing.length > 0 && _windingCount < WindingCounter.MOST_FOR_EACH_TRIANGLE * _mesh.tree.itemCount;
+            return shell.enclosing == null || shell.enclosing.length > 0 && _testedShells < WindingCounter.MOST_TESTS_PER_TRIANGLE * _mesh.tree.itemCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell. The triangle is the one that was taken. The point is near a corner, or in the
@@ -171,7 +172,7 @@ package starlogo.solid.interior
                 point[axis] += share * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
                     + (corner == MIDDLE ? 0 : SHARE_OF_NEAREST * _corners[3 * corner + axis]);
             }
-            _windingCount += _windingCounter.findAround(point[0], point[1], point[2], _enclosingPoint);
+            _testedShells += _windingCounter.findAround(point[0], point[1], point[2], _enclosingPoint);
         }
 
         // Keeps those of the shells around a shell that enclose the last point too; after its first point, all larger shells that do. Keeps none if all
@@ -216,12 +217,13 @@ package starlogo.solid.interior
         // Finds the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.
         private function findCavities():void
         {
-            var sizes:Array = [];
+            // negative, so that the largest shell comes first
+            var sortKeys:Array = [];
             for each (var shell:ClosedShell in _shells)
             {
-                sizes.push(shell == null ? 0 : -Math.abs(shell.volume));
+                sortKeys.push(shell == null ? 0 : -Math.abs(shell.volume));
             }
-            for each (var index:int in sizes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
+            for each (var index:int in sortKeys.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
             {
                 shell = _shells[index];
                 if (shell == null || shell.enclosing == null)
@@ -231,7 +233,7 @@ package starlogo.solid.interior
                 var innermost:int = -1;
                 for each (var outer:int in shell.enclosing)
                 {
-                    if (innermost < 0 || sizes[outer] > sizes[innermost])
+                    if (innermost < 0 || sortKeys[outer] > sortKeys[innermost])
                     {
                         innermost = outer;
                     }

@@ -18,11 +18,14 @@ package starlogo.solid.interior
         private static const TRIANGLES_PER_STEP:int = 1000;
         private static const VERTICES_PER_STEP:int = 1000;
         private static const NON_MANIFOLD_PER_STEP:int = 100;
+
+        // How many waiting edges are tried for an edge: see matchSome().
         private static const MOST_TRIED:int = 8;
 
-        // Which edges a pass may match: opposite edges of different triangles, opposite edges, or any.
-        private static const DIFFERENT:int = 0;
-        private static const COPIES:int = 1;
+        // How lax a pass of matching is. It may match edges that run in opposite directions, of triangles with different third corners; opposite edges of
+        // any triangles, so of copies of one too; or any edges.
+        private static const STRICT:int = 0;
+        private static const WITH_COPIES:int = 1;
         private static const ANY:int = 2;
 
         /** For each edge, the edge that it is matched with, or -1 if there is none. Undefined for triangles without edges. Complete after the last step. */
@@ -219,18 +222,18 @@ package starlogo.solid.interior
             for each (var group:Array in groups)
             {
                 group.reverse();
-                for each (edge in matchSome(matchSome(group, DIFFERENT), ANY))
+                for each (edge in matchSome(matchSome(group, STRICT), ANY))
                 {
                     rest.push(edge);
                 }
             }
             rest.sort(Array.NUMERIC);
-            matchSome(matchSome(matchSome(rest, DIFFERENT), COPIES), ANY);
+            matchSome(matchSome(matchSome(rest, STRICT), WITH_COPIES), ANY);
         }
 
-        // Matches each edge with a waiting edge before it whose likeness is at most <code>alike</code>. Only the first MOST_TRIED of the waiting edges
-        // are tried, so the cost is linear. Returns the edges that are left.
-        private function matchSome(edges:Array, alike:int):Array
+        // Matches each edge with the first waiting edge before it that a pass as lax as this may match with it. Only the first MOST_TRIED of the waiting
+        // edges are tried, so the cost is linear. Returns the edges that are left.
+        private function matchSome(edges:Array, laxity:int):Array
         {
             var waiting:Array = [];
             var next:int = 0;
@@ -238,7 +241,7 @@ package starlogo.solid.interior
             {
                 var at:int = next;
                 var end:int = Math.min(waiting.length, next + MOST_TRIED);
-                while (at < end && likeness(waiting[at], edge) > alike)
+                while (at < end && neededLaxity(waiting[at], edge) > laxity)
                 {
                     at++;
                 }
@@ -254,9 +257,10 @@ package starlogo.solid.interior
             return waiting.slice(next);
         }
 
-        private function likeness(a:int, b:int):int
+        // How lax a pass has to be that may match two edges.
+        private function neededLaxity(a:int, b:int):int
         {
-            return beginOf(a) == beginOf(b) ? ANY : (thirdOf(a) == thirdOf(b) ? COPIES : DIFFERENT);
+            return beginOf(a) == beginOf(b) ? ANY : (thirdOf(a) == thirdOf(b) ? WITH_COPIES : STRICT);
         }
 
         // The corner of an edge's triangle that is not on the edge.

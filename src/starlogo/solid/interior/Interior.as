@@ -1,15 +1,22 @@
+// The package solid.interior says which points are inside of a model whose triangles come from a file: with seams, holes, shells that overlap and
+// cavities. A shell is connected over edges, a part over vertices. Engines whose meshes are hollow need none of it.
+// 
+// An InteriorBuilder makes an Interior, in steps:
+// Welding           finds the vertices that are at the same place
+// SurfaceBuilder    finds the SurfaceTopology, with the three classes that follow
+// EdgeMatcher     pairs the triangles that continue each other over an edge
+// ShellFinder     follows these pairs, and so finds the shells
+// CavityFinder    decides which shells bound cavities
+// OutermostPoints   finds points of each part, which stand for the part
+// 
+// When it is made, the WindingCounter answers. Read Interior first, then WindingCounter, then SurfaceTopology and SurfaceBuilder.
+
 package starlogo.solid.interior
 {
     import flash.geom.Vector3D;
 
     /**
      * What is inside of the surface that a model's triangles make: the surface's parts, and what counts its windings. An InteriorBuilder makes it.
-     *
-     * <p>The package solid.interior says which points are inside of a model whose triangles come from a file: with seams, holes, shells that overlap
-     * and cavities. Engines whose meshes are hollow need none of it. A <i>shell</i> is connected over edges, a <i>part</i> over vertices. The
-     * SurfaceBuilder finds the SurfaceTopology in steps: Welding finds equal vertices, the EdgeMatcher pairs triangles at edges, the ShellFinder
-     * follows them, the CavityFinder decides which shells bound cavities. Read this class first, then WindingCounter, then SurfaceTopology and
-     * SurfaceBuilder.</p>
      *
      * @private
      */

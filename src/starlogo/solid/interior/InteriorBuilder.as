@@ -30,10 +30,10 @@ package starlogo.solid.interior
         private var _windingCounter:WindingCounter;
         private var _parts:OutermostPoints;
 
-        // For each shell, its part. The sets of parts that overlap, and how many windings were counted to find them.
+        // For each shell, its part. The sets of parts that overlap, and how many shells were tested to find them.
         private var _partOf:Vector.<int>;
         private var _overlapping:DisjointSets;
-        private var _windingCount:int = 0;
+        private var _testedShells:int = 0;
 
         /**
          * @param mesh the triangles
@@ -91,16 +91,16 @@ package starlogo.solid.interior
             call(conclude);
         }
 
-        // If too many windings are counted, the parts that are left stand for themselves. The answers are the same.
+        // If too many shells are tested, the parts that are left stand for themselves. The answers are the same.
         private function findOverlaps(first:int, end:int):void
         {
             var around:Vector.<int> = new Vector.<int>();
-            for (var part:int = first; part < end && _windingCount < WindingCounter.MOST_FOR_EACH_TRIANGLE * _mesh.tree.itemCount; part++)
+            for (var part:int = first; part < end && _testedShells < WindingCounter.MOST_TESTS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
             {
                 var start:int = _parts.startOf(part);
                 for (var at:int = start; at < start + OutermostPoints.STRIDE; at += 3)
                 {
-                    _windingCount += _windingCounter.findAround(_parts.points[at], _parts.points[at + 1], _parts.points[at + 2], around);
+                    _testedShells += _windingCounter.findAround(_parts.points[at], _parts.points[at + 1], _parts.points[at + 2], around);
                     for each (var shell:int in around)
                     {
                         _overlapping.join(_partOf[shell], part);

@@ -30,7 +30,7 @@ package starlogo.solid.interior
                 _search.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
                 _isHit = false;
                 limit = Infinity;
-                _search.find(tree, BoxTree.EXACT, this);
+                _search.visitMet(tree, BoxTree.EXACT, this);
                 if (!_isHit)
                 {
                     return true;

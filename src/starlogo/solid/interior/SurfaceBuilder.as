@@ -17,9 +17,9 @@ package starlogo.solid.interior
         // For each vertex, the first one at its place.
         private var _places:Vector.<int>;
 
-        // The sets of connected vertices. For the representative of a set, one more than its part's number, or 0.
+        // The sets of connected vertices. For the representative of a set, one more than the number of its part, or 0 as long as it has none.
         private var _sets:DisjointSets;
-        private var _numbers:Vector.<int>;
+        private var _partOfSet:Vector.<int>;
 
         private var _shells:ShellFinder;
         private var _windingCounter:WindingCounter;
@@ -37,7 +37,7 @@ package starlogo.solid.interior
             var count:int = _triangles.length / 3;
             var edges:EdgeMatcher = new EdgeMatcher(_triangles, welding);
             _sets = new DisjointSets(_places.length);
-            _numbers = fixedInts(_places.length);
+            _partOfSet = fixedInts(_places.length);
             _shells = new ShellFinder(windingCounter.surface, edges);
             slices(count, TRIANGLES_PER_STEP, joinVertices).slices(count, TRIANGLES_PER_STEP, numberParts);
             add(edges).add(_shells).begin(findCavities);
@@ -59,11 +59,11 @@ package starlogo.solid.interior
             for (var triangle:int = first; triangle < end; triangle++)
             {
                 var root:int = _sets.rootOf(_places[_triangles[3 * triangle]]);
-                if (_numbers[root] == 0)
+                if (_partOfSet[root] == 0)
                 {
-                    _numbers[root] = ++surface.partCount;
+                    _partOfSet[root] = ++surface.partCount;
                 }
-                surface.parts[triangle] = _numbers[root] - 1;
+                surface.parts[triangle] = _partOfSet[root] - 1;
             }
         }
 

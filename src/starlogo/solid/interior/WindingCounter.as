@@ -11,12 +11,18 @@ package starlogo.solid.interior
      * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a visitor, it counts the triangles that a
      * ray along an axis crosses.
      *
+     * <p>In the arithmetic, p, q and r are the corners of a triangle. Each has three coordinates as seen from the ray's origin: a along the ray's axis,
+     * b and c along the other two. So qb is the b of corner q.</p>
+     *
      * @private
      */
     public final class WindingCounter extends NodeVisitor
     {
-        /** How many windings of shells are counted for each triangle at most, while a surface is explored: in nested shells a point has many. */
-        internal static const MOST_FOR_EACH_TRIANGLE:int = 20;
+        /**
+         * How many shells are tested at most while a surface is explored, as a multiple of its number of triangles. In a model of many nested shells
+         * each point has to be tested with many of them, so the work would grow with the square of the triangles.
+         */
+        internal static const MOST_TESTS_PER_TRIANGLE:int = 20;
 
         // This many triangles, or up to twice as many, say where most of them are.
         private static const SAMPLES:int = 1000;
@@ -154,7 +160,7 @@ package starlogo.solid.interior
             var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
             _search.setPlace(x, y, z, margin);
             _search.setAxis(_axis, _isBackward ? -1 : 1);
-            _search.find(mesh.tree, BoxTree.EXACT, this);
+            _search.visitMet(mesh.tree, BoxTree.EXACT, this);
             for (var i:int = 0; i < _crossedCount; i++)
             {
                 var shell:int = _crossed[i];

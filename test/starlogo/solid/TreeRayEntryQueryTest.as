@@ -25,13 +25,13 @@ package starlogo.solid
     use namespace engine;
 
     /** Rays against models: through edges and corners, and by their hierarchies at every depth. CastTest compares them with loops over all triangles. */
-    public class TreeRayQueryTest
+    public class TreeRayEntryQueryTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/kelp.obj", "/assets/fortress.obj", "/assets/seagull.dae"];
 
         private static const DEPTHS:Array = [1, 2, 3, 5, 8, 40];
 
-        private var _rays:TreeRayQuery = new TreeRayQuery();
+        private var _rays:TreeRayEntryQuery = new TreeRayEntryQuery();
         private var _entry:RayEntry = new RayEntry();
         private var _random:SeededRandom = new SeededRandom(2211);
         private var _structures:RandomStructures = new RandomStructures(_random);
@@ -41,7 +41,7 @@ package starlogo.solid
         {
             var closed:Array = models().filter(function(model:Model, ...rest):Boolean
                 {
-                    return hierarchyOf(model).prepareInterior().hasClosedShell;
+                    return hierarchyOf(model).preparedInterior().hasClosedShell;
                 });
             assertTrue("closed ones: " + closed.length, closed.length > 5);
             var count:int = Effort.choose(20000, 1000000) / closed.length + 1;
@@ -57,7 +57,7 @@ package starlogo.solid
             var hierarchy:ModelTree = hierarchyOf(model);
             var mesh:TriangleMesh = hierarchy.mesh;
             var corners:Vector.<Number> = new Vector.<Number>(9);
-            var triangles:TriangleRayVisitor = new TriangleRayVisitor();
+            var triangles:TriangleRayEntryVisitor = new TriangleRayEntryVisitor();
             var hit:RayEntry = new RayEntry();
             var ray:Ray = new Ray();
             var origin:Vector3D = new Vector3D();
@@ -316,7 +316,7 @@ package starlogo.solid
             {
                 point.setTo(box[0] + box[3] * _random.between(-1, 1), box[1] + box[4] * _random.between(-1, 1), box[2] + box[5] * _random.between(-1, 1));
             }
-            while (!hierarchy.prepareInterior().isInside(point));
+            while (!hierarchy.preparedInterior().isInside(point));
             return point;
         }
 

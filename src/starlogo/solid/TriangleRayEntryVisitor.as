@@ -13,7 +13,7 @@ package starlogo.solid
     use namespace engine;
 
     /** Finds the first triangle of a model that a ray meets. */
-    internal final class TriangleRayVisitor extends NodeVisitor
+    internal final class TriangleRayEntryVisitor extends NodeVisitor
     {
         private var _search:BoxSearch = new BoxSearch();
         private var _mesh:TriangleMesh;
@@ -35,7 +35,7 @@ package starlogo.solid
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _first.slot = -1;
             limit = ray.to;
-            _search.findAlong(ray, model.boxTree, BoxTree.EXACT, this);
+            _search.visitAlong(ray, model.boxTree, BoxTree.EXACT, this);
             if (_first.slot < 0)
             {
                 return false;

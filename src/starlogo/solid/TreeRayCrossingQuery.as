@@ -2,32 +2,32 @@ package starlogo.solid
 {
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeCrossingVisitor;
+    import starlogo.hierarchy.NodeRayCrossingVisitor;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
 
     use namespace engine;
 
     /**
-     * Finds all crossings of a ray with the surface of a model: its tree, visited to a depth, or its triangles. TreeRayQuery finds the first. The two are
+     * Finds all crossings of a ray with the surface of a model: its tree, visited to a depth, or its triangles. TreeRayEntryQuery finds the first. The two are
      * apart because few games ask for all, and the others need not load it.
      *
      * @private
      */
-    public final class TreeCrossingQuery
+    public final class TreeRayCrossingQuery
     {
-        private var _nodes:NodeCrossingVisitor = new NodeCrossingVisitor();
-        private var _triangles:TriangleCrossingVisitor = new TriangleCrossingVisitor();
+        private var _nodes:NodeRayCrossingVisitor = new NodeRayCrossingVisitor();
+        private var _triangles:TriangleRayCrossingVisitor = new TriangleRayCrossingVisitor();
 
         /**
-         * Adds all crossings. The parameters are those of <code>TreeRayQuery.find()</code>.
+         * Adds all crossings. The parameters are those of <code>TreeRayEntryQuery.find()</code>.
          *
          * @param out the crossings are added to it
          * @return whether they are those of triangles, otherwise those of nodes
          */
         public function findAll(model:ModelTree, depth:int, exact:Boolean, ray:Ray, out:RayCrossings):Boolean
         {
-            if (TreeRayQuery.beginsInside(model, ray))
+            if (TreeRayEntryQuery.beginsInside(model, ray))
             {
                 out.addInside(ray);
             }

@@ -3,7 +3,7 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeRayVisitor;
+    import starlogo.hierarchy.NodeRayEntryVisitor;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
 
@@ -19,12 +19,12 @@ package starlogo.solid
      *
      * @private
      */
-    public final class TreeRayQuery
+    public final class TreeRayEntryQuery
     {
         private static var sStart:Vector3D = new Vector3D();
 
-        private var _nodes:NodeRayVisitor = new NodeRayVisitor();
-        private var _triangles:TriangleRayVisitor = new TriangleRayVisitor();
+        private var _nodes:NodeRayEntryVisitor = new NodeRayEntryVisitor();
+        private var _triangles:TriangleRayEntryVisitor = new TriangleRayEntryVisitor();
 
         /**
          * Finds where a ray first meets a model.

@@ -11,7 +11,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class NodeTouchVisitor extends NodeVisitor
+    public final class NodeImpactVisitor extends NodeVisitor
     {
         // Finds the nodes near the structure.
         private var _search:BoxSearch;
@@ -26,7 +26,7 @@ package starlogo.hierarchy
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** @param counts counts the nodes that are visited */
-        public function NodeTouchVisitor(counts:TreeCounts)
+        public function NodeImpactVisitor(counts:TreeCounts)
         {
             _search = new BoxSearch(counts);
         }
@@ -51,7 +51,7 @@ package starlogo.hierarchy
             _structure.extentsInto(_extents);
             _search.setExtents(_extents, 0);
             _search.setMotion(motion);
-            _search.find(tree, depth, this);
+            _search.visitMet(tree, depth, this);
             return _found;
         }
 

@@ -16,15 +16,15 @@ package starlogo.solid
     use namespace engine;
 
     /** A touch that only the test at the end of the motion sees has the contact of what touches there. */
-    public class TreeImpactQueryTest
+    public class TreePairImpactQueryTest
     {
         // The gap between the walls is 1.2 wide. What stands in its middle is 0.4 wide.
         private static const TRAVEL:Number = 0.4;
 
         private var _counts:TreeCounts = new TreeCounts();
-        private var _trees:TwoTrees = new TwoTrees(_counts);
-        private var _treeAndStructure:TreeAndStructure = new TreeAndStructure(_counts);
-        private var _query:TreeImpactQuery = new TreeImpactQuery();
+        private var _trees:TreeTreePair = new TreeTreePair(_counts);
+        private var _treeAndStructure:TreeStructurePair = new TreeStructurePair(_counts);
+        private var _query:TreePairImpactQuery = new TreePairImpactQuery();
 
         [Test]
         public function trianglesOfTwoTrees():void

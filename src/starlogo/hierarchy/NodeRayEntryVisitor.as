@@ -12,7 +12,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class NodeRayVisitor extends NodeVisitor
+    public final class NodeRayEntryVisitor extends NodeVisitor
     {
         /** The factor on a node's half-extents. Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it. */
         internal static const NOT_WIDENED:Number = 1;
@@ -39,7 +39,7 @@ package starlogo.hierarchy
             _ray.copyFrom(ray);
             _first = -1;
             limit = ray.to;
-            _search.findAlong(ray, tree, depth, this);
+            _search.visitAlong(ray, tree, depth, this);
             return _first >= 0 && enters(tree, _first, out);
         }
 

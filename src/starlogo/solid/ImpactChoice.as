@@ -6,16 +6,16 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
 
     /**
-     * Chooses the triangle, or the pair of triangles, whose contact is that of a first touch. It is the one that is touched first. Of those that
-     * are touched at the same time (Tolerances.SAME_TIME), it is the one whose plane the motion meets most squarely. So a shape that moves along a
-     * side, flush with it, and then meets another side, touches the one that stops it.
+     * Chooses the triangle, or the pair of triangles, that makes the contact of an impact: the one that is touched first. Of those that are touched at
+     * the same time (Tolerances.SAME_TIME), it is the one whose plane the motion meets most squarely. So a shape that moves along a side, flush with it,
+     * and then meets another side, touches the one that stops it.
      *
      * <p>What touches at time 0 ends the search: the first one found makes the contact, because nothing is earlier. The way out of an overlap is
      * another search.</p>
      *
      * @private
      */
-    public final class FirstTouch
+    public final class ImpactChoice
     {
         /** The time of the earliest touch so far, or RelativeMotion.NEVER. Read only. */
         public var time:Number = RelativeMotion.NEVER;

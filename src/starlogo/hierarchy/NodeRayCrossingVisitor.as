@@ -7,7 +7,7 @@ package starlogo.hierarchy
     import starlogo.intersection.ray.SpanFinder;
 
     /** Finds all places where a ray meets the boxes of a tree. @private */
-    public final class NodeCrossingVisitor extends NodeVisitor
+    public final class NodeRayCrossingVisitor extends NodeVisitor
     {
         private var _ray:Ray = new Ray();
         private var _span:RaySpan = new RaySpan();
@@ -27,13 +27,13 @@ package starlogo.hierarchy
             _ray.copyFrom(ray);
             _all = out;
             limit = ray.to;
-            _search.findAlong(ray, tree, depth, this);
+            _search.visitAlong(ray, tree, depth, this);
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            if (SpanFinder.findInBox(_ray, tree.boxOf(node), NodeRayVisitor.NOT_WIDENED, _span))
+            if (SpanFinder.findInBox(_ray, tree.boxOf(node), NodeRayEntryVisitor.NOT_WIDENED, _span))
             {
                 _all.addSpan(_ray, _span, Tolerances.ROUNDING * tree.radiusAboutOrigin);
             }

@@ -21,7 +21,7 @@ package starlogo.solid
      * Decides when a solid structure first touches a triangle of a model, and whether it does if it is still. Most triangles are ruled out by their
      * extents. If the structure moves, SweptAxes rules out most of the others. Their planes come last.
      */
-    internal final class TriangleTouchVisitor extends NodeVisitor
+    internal final class TriangleImpactVisitor extends NodeVisitor
     {
         // Finds the nodes near the structure's extents.
         private var _search:BoxSearch;
@@ -40,7 +40,7 @@ package starlogo.solid
         // The extents of the core and of its motion until the limit.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The radius around the structure's core, with the tolerance and a margin for rounding.
+        // The radius around the structure's core, with the tolerance and a margin for rounding: a triangle farther from the core is not touched.
         private var _radius:Number = 0;
 
         // Separates most triangles from the moving structure.
@@ -51,10 +51,10 @@ package starlogo.solid
 
         // The slot of the triangle that is touched first, and what chooses it.
         private var _found:int = -1;
-        private var _touch:FirstTouch = new FirstTouch();
+        private var _choice:ImpactChoice = new ImpactChoice();
 
         /** @param counts counts the nodes that are visited and the triangles that are tested */
-        public function TriangleTouchVisitor(counts:TreeCounts)
+        public function TriangleImpactVisitor(counts:TreeCounts)
         {
             _counts = counts;
             _search = new BoxSearch(counts);
@@ -73,10 +73,10 @@ package starlogo.solid
         {
             limit = motion.latest;
             begin(model, structure, pose, motion);
-            _touch.begin(limit);
+            _choice.begin(limit);
             _found = -1;
-            _search.find(_mesh.tree, BoxTree.EXACT, this);
-            motion.time = _touch.time;
+            _search.visitMet(_mesh.tree, BoxTree.EXACT, this);
+            motion.time = _choice.time;
             return _found;
         }
 
@@ -112,7 +112,7 @@ package starlogo.solid
             sweepAlong(4, limit * _motion.z);
         }
 
-        // Does it along an axis, whose extents begin at an index.
+        // Sets the extents along an axis, which begin at an index. The travel is how far the structure moves along the axis until the limit.
         private function sweepAlong(at:int, travel:Number):void
         {
             var low:Number = _coreExtents[at];
@@ -142,7 +142,7 @@ package starlogo.solid
                 }
                 _mesh.readTriangle(i, _corners);
                 _sweep.latest = limit;
-                if (!isStill && _separatingAxes.stayApart(_corners, _sweep))
+                if (!isStill && _separatingAxes.separate(_corners, _sweep))
                 {
                     continue;
                 }
@@ -161,17 +161,17 @@ package starlogo.solid
                 {
                     _kernel.findTime(_sweep);
                 }
-                if (_touch.choose(_sweep, _kernel.plane))
+                if (_choice.choose(_sweep, _kernel.plane))
                 {
                     _found = i;
                 }
-                if (!(_touch.time > 0))
+                if (!(_choice.time > 0))
                 {
                     endSearch();
                 }
-                else if (_touch.latest < limit)
+                else if (_choice.latest < limit)
                 {
-                    limit = _touch.latest;
+                    limit = _choice.latest;
                     sweepExtents();
                 }
             }

@@ -9,20 +9,20 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.NodeDistanceVisitor;
-    import starlogo.hierarchy.NodeTouchVisitor;
+    import starlogo.hierarchy.NodeImpactVisitor;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.PairTable;
 
     use namespace engine;
 
     /**
-     * A placed tree, and a placed structure that stands for the second model (thesis §5.2). A search visits the nodes near the structure. Their boxes
+     * A placed tree a, and a placed structure that stands for b (thesis §5.2). A search visits the nodes near the structure. Their boxes
      * decide, or for exact tests their triangles: then the two overlap if a triangle touches the solid structure, or if the structure is inside of the
      * tree's closed surface.
      *
      * @private
      */
-    public final class TreeAndStructure extends TreePair
+    public final class TreeStructurePair extends TreePair
     {
         private var _tree:ModelTree = null;
         private var _depth:int = 0;
@@ -31,8 +31,8 @@ package starlogo.solid
         // Whether triangles decide.
         private var _isExact:Boolean = false;
 
-        private var _nodes:NodeTouchVisitor;
-        private var _triangles:TriangleTouchVisitor;
+        private var _nodes:NodeImpactVisitor;
+        private var _triangles:TriangleImpactVisitor;
         private var _nodeDistances:NodeDistanceVisitor;
         private var _triangleDistances:TriangleDistanceVisitor;
 
@@ -46,10 +46,10 @@ package starlogo.solid
         private var _measured:ClosestPoints = new ClosestPoints();
 
         /** @param counts counts what the questions take */
-        public function TreeAndStructure(counts:TreeCounts)
+        public function TreeStructurePair(counts:TreeCounts)
         {
-            _nodes = new NodeTouchVisitor(counts);
-            _triangles = new TriangleTouchVisitor(counts);
+            _nodes = new NodeImpactVisitor(counts);
+            _triangles = new TriangleImpactVisitor(counts);
             _nodeDistances = new NodeDistanceVisitor(counts);
             _triangleDistances = new TriangleDistanceVisitor(counts);
         }
@@ -58,7 +58,7 @@ package starlogo.solid
          * Sets the two.
          *
          * @param depth how many levels of the tree are visited
-         * @param structure in the space of the second model
+         * @param structure in b's space
          * @param exact whether triangles decide in place of the depth, if the tree has triangles
          * @return this
          */
@@ -141,7 +141,7 @@ package starlogo.solid
         override internal function findInside(out:ClosestPoints):Boolean
         {
             var structure:BoundingStructure = pose.place(_structure);
-            // The origin of its points is inside of it, and so is a ball around it if it is round.
+            // The origin of its points is inside of it. If it is round, a ball around that origin is inside too.
             structure.shapeInto(_shape);
             _point.setTo(_shape.x, _shape.y, _shape.z);
             if (!_tree.isInside(_point, _shape.radius))

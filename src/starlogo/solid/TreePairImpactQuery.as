@@ -5,15 +5,15 @@ package starlogo.solid
     import starlogo.hierarchy.RelativePose;
 
     /**
-     * Finds when and where two models first touch while the first one, a tree, moves relative to the second.
+     * Finds when and where the two models of a TreePair first touch while a moves relative to b.
      *
      * @private
      */
-    public final class TreeImpactQuery extends ImpactQuery
+    public final class TreePairImpactQuery extends ImpactQuery
     {
         private var _pair:TreePair = null;
 
-        // The second model's motion in the first model's space, from the pair's pose on.
+        // The motion of b in a's space, from the pair's pose on.
         private var _motion:RelativeMotion = new RelativeMotion();
 
         /** Sets the two models. Call it before each question. */

@@ -12,7 +12,7 @@ package starlogo.solid
     use namespace engine;
 
     /** Finds all triangles of a model that a ray meets. */
-    internal final class TriangleCrossingVisitor extends NodeVisitor
+    internal final class TriangleRayCrossingVisitor extends NodeVisitor
     {
         private var _search:BoxSearch = new BoxSearch();
         private var _mesh:TriangleMesh;
@@ -33,7 +33,7 @@ package starlogo.solid
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);
             _all = out;
             limit = ray.to;
-            _search.findAlong(ray, model.boxTree, BoxTree.EXACT, this);
+            _search.visitAlong(ray, model.boxTree, BoxTree.EXACT, this);
         }
 
         /** @inheritDoc */

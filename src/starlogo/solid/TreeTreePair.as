@@ -26,12 +26,12 @@ package starlogo.solid
      *
      * @private
      */
-    public final class TwoTrees extends TreePair
+    public final class TreeTreePair extends TreePair
     {
-        /** The first model's tree. */
+        /** The tree of a. */
         internal var a:ModelTree = null;
 
-        /** The second model's tree. */
+        /** The tree of b. */
         internal var b:ModelTree = null;
 
         // The nodes of both, for a traversal.
@@ -48,7 +48,7 @@ package starlogo.solid
         private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
 
         /** @param counts counts what the questions take */
-        public function TwoTrees(counts:TreeCounts)
+        public function TreeTreePair(counts:TreeCounts)
         {
             _trees.pose = pose;
             _triangles = new TrianglePairVisitor(counts);
@@ -61,7 +61,7 @@ package starlogo.solid
         /**
          * Sets the two.
          *
-         * @param depthA how many levels of the first tree are visited
+         * @param depthA how many levels of a's tree are visited
          * @param exact whether triangles decide in place of depths, if both trees have triangles
          * @return this
          */
@@ -89,7 +89,7 @@ package starlogo.solid
          * The tolerance of quick tests, which is larger: it includes the margin of a motion and Tolerances.CORES of two triangles. A second tolerance is
          * more than those CORES, because it has SURFACES of the radii.
          */
-        internal function outerTolerance(motion:RelativeMotion):Number
+        internal function quickTolerance(motion:RelativeMotion):Number
         {
             return 2 * tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
         }
@@ -147,7 +147,7 @@ package starlogo.solid
             return PairTable.areTouching(_trees.a.boxOf(0), pose.placeWidened(_trees.b.boxOf(0))) && _containment.findInside(this, out);
         }
 
-        // What decides about two nodes: their triangles, or null for their boxes. The motion is the second model's.
+        // What decides about two nodes: their triangles, or null for their boxes. The motion is that of b.
         private function visitorFor(motion:RelativeMotion):NodePairVisitor
         {
             return _isExact ? _triangles.begin(this, motion) : null;

@@ -1,11 +1,13 @@
 package starlogo.models.collada
 {
     import starlogo.models.building.FileAnimation;
+    import starlogo.models.building.FilePose;
     import starlogo.models.building.ModelBuilder;
     import starlogo.steps.finish;
 
     /**
-     * An animation of a COLLADA document. At each time its channels give numbers to elements, in place of those that the document has for them.
+     * An animation of a COLLADA document. At each time its channels give numbers to elements. The key of an element's numbers is
+     * <code>ColladaElement.key</code>.
      *
      * @private
      */
@@ -16,7 +18,7 @@ package starlogo.models.collada
         private var _name:String;
         private var _start:Number;
         private var _end:Number;
-        private var _channels:Object = {}; // lists of those that move an element, by the element's index
+        private var _channels:Object = {}; // lists of those that move an element, by the element's key
 
         /**
          * @param document the document
@@ -37,7 +39,7 @@ package starlogo.models.collada
             {
                 if (channel.element != null)
                 {
-                    (_channels[channel.element.index] ||= new Vector.<ColladaChannel>()).push(channel);
+                    (_channels[channel.element.key] ||= new Vector.<ColladaChannel>()).push(channel);
                     lastKey = Math.max(lastKey, channel.sampler.end);
                 }
             }
@@ -134,18 +136,18 @@ package starlogo.models.collada
         public function verticesAt(time:Number):Vector.<Number>
         {
             _document.limits.restart();
-            return ModelBuilder.verticesOf(new ColladaReader(_document, _upAxis, null, this, Math.min(_start + Math.max(time, 0), _end)));
+            return ModelBuilder.verticesOf(new ColladaReader(_document, _upAxis, null, new FilePose(this, Math.min(_start + Math.max(time, 0), _end))));
         }
 
-        /** The numbers of an element at a time of the document; null if they stay. */
-        internal function numbersOf(element:ColladaElement, time:Number):Vector.<Number>
+        /** @inheritDoc */
+        public function numbersAt(key:String, time:Number):Vector.<Number>
         {
-            var channels:Vector.<ColladaChannel> = _channels[element.index];
+            var channels:Vector.<ColladaChannel> = _channels[key];
             if (channels == null)
             {
                 return null;
             }
-            var numbers:Vector.<Number> = element.numbers(channels[0].size);
+            var numbers:Vector.<Number> = channels[0].numbersAtRest();
             for each (var channel:ColladaChannel in channels)
             {
                 var values:Vector.<Number> = channel.sampler.valueAt(time);

@@ -6,6 +6,7 @@ package starlogo.models.collada
     import starlogo.models.building.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
+    import starlogo.steps.Steps;
 
     /**
      * An element of a COLLADA document. It finds other elements, reads its own numbers, and names its place in errors. Its name and its
@@ -68,6 +69,12 @@ package starlogo.models.collada
         public function get id():String
         {
             return attribute("id");
+        }
+
+        /** The key of its numbers in a FilePose. */
+        public function get key():String
+        {
+            return String(index);
         }
 
         /** Lets elementWith() find this element, when it has its attributes. Of several with the same name and id, the first one counts. */
@@ -194,7 +201,7 @@ package starlogo.models.collada
             throw error("there is no <" + names[0] + "> with the id \"" + shortened(url.substr(1)) + "\"");
         }
 
-        /** The element's own text. Long texts are split into words in steps, by TextWords.splitting(). */
+        /** The element's own text. Long texts are split into words in steps: see splittingText(). */
         public function get text():String
         {
             return texts.join(" ");
@@ -203,9 +210,26 @@ package starlogo.models.collada
         /** The words of the element's text. They count as numbers of the document. @throws ModelError if there are too many */
         public function countedWords():Array
         {
+            return TextWords.of(countedText());
+        }
+
+        /**
+         * The steps that split the element's text into words, and then do the work on these. They count as numbers of the document.
+         *
+         * @param make <code>(words:Array):Steps</code>; the work on the words
+         * @throws ModelError if there are too many
+         */
+        public function splittingText(make:Function):Steps
+        {
+            return TextWords.splitting(countedText(), make);
+        }
+
+        // Each word takes two characters or more: its own, and a space.
+        private function countedText():String
+        {
             var all:String = text;
             limits.countNumbers(all.length / 2, this);
-            return TextWords.of(all);
+            return all;
         }
 
         /**

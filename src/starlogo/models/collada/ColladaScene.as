@@ -1,11 +1,12 @@
 package starlogo.models.collada
 {
     import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.FilePose;
     import starlogo.models.building.shortened;
     import starlogo.steps.StepSequence;
 
     /**
-     * The scene of a COLLADA document at rest or at a time of an animation. Its steps visit the nodes and find where they are, and their
+     * The scene of a COLLADA document, at rest or in a pose. Its steps visit the nodes and find where they are, and their
      * geometries. If there is no scene, it takes all geometries of the library.
      */
     internal final class ColladaScene extends StepSequence
@@ -21,13 +22,11 @@ package starlogo.models.collada
         public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
         private var _document:ColladaDocument;
-        private var _animation:ColladaAnimation;
-        private var _time:Number;
+        private var _pose:FilePose;
         private var _places:Object = {}; // lists of the places of a node, in their order, by the node's index
 
-        // of the elements that were asked for, by their indices: the scene may place an element often
-        private var _numbers:Object = {};
-        private var _transforms:Object = {};
+        // The transforms of elements that move, by the element's index. The scene may place an element often.
+        private var _movedTransforms:Object = {};
 
         // The elements that are to be visited, the next one last. Null stands for the end of the innermost node.
         private var _pending:Vector.<ColladaElement> = new Vector.<ColladaElement>();
@@ -38,14 +37,12 @@ package starlogo.models.collada
 
         /**
          * @param document the document; all its steps must be done
-         * @param animation moves the nodes; null at rest
-         * @param time the time of the animation, in the document's time, in seconds
+         * @param pose moves the nodes
          */
-        public function ColladaScene(document:ColladaDocument, animation:ColladaAnimation, time:Number)
+        public function ColladaScene(document:ColladaDocument, pose:FilePose)
         {
             _document = document;
-            _animation = animation;
-            _time = time;
+            _pose = pose;
             var root:ColladaElement = document.root;
             var scene:ColladaElement = root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
@@ -66,20 +63,10 @@ package starlogo.models.collada
             return _document;
         }
 
-        /** Whether nothing moves. */
-        public function get isAtRest():Boolean
+        /** What moves its nodes and geometries. */
+        public function get pose():FilePose
         {
-            return _animation == null;
-        }
-
-        /** The numbers that the animation gives to an element; null if they stay. */
-        public function numbersOf(element:ColladaElement):Vector.<Number>
-        {
-            if (_animation != null && !(element.index in _numbers))
-            {
-                _numbers[element.index] = _animation.numbersOf(element, _time);
-            }
-            return _numbers[element.index];
+            return _pose;
         }
 
         /**
@@ -112,7 +99,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, _document.meshOf(geometry, !isAtRest), new AffineTransform()));
+                    instances.push(new ColladaInstance(geometry, _document.meshOf(geometry, !_pose.isAtRest), new AffineTransform()));
                 }
             }
         }
@@ -143,7 +130,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaInstance(element, _document.meshOf(element.target("url", ["geometry"]), !isAtRest), _place.transform));
+                    instances.push(new ColladaInstance(element, _document.meshOf(element.target("url", ["geometry"]), !_pose.isAtRest), _place.transform));
                     break;
                 case "instance_controller":
                     addController(element);
@@ -165,8 +152,8 @@ package starlogo.models.collada
         // The transform that an element is; null if it is none.
         private function transformOf(element:ColladaElement):AffineTransform
         {
-            var numbers:Vector.<Number> = numbersOf(element);
-            return numbers == null ? element.toTransform() : (_transforms[element.index] ||= ColladaTransform.of(element, numbers));
+            var numbers:Vector.<Number> = _pose.numbersOf(element.key);
+            return numbers == null ? element.toTransform() : (_movedTransforms[element.index] ||= ColladaTransform.of(element, numbers));
         }
 
         // Follows controllers down to the geometry, and finds their skins and morphs.

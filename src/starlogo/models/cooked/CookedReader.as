@@ -71,15 +71,16 @@ package starlogo.models.cooked
         /** @inheritDoc */
         override public function step():Boolean
         {
+            var hasMore:Boolean = false;
             try
             {
-                return super.step();
+                hasMore = super.step();
             }
             catch (error:EOFError)
             {
                 throw new ModelError(_data.name, "", "the cooked file has fewer numbers than it says");
             }
-            return false;
+            return hasMore;
         }
 
         // Reads the head. The work that it returns reads the numbers.
@@ -159,15 +160,16 @@ package starlogo.models.cooked
 
         private function readTransform():ModelTransform
         {
+            var transform:ModelTransform = null;
             try
             {
-                return new ModelTransform(readVector(), readVector(), readVector());
+                transform = new ModelTransform(readVector(), readVector(), readVector());
             }
             catch (error:RangeError)
             {
                 throw new ModelError(_data.name, "", error.message);
             }
-            return null;
+            return transform;
         }
 
         private function readFrame():SourceFrame

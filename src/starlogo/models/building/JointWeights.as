@@ -1,9 +1,8 @@
-package starlogo.models.collada
+package starlogo.models.building
 {
-    import starlogo.models.building.AffineTransform;
-
     /**
-     * How much each point of a skin follows which joints. The lists have the influences of all points, one point after the other.
+     * How much each point of a skin follows which joints, in a file of any format. A point follows each of its influences: a joint, by a weight. The
+     * lists have the influences of all points, one point after the other. The readers of formats fill them.
      *
      * @private
      */

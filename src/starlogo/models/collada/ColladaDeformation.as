@@ -128,7 +128,7 @@ package starlogo.models.collada
         {
             var geometry:ColladaElement = morph.elementWith("geometry", id);
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
-            return _scene.document.meshOf(geometry, true);
+            return _scene.document.meshOf(geometry);
         }
 
         private function mix(target:Vector.<Number>, base:Vector.<Number>, weight:Number):void

@@ -28,10 +28,7 @@ package starlogo.models.collada
         // The transforms of elements that move, by the element's index. The scene may place an element often.
         private var _movedTransforms:Object = {};
 
-        // The elements that are to be visited, the next one last. Null stands for the end of the innermost node.
-        private var _pending:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-
-        // The innermost node around the next element, or the scene, and how many there were so far.
+        // The innermost place around the next element, null at the end; and how many there were so far.
         private var _place:ColladaPlace = null;
         private var _placeCount:int = 0;
 
@@ -86,11 +83,20 @@ package starlogo.models.collada
 
         private function visitSome():Boolean
         {
-            for (var i:int = 0; i < ELEMENTS_PER_STEP && _pending.length > 0; i++)
+            for (var i:int = 0; i < ELEMENTS_PER_STEP && _place != null; i++)
             {
-                visit(_pending.pop());
+                var element:ColladaElement = _place.nextElement();
+                if (element == null)
+                {
+                    _place.leave(_placeCount);
+                    _place = _place.around;
+                }
+                else
+                {
+                    visit(element);
+                }
             }
-            return _pending.length > 0;
+            return _place != null;
         }
 
         private function addLibrary(root:ColladaElement):void
@@ -99,38 +105,27 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, _document.meshOf(geometry, !_pose.isAtRest), new AffineTransform()));
+                    instances.push(new ColladaInstance(geometry, _document.meshOf(geometry), new AffineTransform()));
                 }
             }
         }
 
-        // All elements of a node are visited next.
+        // The elements of a node are visited next.
         private function enter(node:ColladaElement):void
         {
             _place = new ColladaPlace(node, _place, _placeCount++);
             node.refuseIf(_place.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
             node.limits.countElements(COUNT_PER_PLACING * (1 + node.children.length), node);
             (_places[node.index] ||= []).push(_place);
-            _pending.push(null);
-            for (var i:int = node.children.length - 1; i >= 0; i--)
-            {
-                _pending.push(node.children[i]);
-            }
         }
 
         // Visits an element of the innermost node.
         private function visit(element:ColladaElement):void
         {
-            if (element == null)
-            {
-                _place.end = _placeCount;
-                _place = _place.around;
-                return;
-            }
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaInstance(element, _document.meshOf(element.target("url", ["geometry"]), !_pose.isAtRest), _place.transform));
+                    instances.push(new ColladaInstance(element, _document.meshOf(element.target("url", ["geometry"])), _place.transform));
                     break;
                 case "instance_controller":
                     addController(element);
@@ -145,7 +140,10 @@ package starlogo.models.collada
                     break;
                 default:
                     var local:AffineTransform = transformOf(element);
-                    _place.transform = local == null ? _place.transform : _place.transform.after(local);
+                    if (local != null)
+                    {
+                        _place.addTransform(local);
+                    }
             }
         }
 
@@ -170,7 +168,7 @@ package starlogo.models.collada
                         " controllers follow one another, or they refer to each other in a circle");
                 deformers.push(deformer);
             }
-            var mesh:ColladaMesh = _document.meshOf(target, true);
+            var mesh:ColladaMesh = _document.meshOf(target);
             instances.push(new ColladaInstance(element, mesh, _place.transform, new ColladaDeformation(this, element, _place, mesh, deformers)));
         }
     }

@@ -48,7 +48,7 @@ package starlogo.models.gltf
                     continue;
                 }
                 target.refuseIf(target.fileEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
-                var sampler:GltfJson = animation.element("samplers", channel.whole("sampler", samplerCount - 1));
+                var sampler:GltfJson = animation.element("samplers", channel.requiredWhole("sampler", samplerCount - 1));
                 var reader:GltfSampler = new GltfSampler(file, sampler, path);
                 _samplers[GltfScene.keyOf(node, path)] = reader;
                 add(reader);

@@ -74,7 +74,7 @@ package starlogo.models.gltf
         {
             var node:GltfJson = _file.json.fileEntry("nodes", index);
             var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
-            return moved(index, "weights") || node.numbers("weights", -1) || mesh.numbers("weights", -1, new Vector.<Number>());
+            return moved(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
         }
 
         private function findParents(first:int, end:int):void

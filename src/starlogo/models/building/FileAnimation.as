@@ -19,7 +19,7 @@ package starlogo.models.building
          * @param key the thing. The class that reads a format's animations says which key a thing has
          * @param time seconds in the animation's own time, which need not begin at 0
          */
-        function numbersAt(key:String, time:Number):Vector.<Number>;
+        function numbersAt(key:Object, time:Number):Vector.<Number>;
 
         /** The vertices of the file's model at a time in seconds, as <code>ModelAnimations.verticesAt()</code> gives them. */
         function verticesAt(time:Number):Vector.<Number>;

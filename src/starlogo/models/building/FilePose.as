@@ -30,7 +30,7 @@ package starlogo.models.building
         }
 
         /** The numbers of a thing in the file; null if they are those in the file. @param key the thing: see <code>FileAnimation.numbersAt()</code> */
-        public function numbersOf(key:String):Vector.<Number>
+        public function numbersOf(key:Object):Vector.<Number>
         {
             if (!isAtRest && !(key in _numbers))
             {

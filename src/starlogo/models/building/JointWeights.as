@@ -12,14 +12,16 @@ package starlogo.models.building
         public var starts:Vector.<int> = new <int>[0];
 
         /** The index of each influence's joint. */
-        public var joints:Vector.<int> = new Vector.<int>();
+        public var joints:Vector.<int>;
 
         /** The weight of each influence. */
-        public var weights:Vector.<Number> = new Vector.<Number>();
+        public var weights:Vector.<Number>;
 
-        /** Weights for no points. */
-        public function JointWeights()
+        /** Weights for no points. @param mostInfluences the lists have room for so many influences */
+        public function JointWeights(mostInfluences:int = 0)
         {
+            joints = new Vector.<int>(mostInfluences);
+            weights = new Vector.<Number>(mostInfluences);
         }
 
         /**

@@ -7,7 +7,7 @@ package starlogo.models.collada
 
     /**
      * An animation of a COLLADA document. At each time its channels give numbers to elements. The key of an element's numbers is
-     * <code>ColladaElement.key</code>.
+     * <code>ColladaElement.index</code>.
      *
      * @private
      */
@@ -20,7 +20,7 @@ package starlogo.models.collada
         // When it starts and ends, in the document's time, in seconds. Without an end of its own it ends at the last key.
         private var _start:Number;
         private var _end:Number;
-        private var _channels:Object = {}; // lists of those that move an element, by the element's key
+        private var _channels:Object = {}; // lists of those that move an element, by the element's index
 
         /**
          * @param document the document
@@ -40,7 +40,7 @@ package starlogo.models.collada
             {
                 if (channel.element != null)
                 {
-                    (_channels[channel.element.key] ||= new Vector.<ColladaChannel>()).push(channel);
+                    (_channels[channel.element.index] ||= new Vector.<ColladaChannel>()).push(channel);
                     _end = Math.max(_end, channel.sampler.end);
                 }
             }
@@ -142,7 +142,7 @@ package starlogo.models.collada
         }
 
         /** @inheritDoc */
-        public function numbersAt(key:String, time:Number):Vector.<Number>
+        public function numbersAt(key:Object, time:Number):Vector.<Number>
         {
             var channels:Vector.<ColladaChannel> = _channels[key];
             if (channels == null)

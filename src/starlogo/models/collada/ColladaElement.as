@@ -17,7 +17,7 @@ package starlogo.models.collada
         /** The element's name. */
         public var name:String;
 
-        /** Its number in the document, from 0. */
+        /** Its number in the document, from 0. It is the key of its numbers in a FilePose. */
         public var index:int;
 
         /** What the document may have and cost. */
@@ -69,12 +69,6 @@ package starlogo.models.collada
         public function get id():String
         {
             return attribute("id");
-        }
-
-        /** The key of its numbers in a FilePose. */
-        public function get key():String
-        {
-            return String(index);
         }
 
         /** Lets elementWith() find this element, when it has its attributes. Of several with the same name and id, the first one counts. */

@@ -5,10 +5,16 @@ package starlogo.models.collada
     /** A node of a COLLADA document at one of its places in the scene. */
     internal final class ColladaPlace
     {
+        /** The place around this one; null for that of the scene. Read only. */
+        public var around:ColladaPlace;
+
+        /** How many places are around this one. Read only. */
+        public var depth:int;
+
+        /** What takes points of the node to the scene, by the transforms that are visited so far. Read only. */
+        public var transform:AffineTransform;
+
         private var _node:ColladaElement;
-        private var _around:ColladaPlace;
-        private var _depth:int;
-        private var _transform:AffineTransform;
 
         // The index of the node's element that is visited next.
         private var _next:int = 0;
@@ -25,34 +31,16 @@ package starlogo.models.collada
         public function ColladaPlace(node:ColladaElement, around:ColladaPlace, first:int)
         {
             _node = node;
-            _around = around;
+            this.around = around;
             _first = first;
-            _depth = around == null ? 0 : around.depth + 1;
-            _transform = around == null ? new AffineTransform() : around.transform;
-        }
-
-        /** The place around this one; null for that of the scene. */
-        public function get around():ColladaPlace
-        {
-            return _around;
-        }
-
-        /** How many places are around this one. */
-        public function get depth():int
-        {
-            return _depth;
-        }
-
-        /** What takes points of the node to the scene, by the transforms that are visited so far. */
-        public function get transform():AffineTransform
-        {
-            return _transform;
+            depth = around == null ? 0 : around.depth + 1;
+            transform = around == null ? new AffineTransform() : around.transform;
         }
 
         /** Visits the node's next transform, which comes before those so far. */
         public function addTransform(local:AffineTransform):void
         {
-            _transform = _transform.after(local);
+            transform = transform.after(local);
         }
 
         /** The next element in the node. Null if all were visited. */
@@ -75,7 +63,7 @@ package starlogo.models.collada
          */
         public function nearestOf(places:Array):ColladaPlace
         {
-            for (var outer:ColladaPlace = this; places.length > 1 && outer != null; outer = outer._around)
+            for (var outer:ColladaPlace = this; places.length > 1 && outer != null; outer = outer.around)
             {
                 var next:int = indexFrom(places, outer._first);
                 if (next < places.length && places[next]._first < outer._end)
@@ -109,7 +97,7 @@ package starlogo.models.collada
         /** Whether a node is at this place, or at one around it. */
         public function isWithin(node:ColladaElement):Boolean
         {
-            for (var place:ColladaPlace = this; place != null; place = place._around)
+            for (var place:ColladaPlace = this; place != null; place = place.around)
             {
                 if (place._node == node)
                 {

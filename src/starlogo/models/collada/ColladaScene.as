@@ -21,8 +21,12 @@ package starlogo.models.collada
         /** The geometries in the document's order, when no step is left. */
         public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
-        private var _document:ColladaDocument;
-        private var _pose:FilePose;
+        /** The document. Its scenes share its geometries and skins. Read only. */
+        public var document:ColladaDocument;
+
+        /** What moves its nodes and geometries. Read only. */
+        public var pose:FilePose;
+
         private var _places:Object = {}; // lists of the places of a node, in their order, by the node's index
 
         // The transforms of elements that move, by the element's index. The scene may place an element often.
@@ -38,8 +42,8 @@ package starlogo.models.collada
          */
         public function ColladaScene(document:ColladaDocument, pose:FilePose)
         {
-            _document = document;
-            _pose = pose;
+            this.document = document;
+            this.pose = pose;
             var root:ColladaElement = document.root;
             var scene:ColladaElement = root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
@@ -52,18 +56,6 @@ package starlogo.models.collada
             {
                 addLibrary(root);
             }
-        }
-
-        /** The document. Its scenes share its geometries and skins. */
-        public function get document():ColladaDocument
-        {
-            return _document;
-        }
-
-        /** What moves its nodes and geometries. */
-        public function get pose():FilePose
-        {
-            return _pose;
         }
 
         /**
@@ -105,7 +97,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, _document.meshOf(geometry), new AffineTransform()));
+                    instances.push(new ColladaInstance(geometry, document.meshOf(geometry), new AffineTransform()));
                 }
             }
         }
@@ -125,7 +117,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaInstance(element, _document.meshOf(element.target("url", ["geometry"])), _place.transform));
+                    instances.push(new ColladaInstance(element, document.meshOf(element.target("url", ["geometry"])), _place.transform));
                     break;
                 case "instance_controller":
                     addController(element);
@@ -150,7 +142,7 @@ package starlogo.models.collada
         // The transform that an element is; null if it is none.
         private function transformOf(element:ColladaElement):AffineTransform
         {
-            var numbers:Vector.<Number> = _pose.numbersOf(element.key);
+            var numbers:Vector.<Number> = pose.numbersOf(element.index);
             return numbers == null ? element.toTransform() : (_movedTransforms[element.index] ||= ColladaTransform.of(element, numbers));
         }
 
@@ -168,7 +160,7 @@ package starlogo.models.collada
                         " controllers follow one another, or they refer to each other in a circle");
                 deformers.push(deformer);
             }
-            var mesh:ColladaMesh = _document.meshOf(target);
+            var mesh:ColladaMesh = document.meshOf(target);
             instances.push(new ColladaInstance(element, mesh, _place.transform, new ColladaDeformation(this, element, _place, mesh, deformers)));
         }
     }

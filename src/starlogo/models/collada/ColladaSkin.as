@@ -27,7 +27,7 @@ package starlogo.models.collada
         public var inverses:Vector.<AffineTransform> = null;
 
         // joint -1, which does not move, has the index after the last joint
-        private var _weights:JointWeights = new JointWeights();
+        private var _weights:JointWeights;
 
         /** @param element the skin's element @throws ModelError if its bind shape matrix is wrong */
         public function ColladaSkin(element:ColladaElement)
@@ -80,14 +80,15 @@ package starlogo.models.collada
             var indices:Array = weighted.child("v") == null ? [] : weighted.child("v").countedWords();
             weighted.refuseIf(indices.length % stride != 0, "expected " + stride + " indices for each joint of a point, but found " + indices.length + " in all");
             var influenceCount:int = indices.length / stride;
+            _weights = new JointWeights(influenceCount);
             return new StepSequence().add(readingCounts(weighted, influenceCount)).slices(influenceCount, INFLUENCES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
                         var joint:int = weighted.toWholeNumber(indices[i * stride + jointOffset], -1, inverses.length - 1, "a joint's index");
                         var weight:int = weighted.toWholeNumber(indices[i * stride + weightOffset], 0, weights.words.length - 1, "a weight's index");
-                        _weights.joints.push(joint < 0 ? inverses.length : joint);
-                        _weights.weights.push(weights.array.toNumber(weights.words[weight]));
+                        _weights.joints[i] = joint < 0 ? inverses.length : joint;
+                        _weights.weights[i] = weights.array.toNumber(weights.words[weight]);
                     }
                 });
         }

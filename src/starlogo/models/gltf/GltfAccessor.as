@@ -88,6 +88,12 @@ package starlogo.models.gltf
             return _divisor == 0 && (_componentType == UNSIGNED_BYTE || _componentType == UNSIGNED_SHORT || _componentType == UNSIGNED_INT);
         }
 
+        /** Checks that it has an element for each vertex of a primitive. */
+        public function requireCount(vertexCount:int):void
+        {
+            json.refuseIf(count != vertexCount, "it has " + count + " elements, but there are " + vertexCount + " vertices");
+        }
+
         // Adds the steps that read the rows: from an offset in a bufferView on, at the view's distance from one another.
         private function addRows(file:GltfFile, view:int, offset:int):void
         {

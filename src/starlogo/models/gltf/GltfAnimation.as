@@ -80,7 +80,7 @@ package starlogo.models.gltf
         }
 
         /** @inheritDoc */
-        public function numbersAt(key:String, time:Number):Vector.<Number>
+        public function numbersAt(key:Object, time:Number):Vector.<Number>
         {
             var sampler:GltfSampler = _samplers[key];
             return sampler == null ? null : sampler.valueAt(time);

@@ -60,8 +60,9 @@ package starlogo.models.gltf
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
         private var _chunk:ByteArray = null;
 
-        // the accessors so far, by index
+        // the accessors so far, by index, and the weights of skins, by the place of a primitive's attributes and the skin's index
         private var _accessors:Array = [];
+        private var _skinWeights:Object = {};
 
         /**
          * @param name the model's name
@@ -130,6 +131,18 @@ package starlogo.models.gltf
             var found:GltfJson = json.fileEntry("accessors", index);
             found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found " + GltfJson.shown(found.value.type), "type");
             return _accessors[index] ||= GltfAccessor.of(this, found);
+        }
+
+        /**
+         * The weights of a primitive's vertices for the joints of a skin. They are the same for all nodes and poses that have both.
+         *
+         * @param attributes the attributes of the primitive
+         * @param vertexCount the number of its vertices
+         * @param skin the skin's index
+         */
+        internal function skinWeights(attributes:GltfJson, vertexCount:int, skin:int):GltfSkinWeights
+        {
+            return _skinWeights[attributes.place + " " + skin] ||= new GltfSkinWeights(this, attributes, vertexCount, json.fileEntry("skins", skin).count("joints"));
         }
 
         /**

@@ -11,7 +11,10 @@ package starlogo.models.gltf
      * Reads a glTF file. GltfModel says which parts.
      *
      * <p>A GltfFile has the JSON, whose objects are GltfJsons, and the buffers. A GltfScene finds the nodes with meshes, and where they are. For each
-     * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model. A GltfSkin moves vertices by its joints.</p>
+     * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model. A GltfSkin
+     * has the joints of a skin, and GltfSkinWeights say how much vertices follow them.</p>
+     *
+     * <p>A GltfAnimation has GltfSamplers. A FilePose is an animation at a time, and the scene asks it.</p>
      *
      * @private
      */

@@ -1,7 +1,6 @@
 package starlogo.models.gltf
 {
     import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.JointWeights;
     import starlogo.steps.StepSequence;
 
     /**
@@ -52,7 +51,12 @@ package starlogo.models.gltf
             {
                 _skin = scene.skin(skin);
                 add(_skin).call(copyPoints);
-                addSkin(file, attributes);
+                var read:GltfSkinWeights = file.skinWeights(attributes, count, skin);
+                file.limits.countNumbers(read.mostInfluences, attributes.place);
+                add(read).slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
+                    {
+                        read.weights.move(_points, _skin.palette, first, end);
+                    });
             }
             _transform = _skin == null ? scene.globalTransformOf(node) : new AffineTransform();
             slices(count, VERTICES_PER_STEP, placeVertices);
@@ -80,8 +84,8 @@ package starlogo.models.gltf
 
         private function addTarget(target:GltfAccessor, weight:Number):void
         {
-            addAccessor(target);
-            call(copyPoints).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
+            target.requireCount(count);
+            add(target).call(copyPoints).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
@@ -94,67 +98,6 @@ package starlogo.models.gltf
         private function copyPoints():void
         {
             _points = _points == _positions.numbers ? _points.slice() : _points;
-        }
-
-        private function addSkin(file:GltfFile, attributes:GltfJson):void
-        {
-            // pairs: the indices of joints, and their weights
-            var sets:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
-            for (var i:int = 0; attributes.has("JOINTS_" + i); i++)
-            {
-                for each (var key:String in ["JOINTS_" + i, "WEIGHTS_" + i])
-                {
-                    var index:int = attributes.reference(key, "accessors");
-                    attributes.refuseIf(index < 0, "a mesh has no weights for its joints");
-                    sets.push(addAccessor(file.accessor(index, "VEC4")));
-                }
-            }
-            file.limits.countNumbers(2 * count * Number(sets.length), attributes.place);
-            var weights:JointWeights = new JointWeights();
-            slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
-                {
-                    readWeights(sets, first, end, weights);
-                    weights.move(_points, _skin.palette, first, end);
-                });
-        }
-
-        // Adds the steps of an accessor that has an element for each vertex.
-        private function addAccessor(accessor:GltfAccessor):GltfAccessor
-        {
-            accessor.json.refuseIf(accessor.count != count, "it has " + accessor.count + " elements, but there are " + count + " vertices");
-            add(accessor);
-            return accessor;
-        }
-
-        // Adds the influences of some vertices. A weight of 0 is none, whatever its joint is.
-        private function readWeights(sets:Vector.<GltfAccessor>, first:int, end:int, out:JointWeights):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                for (var k:int = 0; k < sets.length; k += 2)
-                {
-                    for (var j:int = 4 * i; j < 4 * i + 4; j++)
-                    {
-                        var weight:Number = sets[k + 1].numbers[j];
-                        if (weight != 0)
-                        {
-                            out.joints.push(jointAt(sets[k], j));
-                            out.weights.push(weight);
-                        }
-                    }
-                }
-                out.starts.push(out.joints.length);
-            }
-        }
-
-        private function jointAt(indices:GltfAccessor, at:int):int
-        {
-            var joint:Number = indices.numbers[at];
-            if (!(joint >= 0 && joint < _skin.palette.length && int(joint) == joint))
-            {
-                throw indices.json.error("vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _skin.palette.length);
-            }
-            return joint;
         }
 
         private function placeVertices(first:int, end:int):void

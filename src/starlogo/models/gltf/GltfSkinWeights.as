@@ -52,33 +52,32 @@ package starlogo.models.gltf
         // Reads the influences of some vertices. A weight of 0 is none, whatever its joint is.
         private function read(first:int, end:int):void
         {
+            var joints:Vector.<int> = weights.joints;
+            var shares:Vector.<Number> = weights.weights;
+            var jointCount:int = _jointCount;
             var count:int = weights.starts[first];
             for (var vertex:int = first; vertex < end; vertex++)
             {
-                for (var set :int = 0; set < _indices.length; set ++)
+                for (var i:int = 0; i < _indices.length; i++)
                 {
-                    var indices:Vector.<Number> = _indices[set ].numbers;
-                    var numbers:Vector.<Number> = _weights[set ].numbers;
+                    var indices:Vector.<Number> = _indices[i].numbers;
+                    var numbers:Vector.<Number> = _weights[i].numbers;
                     for (var at:int = 4 * vertex; at < 4 * vertex + 4; at++)
                     {
                         if (numbers[at] != 0)
                         {
-                            requireJoint(indices[at], vertex, set );
-                            weights.joints[count] = indices[at];
-                            weights.weights[count] = numbers[at];
+                            var joint:Number = indices[at];
+                            if (!(joint >= 0 && joint < jointCount && int(joint) == joint))
+                            {
+                                throw _indices[i].json.error("vertex " + vertex + " names joint " + joint + ", but there are only " + jointCount);
+                            }
+                            joints[count] = joint;
+                            shares[count] = numbers[at];
                             count++;
                         }
                     }
                 }
                 weights.starts.push(count);
-            }
-        }
-
-        private function requireJoint(joint:Number, vertex:int, set :int):void
-        {
-            if (!(joint >= 0 && joint < _jointCount && int(joint) == joint))
-            {
-                throw _indices[set ].json.error("vertex " + vertex + " names joint " + joint + ", but there are only " + _jointCount);
             }
         }
     }

@@ -54,8 +54,8 @@ package starlogo
         /** Creates a GreatLand without models. */
         public function GreatLand()
         {
-            _boundingStructures = new BoundingStructuresLibrary(10, models);
-            _hierarchies = new HierarchiesLibrary(models);
+            _boundingStructures = BoundingStructuresLibrary.of(models);
+            _hierarchies = HierarchiesLibrary.of(models);
         }
 
         /** The tightest bounding structure of each model. */

@@ -42,7 +42,7 @@ export function levelFromObject(name, object, options = {}) {
 function modelOf(name, source, { data, parts }, origin, scaling) {
 	if (data.vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
 	Object.assign(data, { scaling, isNormalised: scaling === Model.AS_GIVEN });
-	const model = new Model(null, null, null, null, new ModelBuilder(null, data).build());
+	const { model } = new ModelBuilder(data);
 	origins.set(model, { ...origin, parts, isGeometry: !source.isObject3D, posed: null });
 	return model;
 }

@@ -3,9 +3,11 @@
 package starlogo.away3d
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.models.Model;
     import starlogo.models.building.ModelBuilder;
-    import starlogo.models.building.ModelData;
+
+    use namespace engine;
 
     /**
      * A model made from Away3D's own objects or geometry. A point (x, y, z) of Away3D, with y up, becomes (x, z, y) in the engine.
@@ -27,13 +29,14 @@ package starlogo.away3d
          * Reads a model at once.
          *
          * @param name what agents call the shape, not empty
-         * @param object the source, which is not changed; or, for the engine alone, the ModelData that a ModelBuilder has made
+         * @param object the source, which is not changed; or, for the engine alone, the ModelBuilder that reads it
          * @throws ModelError if the object is no such source or has no vertices, if its data end early, if a coordinate is not finite,
          * or if the name is empty
          */
         public function Away3dModel(name:String, object:Object)
         {
-            super(null, null, null, null, object as ModelData || new ModelBuilder(new SourceReader(name, object)).build());
+            super(name, FROM_BUILDER);
+            build(object as ModelBuilder || ModelBuilder.reading(new SourceReader(name, object)));
         }
 
         /**

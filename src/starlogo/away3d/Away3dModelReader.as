@@ -26,7 +26,7 @@ package starlogo.away3d
          */
         public function Away3dModelReader(name:String, object:Object)
         {
-            _builder = new ModelBuilder(new SourceReader(name, object));
+            _builder = ModelBuilder.reading(new SourceReader(name, object));
         }
 
         /** @inheritDoc */
@@ -57,7 +57,7 @@ package starlogo.away3d
             var hasMore:Boolean = _builder.step();
             if (!hasMore)
             {
-                _model ||= new Away3dModel(name, _builder.build());
+                _model ||= new Away3dModel(name, _builder);
             }
             return hasMore;
         }

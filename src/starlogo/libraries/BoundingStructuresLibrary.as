@@ -36,7 +36,7 @@ package starlogo.libraries
          */
         public var keepHulls:Boolean = false;
 
-        private var _models:ModelTable;
+        private var _models:ModelTable = new ModelTable();
         private var _orientedBoxFitter:OrientedBoxFitter;
         private var _fitters:Vector.<Fitter>;
         private var _hullFitter:HullFitter = new HullFitter();
@@ -45,14 +45,20 @@ package starlogo.libraries
          * Creates a library without models, with the three fitters of the thesis.
          *
          * @param orientedBoxDegIncrement degrees between the rotations that the default fitters try
-         * @param models for the engine alone: the data of all models, which both libraries of a GreatLand share
          * @throws ArgumentError if that is not a positive, finite number
          */
-        public function BoundingStructuresLibrary(orientedBoxDegIncrement:Number = 10, models:ModelTable = null)
+        public function BoundingStructuresLibrary(orientedBoxDegIncrement:Number = 10)
         {
-            _models = models || new ModelTable();
             _orientedBoxFitter = new OrientedBoxFitter(orientedBoxDegIncrement);
             _fitters = new <Fitter>[new NaiveSphereFitter(), _orientedBoxFitter, new CapsuleFitter(_orientedBoxFitter)];
+        }
+
+        /** @private A library of the models of a GreatLand, whose libraries share the table. */
+        engine static function of(models:ModelTable):BoundingStructuresLibrary
+        {
+            var library:BoundingStructuresLibrary = new BoundingStructuresLibrary();
+            library._models = models;
+            return library;
         }
 
         /**

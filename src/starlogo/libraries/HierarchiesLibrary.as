@@ -35,19 +35,22 @@ package starlogo.libraries
          */
         public var prepareExact:Boolean = false;
 
-        private var _models:ModelTable;
+        private var _models:ModelTable = new ModelTable();
 
         private var _minVerticesToSplit:int = BoxTreeBuilder.MOST_VERTICES_OF_LEAF;
         private var _maxDepth:int = BoxTreeBuilder.MAX_DEPTH;
 
-        /**
-         * Creates a library without models.
-         *
-         * @param models for the engine alone: the data of all models, which both libraries of a GreatLand share
-         */
-        public function HierarchiesLibrary(models:ModelTable = null)
+        /** Creates a library without models. */
+        public function HierarchiesLibrary()
         {
-            _models = models || new ModelTable();
+        }
+
+        /** @private A library of the models of a GreatLand, whose libraries share the table. */
+        engine static function of(models:ModelTable):HierarchiesLibrary
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library._models = models;
+            return library;
         }
 
         /**

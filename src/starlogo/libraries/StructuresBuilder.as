@@ -80,9 +80,10 @@ package starlogo.libraries
          */
         override public function step():Boolean
         {
+            var hasMore:Boolean = false;
             try
             {
-                return super.step();
+                hasMore = super.step();
             }
             catch (error:Error)
             {
@@ -97,7 +98,7 @@ package starlogo.libraries
                 }
                 throw error;
             }
-            return false;
+            return hasMore;
         }
 
         // The steps that check whether what the fitters have found can be used.

@@ -1,10 +1,13 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.text.FileText;
+
+    use namespace engine;
 
     /**
      * A model from a COLLADA document, version 1.4 or 1.5.
@@ -44,7 +47,8 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, new ModelBuilder(new ColladaReader(new ColladaDocument(name, text), upAxis, scaling)).build());
+            super(name, FROM_BUILDER);
+            build(ModelBuilder.reading(new ColladaReader(new ColladaDocument(name, text), upAxis, scaling)));
         }
 
         /**

@@ -1,8 +1,11 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.cooked.CookedReader;
+
+    use namespace engine;
 
     /**
      * A model from a cooked file. <code>GreatLand.cook()</code>, <code>./antw cook</code> or <code>starlogo-cook</code> makes the file
@@ -21,7 +24,8 @@ package starlogo.models
          */
         public function CookedModel(name:String, bytes:ByteArray)
         {
-            super(null, null, null, null, new ModelBuilder(new CookedReader(name, bytes)).build());
+            super(name, FROM_BUILDER);
+            build(ModelBuilder.reading(new CookedReader(name, bytes)));
         }
 
         /**

@@ -1,9 +1,12 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
+
+    use namespace engine;
 
     /**
      * A model from a glTF 2.0 file, binary (.glb) or JSON (.gltf).
@@ -31,7 +34,8 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(null, null, null, null, new ModelBuilder(new GltfReader(GltfFile.read(name, bytes, buffers), upAxis, scaling)).build());
+            super(name, FROM_BUILDER);
+            build(ModelBuilder.reading(new GltfReader(GltfFile.read(name, bytes, buffers), upAxis, scaling)));
         }
 
         /**

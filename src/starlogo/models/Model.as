@@ -57,6 +57,13 @@ package starlogo.models
          */
         engine static const SCALINGS:Vector.<String> = new <String>[FOOTPRINT, VOLUME, AS_GIVEN];
 
+        /**
+         * Stands for the vertices of a model that a ModelBuilder makes: <code>build()</code> comes next.
+         *
+         * @private
+         */
+        engine static const FROM_BUILDER:Vector.<Number> = new Vector.<Number>(0, true);
+
         private var _data:ModelData;
 
         // The functions that are called after each pose; and the vertices of the next pose until they are checked, null before the first.
@@ -71,19 +78,26 @@ package starlogo.models
          * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
          * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
-         * @param data for the engine alone: what a ModelBuilder has made, in place of the other arguments, which are null. The model keeps it
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
-         * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers. If there is
-         * data, and another argument is not null
+         * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
          */
-        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, data:ModelData = null)
+        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT)
         {
-            if (data != null && (name != null || vertices != null || triangles != null || scaling != null))
-            {
-                throw new ArgumentError("a model of data has no other arguments: \"" + data.name + "\"");
-            }
-            _data = data || ModelBuilder.dataOf(name, vertices, triangles, scaling);
+            _data = vertices == FROM_BUILDER ? null : ModelBuilder.dataOf(name, vertices, triangles, scaling);
+        }
+
+        /**
+         * Makes the model that was created with <code>FROM_BUILDER</code> what a builder builds. Call it once.
+         *
+         * @param builder its steps that are left are done now
+         * @throws ModelError as those steps
+         *
+         * @private
+         */
+        engine final function build(builder:ModelBuilder):void
+        {
+            _data = builder.build();
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */

@@ -174,7 +174,7 @@ package starlogo.models
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function load(name:String, url:String, upAxis:Object = "z", scaling:String = "footprint"):void
+        public function load(name:String, url:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
         {
             add(name, upAxis, scaling).fetch(url, usesTransforms, _manifest);
         }
@@ -187,7 +187,7 @@ package starlogo.models
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = "footprint"):void
+        public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
         {
             add(name, upAxis, scaling).addReading(bytes, null);
         }
@@ -200,7 +200,7 @@ package starlogo.models
          * @param upAxis the axis that points up in OBJ or STL text: "x", "y" or "z"; or, for any text, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = "footprint"):void
+        public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
         {
             add(name, upAxis, scaling).addReading(null, text);
         }

@@ -1,9 +1,12 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.obj.ObjReader;
     import starlogo.models.text.FileText;
+
+    use namespace engine;
 
     /**
      * A model from Wavefront OBJ text.
@@ -33,7 +36,8 @@ package starlogo.models
          */
         public function ObjModel(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, new ModelBuilder(new ObjReader(name, text, upAxis, scaling)).build());
+            super(name, FROM_BUILDER);
+            build(ModelBuilder.reading(new ObjReader(name, text, upAxis, scaling)));
         }
 
         /**

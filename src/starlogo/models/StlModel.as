@@ -1,8 +1,11 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.stl.StlReader;
+
+    use namespace engine;
 
     /**
      * A model from an STL file, the format of 3D printing, as binary or as text.
@@ -24,7 +27,8 @@ package starlogo.models
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, new ModelBuilder(new StlReader(name, bytes, null, upAxis, scaling)).build());
+            super(name, FROM_BUILDER);
+            build(ModelBuilder.reading(new StlReader(name, bytes, null, upAxis, scaling)));
         }
 
         /**

@@ -306,6 +306,10 @@ package starlogo.models
             fails(/channel: there is no such number in the <matrix>/, moved("matrix(4)(0)", "0 0 0 0", "LINEAR"));
             fails(/channel: there is no such number in the <matrix>/, moved("matrix(0)(4)", "0 0 0 0", "LINEAR"));
             fails(/channel: there is no such number in the <matrix>/, moved("matrix.X", "0 0 0 0", "LINEAR"));
+            // an array is no matrix, even if it has as many numbers
+            var weights:String = morphed("RELATIVE").replace(">0</float_array>", ">0" + repeated(" 0", 15) + "</float_array>").replace('"weights" count="1"', '"weights" count="16"');
+            assertEquals(1, new ColladaAnimations("a", weights).count);
+            fails(/channel: there is no such number in the <float_array>/, weights.replace("weights(0)", "weights(0)(0)"));
             fails(/channel: its sampler has 1 numbers for each key, but expected 3/, moved("translate", "0 0 0 0", "LINEAR"));
             fails(/channel: its sampler has 3 numbers for each key, but expected 1/, moved("translate.X", "0 0 0 0 0 0 0 0 0 0 0 0", "LINEAR", 3));
             fails(/sampler#t: expected as many of OUTPUT as of INPUT/, moved("translate.X", "0 0 0", "LINEAR"));
@@ -340,6 +344,7 @@ package starlogo.models
             // a rounded last row counts as 0 0 0 1
             new ColladaAnimations("a", text.replace("0 0 1 0 0 0 0 1 1 0", "0 0 1 0 0 0 0 0.99999 1 0"));
             fails(/vertex_weights: expected a joint's index, -1 to 1, but found "2"/, text.replace("<v>1 1", "<v>2 1"));
+            fails(/vertex_weights: expected 2 indices for each joint of a point, but found 9 in all/, text.replace("<v>1 1", "<v>0 1 1"));
             fails(/vertex_weights: expected a weight's index, 0 to 1, but found "2"/, text.replace("<v>1 1", "<v>1 2"));
             fails(/vertex_weights: its <vcount> adds up to 3 joints, but <v> has 4/, text.replace("1 2 1 0<", "1 1 1 0<"));
             fails(/vertex_weights: its count is 4, but it has 3 numbers in <vcount>/, text.replace("1 2 1 0<", "1 2 1<"));

@@ -5,6 +5,7 @@ package starlogo.models
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
@@ -35,15 +36,16 @@ package starlogo.models
             assertEquals("0,1,2", model.triangles.join());
         }
 
-        /** No argument is ignored. */
+        /** A builder's lists are not copied. */
         [Test]
-        public function isMadeOfDataOrOfArguments():void
+        public function keepsTheDataOfItsBuilder():void
         {
-            var data:ModelData = ModelBuilder.dataOf("bar", new <Number>[10, 20, 30, 14, 22, 38], null, Model.FOOTPRINT);
-            assertEquals("bar", new Model(null, null, null, null, data).name);
-            assertThrows(ArgumentError, /no other arguments.*"bar"/, create, Model, "a", null, null, null, data);
-            assertThrows(ArgumentError, /no other arguments/, create, Model, null, data.vertices, null, null, data);
-            assertThrows(ArgumentError, /no other arguments/, create, Model, null, null, null, Model.FOOTPRINT, data);
+            var data:ModelData = new ModelData("bar");
+            data.scaling = Model.FOOTPRINT;
+            data.vertices.push(10, 20, 30, 14, 22, 38);
+            var model:Model = new ModelBuilder(data).model;
+            assertEquals("bar", model.name);
+            assertStrictlyEquals(data.vertices, model.vertices);
         }
 
         [Test]

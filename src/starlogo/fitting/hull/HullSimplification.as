@@ -36,8 +36,9 @@ package starlogo.fitting.hull
         private var _queue:EdgeQueue = new EdgeQueue();
         private var _collapse:EdgeCollapse = new EdgeCollapse();
 
-        // The first tip; the second one is the next corner. -2 without tips.
-        private var _tip:int = -2;
+        // Whether there are two tips. The first one is the corner _tip, and the second one the next corner.
+        private var _hasTips:Boolean = false;
+        private var _tip:int;
 
         /**
          * @param session the vertices; their hull may not exist before the first step
@@ -75,6 +76,7 @@ package starlogo.fitting.hull
                 var outline:Vector.<int> = HullTopology.outlineOf(hull);
                 var height:Number = isCounterClockwise(outline, points) ? TIP : -TIP;
                 points.push(0, 0, height, 0, 0, -height);
+                _hasTips = true;
                 _tip = hull.indices.length;
                 triangles = pyramidsOn(outline);
             }
@@ -128,7 +130,7 @@ package starlogo.fitting.hull
 
         private function hasMoreThan(most:int):Boolean
         {
-            return _solid.cornerCount - (_tip < 0 ? 0 : 2) > most;
+            return _solid.cornerCount - (_hasTips ? 2 : 0) > most;
         }
 
         // Collapses the first edge of the queue. Returns the first new face, or -1 if the edge cannot collapse. If its cost has increased since
@@ -183,7 +185,7 @@ package starlogo.fitting.hull
 
         private function isTip(corner:int):Boolean
         {
-            return corner == _tip || corner == _tip + 1;
+            return _hasTips && (corner == _tip || corner == _tip + 1);
         }
 
         // The triangles from the edges of a polygon to both tips.
@@ -214,7 +216,7 @@ package starlogo.fitting.hull
 
         private function withoutTips(points:Vector.<Number>):Vector.<Number>
         {
-            if (_tip < 0)
+            if (!_hasTips)
             {
                 return points;
             }

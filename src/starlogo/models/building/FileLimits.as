@@ -17,6 +17,18 @@ package starlogo.models.building
         /** The most bytes of a file. */
         public static const MOST_BYTES:int = 67108864;
 
+        // What a file may have if it has no bytes (FREE), what each byte allows more, and what no file may exceed. There may be twice as many triangles
+        // as vertices.
+        private static const FREE_VERTICES:int = 100000;
+        private static const VERTICES_PER_BYTE:int = 16;
+        private static const FREE_NUMBERS:int = 100000;
+        private static const NUMBERS_PER_BYTE:int = 16;
+        private static const MOST_NUMBERS:int = 40000000;
+        private static const FREE_ELEMENTS:int = 50000;
+        private static const ELEMENTS_PER_BYTE:int = 1;
+        private static const MOST_ELEMENTS:int = 500000;
+        private static const ZEROS_PER_BYTE:int = 1;
+
         // The most tests of corners while polygons are cut: CORNER_TESTS, and TESTS_PER_BYTE more for each byte.
         private static const TESTS_PER_BYTE:Number = 40;
         private static const CORNER_TESTS:Number = 100000;
@@ -57,32 +69,32 @@ package starlogo.models.building
         /** Checks how many vertices and triangles the model has, with those of every instance. @throws ModelError if there are too many */
         public function requireMesh(vertexCount:Number, triangleCount:Number, place:Object = ""):void
         {
-            require(vertexCount, 100000, 16, MOST_VERTICES, "vertices", place);
-            require(triangleCount, 200000, 32, 2 * MOST_VERTICES, "triangles", place);
+            require(vertexCount, FREE_VERTICES, VERTICES_PER_BYTE, MOST_VERTICES, "vertices", place);
+            require(triangleCount, 2 * FREE_VERTICES, 2 * VERTICES_PER_BYTE, 2 * MOST_VERTICES, "triangles", place);
         }
 
         /** Counts numbers that are read. They count as often as they are used. @throws ModelError if these are too many */
         public function countNumbers(more:Number, place:Object):void
         {
             _numbers += more;
-            require(_numbers, 100000, 16, 40000000, "numbers, each counted as often as it is used", place);
+            require(_numbers, FREE_NUMBERS, NUMBERS_PER_BYTE, MOST_NUMBERS, "numbers, each counted as often as it is used", place);
         }
 
         /** Counts numbers that a file declares without data, so they are 0. @throws ModelError if these are too many */
         public function countZeros(more:Number, place:Object):void
         {
             _zeros += more;
-            require(_zeros, 0, 1, Infinity, "numbers without data", place);
+            require(_zeros, 0, ZEROS_PER_BYTE, Infinity, "numbers without data", place);
         }
 
         /** Counts elements, values, nodes, transforms and instances, as often as they are placed. @throws ModelError if these are too many */
         public function countElements(more:Number, place:Object):void
         {
             _elements += more;
-            require(_elements, 50000, 1, 500000, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
+            require(_elements, FREE_ELEMENTS, ELEMENTS_PER_BYTE, MOST_ELEMENTS, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
         }
 
-        // Checks a count. A file without bytes may have as many as are free, each byte allows some more, and no file may have more than the most.
+        // Checks a count against the limits named above.
         private function require(count:Number, free:Number, perByte:Number, most:Number, what:String, place:Object):void
         {
             var limit:Number = Math.min(most, free + perByte * _bytes);

@@ -39,17 +39,23 @@ package starlogo.models.building
         private var _bounds:VertexBounds;
 
         /**
-         * @param reader reads the data; none of its steps is done yet. Null if there is no file
-         * @param data what the model is made of, if there is no reader. The steps change it, and throw the errors of Model's constructor
+         * @param data what the model is made of. The steps change it, and throw the errors of Model's constructor
+         * @param reader fills the data first; none of its steps is done yet. Null if the data are complete
          */
-        public function ModelBuilder(reader:ModelReader, data:ModelData = null)
+        public function ModelBuilder(data:ModelData, reader:Steps = null)
         {
-            _data = reader == null ? data : reader.data;
+            _data = data;
             if (reader != null)
             {
                 add(reader);
             }
             call(checkData).call(addParts);
+        }
+
+        /** The work that reads and makes a model. @param reader reads the file; none of its steps is done yet */
+        public static function reading(reader:ModelReader):ModelBuilder
+        {
+            return new ModelBuilder(reader.data, reader);
         }
 
         /**
@@ -69,7 +75,7 @@ package starlogo.models.building
             data.triangles = triangles == null ? data.triangles : triangles.slice();
             data.scaling = scaling;
             data.transform = transform;
-            return new ModelBuilder(null, data).build();
+            return new ModelBuilder(data).build();
         }
 
         /** The vertices that a reader reads, z up and not normalised. None of its steps is done yet. */
@@ -103,7 +109,9 @@ package starlogo.models.building
         /** @inheritDoc */
         public function get model():Model
         {
-            return new Model(null, null, null, null, _data);
+            var made:Model = new Model(name, Model.FROM_BUILDER);
+            made.build(this);
+            return made;
         }
 
         private function checkData():void

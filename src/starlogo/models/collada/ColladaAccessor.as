@@ -1,7 +1,6 @@
 package starlogo.models.collada
 {
     import starlogo.models.text.Decimal;
-    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -47,9 +46,7 @@ package starlogo.models.collada
             _accessor = source.requiredChild("technique_common").requiredChild("accessor");
             _points = points;
             array = _accessor.target("source", arrays, source);
-            var text:String = array.text;
-            array.limits.countNumbers(text.length / 2, array);
-            add(TextWords.splitting(text, readingEntries));
+            add(array.splittingText(readingEntries));
         }
 
         /**
@@ -86,6 +83,12 @@ package starlogo.models.collada
                 }
             }
             return _numbers;
+        }
+
+        /** The numbers of one entry, by its index. @throws ModelError as numbers */
+        public function numbersOfEntry(index:int):Vector.<Number>
+        {
+            return numbers.slice(width * index, width * (index + 1));
         }
 
         private function readingEntries(all:Array):Steps

@@ -1,11 +1,13 @@
 package starlogo.models.collada
 {
     import starlogo.models.building.FileAnimation;
+    import starlogo.models.building.FilePose;
     import starlogo.models.building.ModelBuilder;
     import starlogo.steps.finish;
 
     /**
-     * An animation of a COLLADA document. At each time its channels give numbers to elements, in place of those that the document has for them.
+     * An animation of a COLLADA document. At each time its channels give numbers to elements. The key of an element's numbers is
+     * <code>ColladaElement.index</code>.
      *
      * @private
      */
@@ -14,6 +16,8 @@ package starlogo.models.collada
         private var _document:ColladaDocument;
         private var _upAxis:Object;
         private var _name:String;
+
+        // When it starts and ends, in the document's time, in seconds. Without an end of its own it ends at the last key.
         private var _start:Number;
         private var _end:Number;
         private var _channels:Object = {}; // lists of those that move an element, by the element's index
@@ -21,27 +25,30 @@ package starlogo.models.collada
         /**
          * @param document the document
          * @param upAxis as for ColladaReader
-         * @param name its name
          * @param channels what moves
-         * @param start the time in the document when it starts, in seconds
-         * @param end the time when it ends; NaN for the last key
+         * @param clip the clip's element, which says the name, the start and the end; null for all of the document's time, without a name
+         * @throws ModelError if the clip's times are wrong
          */
-        public function ColladaAnimation(document:ColladaDocument, upAxis:Object, name:String, channels:Vector.<ColladaChannel>, start:Number, end:Number)
+        public function ColladaAnimation(document:ColladaDocument, upAxis:Object, channels:Vector.<ColladaChannel>, clip:ColladaElement)
         {
             _document = document;
             _upAxis = upAxis;
-            _name = name;
-            _start = start;
-            var lastKey:Number = start;
+            _name = clip == null ? "" : clip.attribute("name") || clip.id;
+            _start = clip == null ? 0 : clip.toNumber(clip.attribute("start") || "0");
+            _end = _start;
             for each (var channel:ColladaChannel in channels)
             {
                 if (channel.element != null)
                 {
                     (_channels[channel.element.index] ||= new Vector.<ColladaChannel>()).push(channel);
-                    lastKey = Math.max(lastKey, channel.sampler.end);
+                    _end = Math.max(_end, channel.sampler.end);
                 }
             }
-            _end = end == end ? end : lastKey;
+            if (clip != null && clip.attribute("end") != "")
+            {
+                _end = clip.toNumber(clip.attribute("end"));
+                clip.refuseIf(_end < _start, "it ends before it starts");
+            }
         }
 
         /**
@@ -69,14 +76,11 @@ package starlogo.models.collada
                 {
                     parts.push(part.target("url", ["animation"]));
                 }
-                var start:Number = clip.toNumber(clip.attribute("start") || "0");
-                var end:Number = clip.attribute("end") == "" ? NaN : clip.toNumber(clip.attribute("end"));
-                clip.refuseIf(end < start, "it ends before it starts");
-                animations.push(new ColladaAnimation(document, upAxis, clip.attribute("name") || clip.id, channelsOf(parts, read), start, end));
+                animations.push(new ColladaAnimation(document, upAxis, channelsOf(parts, read), clip));
             }
             if (clips.length == 0 && all.length > 0)
             {
-                animations.push(new ColladaAnimation(document, upAxis, "", channelsOf(all, read), 0, NaN));
+                animations.push(new ColladaAnimation(document, upAxis, channelsOf(all, read), null));
             }
             if (animations.length > 0)
             {
@@ -134,18 +138,18 @@ package starlogo.models.collada
         public function verticesAt(time:Number):Vector.<Number>
         {
             _document.limits.restart();
-            return ModelBuilder.verticesOf(new ColladaReader(_document, _upAxis, null, this, Math.min(_start + Math.max(time, 0), _end)));
+            return ModelBuilder.verticesOf(new ColladaReader(_document, _upAxis, null, new FilePose(this, Math.min(_start + Math.max(time, 0), _end))));
         }
 
-        /** The numbers of an element at a time of the document; null if they stay. */
-        internal function numbersOf(element:ColladaElement, time:Number):Vector.<Number>
+        /** @inheritDoc */
+        public function numbersAt(key:Object, time:Number):Vector.<Number>
         {
-            var channels:Vector.<ColladaChannel> = _channels[element.index];
+            var channels:Vector.<ColladaChannel> = _channels[key];
             if (channels == null)
             {
                 return null;
             }
-            var numbers:Vector.<Number> = element.numbers(channels[0].size);
+            var numbers:Vector.<Number> = channels[0].numbersAtRest();
             for each (var channel:ColladaChannel in channels)
             {
                 var values:Vector.<Number> = channel.sampler.valueAt(time);

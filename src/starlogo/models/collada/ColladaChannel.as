@@ -2,26 +2,29 @@ package starlogo.models.collada
 {
     import starlogo.models.building.shortened;
 
-    /** Which numbers of a COLLADA document move, and how: a channel of an animation. */
+    /** A channel of a COLLADA animation: which numbers of the document move, and how. */
     internal final class ColladaChannel
     {
-        // An id, the sids of elements within it, and one or two indices. In place of the indices, the last sid may end with a member's name.
+        // A target is the id of an element, the sids of elements within it, and one or two indices of a number. "node/matrix(3)(0)" is one.
         private static const TARGET:RegExp = /^([^\/(]+)((?:\/[^\/(]+)*)(?:\((\d+)\)(?:\((\d+)\))?)?$/;
-        private static const WITH_MEMBER:RegExp = /^(.+)\.(\w+)$/;
-        private static const MEMBERS:Array = ["X", "Y", "Z", "ANGLE"];
-        private static const MATRIX:int = 16;
+
+        // In place of indices, the last sid may end with the name of a number: "node/translate.X".
+        private static const WITH_NAME:RegExp = /^(.+)\.(\w+)$/;
+        private static const NUMBER_NAMES:Array = ["X", "Y", "Z", "ANGLE"];
+        private static const WITH_NAMED_NUMBERS:Array = ["translate", "scale", "rotate"];
+        private static const MATRIX_COLUMNS:int = 4;
 
         /** The element whose numbers move. Null if they move no vertex: those of lights, cameras or materials. */
         public var element:ColladaElement;
-
-        /** How many numbers the element has. */
-        public var size:int;
 
         /** The index of the first number that moves. */
         public var first:int = 0;
 
         /** How the numbers move. */
         public var sampler:ColladaSampler;
+
+        // How many numbers the element has. 0 if they move no vertex.
+        private var _size:int = 0;
 
         /**
          * @param channel the channel's element
@@ -33,33 +36,44 @@ package starlogo.models.collada
             var parts:Array = TARGET.exec(target);
             channel.refuseIf(parts == null, "expected a target like \"node/translate.X\", but found \"" + shortened(target) + "\"");
             var sids:Array = parts[2].split("/").slice(1);
-            // a dot may also be in a sid
-            element = sids.length == 0 || channel.hasSid(sids[sids.length - 1]) ? elementAt(channel, parts[1], sids) : null;
-            var ending:Array = element != null || sids.length == 0 ? null : WITH_MEMBER.exec(sids.pop());
-            if (ending != null)
+            var named:Array = null;
+            element = elementAt(channel, parts[1], sids);
+            if (element == null && sids.length > 0)
             {
-                element = elementAt(channel, parts[1], sids.concat(ending[1]));
+                // without an element of this sid, the dot in it is before a name
+                named = WITH_NAME.exec(sids.pop());
+                element = named == null ? null : elementAt(channel, parts[1], sids.concat(named[1]));
             }
-            size = element == null ? 0 : sizeOf(element);
-            if (size == 0)
+            _size = element == null ? 0 : sizeOf(element);
+            if (_size == 0)
             {
                 element = null;
                 return;
             }
             sampler = new ColladaSampler(channel.target("source", ["sampler"], channel.parent));
-            var isWhole:Boolean = ending == null && !parts[3];
+            var movesAll:Boolean = named == null && !parts[3];
             // an index may be larger than an int
-            var index:Number = isWhole ? 0 : indexOf(ending == null ? null : ending[2], parts[3], parts[4]);
-            channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
+            var index:Number = movesAll ? 0 : (named == null ? indexAt(parts[3], parts[4]) : indexNamed(named[2]));
+            var width:int = movesAll ? _size : 1;
+            channel.refuseIf(!(index >= 0 && index < _size), "there is no such number in the <" + element.name + ">");
+            channel.refuseIf(sampler.width != width, "its sampler has " + sampler.width + " numbers for each key, but expected " + width);
             first = index;
-            channel.refuseIf(sampler.width != (isWhole ? size : 1), "its sampler has " + sampler.width + " numbers for each key, but expected " +
-                    (isWhole ? size : 1));
+        }
+
+        /** All numbers of the element, as the document has them. */
+        public function numbersAtRest():Vector.<Number>
+        {
+            return element.numbers(_size);
         }
 
         // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a scene, a node or an array, or
         // if there is no element with a sid.
         private static function elementAt(channel:ColladaElement, id:String, sids:Array):ColladaElement
         {
+            if (sids.length > 0 && !channel.hasSid(sids[sids.length - 1]))
+            {
+                return null;
+            }
             var source:ColladaElement = channel.elementWith("source", id);
             var found:ColladaElement = channel.elementWith("node", id) || channel.elementWith("visual_scene", id)
                 || channel.elementWith("float_array", id) || (source == null ? null : source.child("float_array"));
@@ -95,14 +109,21 @@ package starlogo.models.collada
             return element.name == "float_array" ? element.countedWords().length : ColladaTransform.sizeOf(element.name);
         }
 
-        // The index of a number. Of a matrix, whose numbers are in rows, the first index is the column. -1 if there is none.
-        private function indexOf(member:String, index:String, second:String):Number
+        // The index of a number with a name. -1 if there is none.
+        private function indexNamed(name:String):int
         {
-            if (member)
+            return WITH_NAMED_NUMBERS.indexOf(element.name) < 0 ? -1 : NUMBER_NAMES.indexOf(name);
+        }
+
+        // The index of a number at one or two indices; the second is null if there is one. Only a matrix has two: of a column, and of a row. Its
+        // numbers are in rows. -1 if there is no such number.
+        private function indexAt(index:String, row:String):Number
+        {
+            if (!row)
             {
-                return size > 4 ? -1 : MEMBERS.indexOf(member);
+                return Number(index);
             }
-            return second ? (size == MATRIX && Number(index) < 4 ? Number(index) + 4 * Number(second) : -1) : Number(index);
+            return element.name == "matrix" && Number(index) < MATRIX_COLUMNS ? Number(index) + MATRIX_COLUMNS * Number(row) : -1;
         }
     }
 }

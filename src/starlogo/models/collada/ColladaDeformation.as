@@ -18,9 +18,7 @@ package starlogo.models.collada
         /** What takes these points to the scene, when no step is left. */
         public var transform:AffineTransform;
 
-        /** Whether the first joint of the last skin mirrors, when no step is left. */
-        public var isMirror:Boolean = false;
-
+        private var _isFirstJointMirror:Boolean = false;
         private var _scene:ColladaScene;
         private var _mesh:ColladaMesh;
         private var _bound:AffineTransform; // takes the points of the geometry to where its skins were bound
@@ -55,6 +53,12 @@ package starlogo.models.collada
                 });
         }
 
+        /** Whether the points are mirrored, when no step is left: by the transform, or by the first joint of the last skin. */
+        public function get isMirror():Boolean
+        {
+            return transform.isMirror || _isFirstJointMirror;
+        }
+
         /** @inheritDoc */
         override public function step():Boolean
         {
@@ -64,14 +68,14 @@ package starlogo.models.collada
             }
             catch (error:ModelError)
             {
-                if (!_scene.isAtRest)
+                if (!_scene.pose.isAtRest)
                 {
                     throw error;
                 }
             }
             points = _mesh.vertices;
             transform = _bound;
-            isMirror = false;
+            _isFirstJointMirror = false;
             return false;
         }
 
@@ -85,11 +89,11 @@ package starlogo.models.collada
                 add(skin).begin(function():Steps
                     {
                         var palette:Vector.<AffineTransform> = _scene.document.skeletonOf(skin, instance).paletteOf(_scene, place);
-                        isMirror = palette[0].isMirror;
+                        _isFirstJointMirror = palette[0].isMirror;
                         return skin.moving(points, palette);
                     });
             }
-            else if (!_scene.isAtRest)
+            else if (!_scene.pose.isAtRest)
             {
                 begin(function():Steps
                     {
@@ -104,7 +108,7 @@ package starlogo.models.collada
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
             var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var moved:Vector.<Number> = _scene.numbersOf(list.array);
+            var moved:Vector.<Number> = _scene.pose.numbersOf(list.array.index);
             var weights:Vector.<Number> = moved == null ? list.numbers : list.partOf(moved);
             morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(points.length) : points.slice();
@@ -124,7 +128,7 @@ package starlogo.models.collada
         {
             var geometry:ColladaElement = morph.elementWith("geometry", id);
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
-            return _scene.document.meshOf(geometry, true);
+            return _scene.document.meshOf(geometry);
         }
 
         private function mix(target:Vector.<Number>, base:Vector.<Number>, weight:Number):void

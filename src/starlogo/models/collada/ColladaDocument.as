@@ -71,12 +71,10 @@ package starlogo.models.collada
             return asset == null ? null : asset.child(name);
         }
 
-        /** The mesh of a geometry, which may be in the scene many times. Whether all of its points are kept counts only before it is read. */
-        internal function meshOf(geometry:ColladaElement, keepsPoints:Boolean):ColladaMesh
+        /** The mesh of a geometry, which may be in the scene many times. */
+        internal function meshOf(geometry:ColladaElement):ColladaMesh
         {
-            var mesh:ColladaMesh = _meshes[geometry.index] ||= new ColladaMesh(geometry);
-            mesh.keepsPoints ||= keepsPoints;
-            return mesh;
+            return _meshes[geometry.index] ||= new ColladaMesh(geometry);
         }
 
         /** The skin of an element, which may be in the scene many times. */

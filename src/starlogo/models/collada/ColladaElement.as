@@ -6,6 +6,7 @@ package starlogo.models.collada
     import starlogo.models.building.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
+    import starlogo.steps.Steps;
 
     /**
      * An element of a COLLADA document. It finds other elements, reads its own numbers, and names its place in errors. Its name and its
@@ -16,7 +17,7 @@ package starlogo.models.collada
         /** The element's name. */
         public var name:String;
 
-        /** Its number in the document, from 0. */
+        /** Its number in the document, from 0. It is the key of its numbers in a FilePose. */
         public var index:int;
 
         /** What the document may have and cost. */
@@ -194,7 +195,7 @@ package starlogo.models.collada
             throw error("there is no <" + names[0] + "> with the id \"" + shortened(url.substr(1)) + "\"");
         }
 
-        /** The element's own text. Long texts are split into words in steps, by TextWords.splitting(). */
+        /** The element's own text. Long texts are split into words in steps: see splittingText(). */
         public function get text():String
         {
             return texts.join(" ");
@@ -203,9 +204,26 @@ package starlogo.models.collada
         /** The words of the element's text. They count as numbers of the document. @throws ModelError if there are too many */
         public function countedWords():Array
         {
+            return TextWords.of(countedText());
+        }
+
+        /**
+         * The steps that split the element's text into words, and then do the work on these. They count as numbers of the document.
+         *
+         * @param make <code>(words:Array):Steps</code>; the work on the words
+         * @throws ModelError if there are too many
+         */
+        public function splittingText(make:Function):Steps
+        {
+            return TextWords.splitting(countedText(), make);
+        }
+
+        // Each word takes two characters or more: its own, and a space.
+        private function countedText():String
+        {
             var all:String = text;
             limits.countNumbers(all.length / 2, this);
-            return TextWords.of(all);
+            return all;
         }
 
         /**

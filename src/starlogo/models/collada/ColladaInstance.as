@@ -47,19 +47,24 @@ package starlogo.models.collada
          */
         public function adding(data:ModelData, loosePoints:Vector.<Number>):Steps
         {
-            return new StepSequence().add(_mesh).add(_deformation || new StepSequence()).begin(function():Steps
+            var work:StepSequence = new StepSequence().add(_mesh);
+            if (_deformation != null)
+            {
+                work.add(_deformation);
+            }
+            return work.begin(function():Steps
                 {
-                    return _mesh.triangles.length > 0 ? addingMesh(data, data.vertices) : addingMesh(data, loosePoints);
+                    var out:Vector.<Number> = _mesh.triangles.length > 0 ? data.vertices : loosePoints;
+                    return _deformation == null ? addingPoints(_mesh.vertices, _transform, _transform.isMirror, data, out)
+                        : addingPoints(_deformation.points, _deformation.transform, _deformation.isMirror, data, out);
                 });
         }
 
-        // If the transform mirrors, or the first joint of a skin, the triangles' corner order is reversed.
-        private function addingMesh(data:ModelData, out:Vector.<Number>):Steps
+        // The steps that transform points, and add these and the triangles. If the points are mirrored, the triangles' corner order is reversed.
+        private function addingPoints(points:Vector.<Number>, transform:AffineTransform, isMirror:Boolean, data:ModelData, out:Vector.<Number>):Steps
         {
             var firstVertex:int = out.length / 3;
             var firstCorner:int = data.triangles.length;
-            var points:Vector.<Number> = _deformation == null ? _mesh.vertices : _deformation.points;
-            _transform = _deformation == null ? _transform : _deformation.transform;
             var vertexCount:int = points.length / 3;
             var triangleCount:int = _mesh.triangles.length / 3;
             _element.limits.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, _element);
@@ -69,11 +74,11 @@ package starlogo.models.collada
             }
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    var areFinite:Boolean = _transform.transformPoints(points, first, end, out, firstVertex + first);
+                    var areFinite:Boolean = transform.transformPoints(points, first, end, out, firstVertex + first);
                     _element.refuseIf(!areFinite, "its transformed coordinates are too large: they are not finite numbers");
                 }).slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                 {
-                    addTriangles(data.triangles, 3 * first, 3 * end, firstVertex, firstCorner);
+                    addTriangles(data.triangles, 3 * first, 3 * end, firstVertex, firstCorner, isMirror);
                 });
         }
 
@@ -115,11 +120,11 @@ package starlogo.models.collada
             return element.attribute("name") || element.id || null;
         }
 
-        private function addTriangles(to:Vector.<uint>, first:int, last:int, firstVertex:int, firstCorner:int):void
+        private function addTriangles(to:Vector.<uint>, first:int, last:int, firstVertex:int, firstCorner:int, isMirror:Boolean):void
         {
             var from:Vector.<uint> = _mesh.triangles;
             var at:int = firstCorner + first;
-            var second:int = _transform.isMirror || _deformation != null && _deformation.isMirror ? 2 : 1;
+            var second:int = isMirror ? 2 : 1;
             var third:int = 3 - second;
             for (var i:int = first; i < last; i += 3)
             {

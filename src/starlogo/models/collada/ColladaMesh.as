@@ -11,14 +11,11 @@ package starlogo.models.collada
         /** The geometry's element. */
         public var geometry:ColladaElement;
 
+        /** When all is read: all points. Skins and morphs move them. */
+        public var points:Vector.<Number> = new Vector.<Number>();
+
         /** When all is read: the points that its triangles use, or all points if it has none. */
-        public var vertices:Vector.<Number> = new Vector.<Number>();
-
-        /** Whether all points are kept. Skins and morphs set it before the first step. */
-        public var keepsPoints:Boolean = false;
-
-        /** When all is read: all points, if they are kept. */
-        public var points:Vector.<Number> = null;
+        public var vertices:Vector.<Number> = null;
 
         /** When all is read: three point indices for each triangle. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
@@ -38,7 +35,7 @@ package starlogo.models.collada
         {
             this.geometry = geometry;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
-            var triangulator:Triangulator = new Triangulator(geometry.limits, vertices, triangles);
+            var triangulator:Triangulator = new Triangulator(geometry.limits, points, triangles);
             for each (var element:ColladaElement in _mesh == null ? null : _mesh.children)
             {
                 if (ColladaPrimitive.isSurface(element))
@@ -46,11 +43,12 @@ package starlogo.models.collada
                     addPrimitive(element, triangulator);
                 }
             }
-            _filter = new VertexFilter(vertices, triangles);
-            begin(readingPoints).call(function():void
+            begin(readingPoints).begin(function():Steps
                 {
-                    points = keepsPoints ? vertices.slice() : null;
-                }).add(_filter);
+                    vertices = points.slice();
+                    _filter = new VertexFilter(vertices, triangles);
+                    return _filter;
+                });
         }
 
         /** Of some numbers for all points, x, y, z of each, those for the points that are vertices. */
@@ -99,7 +97,7 @@ package starlogo.models.collada
         private function pointsOf(source:ColladaElement):ColladaAccessor
         {
             // the "#" keeps the key different from every property that each Object has
-            return _sources["#" + source.id] ||= new ColladaAccessor(source, ColladaAccessor.NUMBERS, vertices);
+            return _sources["#" + source.id] ||= new ColladaAccessor(source, ColladaAccessor.NUMBERS, points);
         }
     }
 }

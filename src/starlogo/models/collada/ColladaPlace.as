@@ -5,36 +5,54 @@ package starlogo.models.collada
     /** A node of a COLLADA document at one of its places in the scene. */
     internal final class ColladaPlace
     {
-        /** The node's element. */
-        public var node:ColladaElement;
-
-        /** The place around this one; null for that of the scene. */
+        /** The place around this one; null for that of the scene. Read only. */
         public var around:ColladaPlace;
 
-        /** How many places are around this one. */
+        /** How many places are around this one. Read only. */
         public var depth:int;
 
-        /** What takes points of the node to the scene. It grows with each of the node's transform elements that is visited. */
+        /** What takes points of the node to the scene, by the transforms that are visited so far. Read only. */
         public var transform:AffineTransform;
 
-        /** The number of places that come before this one. */
-        public var first:int;
+        private var _node:ColladaElement;
 
-        /** The number of places before this one, of this one and of those in it, when all of them are visited. */
-        public var end:int;
+        // The index of the node's element that is visited next.
+        private var _next:int = 0;
+
+        // The places are numbered in the order in which they are entered. This one has the number _first, and those in it the next ones, up to _end.
+        private var _first:int;
+        private var _end:int;
 
         /**
          * @param node the node's element
          * @param around the place around this one; null for the scene
-         * @param first the number of places that come before this one
+         * @param first how many places were entered before this one
          */
         public function ColladaPlace(node:ColladaElement, around:ColladaPlace, first:int)
         {
-            this.node = node;
+            _node = node;
             this.around = around;
-            this.first = first;
+            _first = first;
             depth = around == null ? 0 : around.depth + 1;
             transform = around == null ? new AffineTransform() : around.transform;
+        }
+
+        /** Visits the node's next transform, which comes before those so far. */
+        public function addTransform(local:AffineTransform):void
+        {
+            transform = transform.after(local);
+        }
+
+        /** The next element in the node. Null if all were visited. */
+        public function nextElement():ColladaElement
+        {
+            return _next < _node.children.length ? _node.children[_next++] : null;
+        }
+
+        /** Ends the visit of the node. @param placeCount how many places have been entered */
+        public function leave(placeCount:int):void
+        {
+            _end = placeCount;
         }
 
         /**
@@ -47,8 +65,8 @@ package starlogo.models.collada
         {
             for (var outer:ColladaPlace = this; places.length > 1 && outer != null; outer = outer.around)
             {
-                var next:int = indexFrom(places, outer.first);
-                if (next < places.length && places[next].first < outer.end)
+                var next:int = indexFrom(places, outer._first);
+                if (next < places.length && places[next]._first < outer._end)
                 {
                     return places[next];
                 }
@@ -56,7 +74,7 @@ package starlogo.models.collada
             return places[0];
         }
 
-        // The index of the first place that has at least so many places before it.
+        // The index of the first place that was entered when there were at least so many.
         private static function indexFrom(places:Array, first:int):int
         {
             var low:int = 0;
@@ -64,7 +82,7 @@ package starlogo.models.collada
             while (low < high)
             {
                 var middle:int = (low + high) >> 1;
-                if (places[middle].first < first)
+                if (places[middle]._first < first)
                 {
                     low = middle + 1;
                 }
@@ -81,7 +99,7 @@ package starlogo.models.collada
         {
             for (var place:ColladaPlace = this; place != null; place = place.around)
             {
-                if (place.node == node)
+                if (place._node == node)
                 {
                     return true;
                 }

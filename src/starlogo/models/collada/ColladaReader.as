@@ -3,6 +3,7 @@ package starlogo.models.collada
     import flash.geom.Vector3D;
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
+    import starlogo.models.building.FilePose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.steps.StepSequence;
@@ -11,12 +12,16 @@ package starlogo.models.collada
     /**
      * Reads a COLLADA document. ColladaModel says which parts.
      *
-     * <p>An XmlReader makes ColladaElements of the text. A ColladaScene finds the geometries and where nodes place them. Each geometry is
-     * a ColladaMesh, whose points come from a ColladaAccessor and whose triangles from ColladaPrimitives. Each place of a geometry is a
-     * ColladaInstance, which adds the mesh to the model. A ColladaDeformation moves points by morphs and by ColladaSkins with
-     * ColladaSkeletons, before.</p>
+     * <p>A ColladaDocument has an XmlReader, which makes ColladaElements of the text, and keeps what several poses share. A ColladaScene visits
+     * the nodes. Each node at one of its places is a ColladaPlace, whose transform comes from ColladaTransforms. Each geometry is a ColladaMesh,
+     * whose points come from a ColladaAccessor and whose triangles from ColladaPrimitives. Each place of a geometry is a ColladaInstance, which
+     * adds the mesh to the model.</p>
      *
-     * <p>A ColladaAnimation moves the scene by ColladaChannels, which have the numbers of ColladaSamplers.</p>
+     * <p>Before that, a ColladaDeformation moves the points of a geometry that a controller places. It does so by morphs and by ColladaSkins. A
+     * ColladaSkin has the JointWeights of its points, and a ColladaSkeleton finds its joints among the nodes.</p>
+     *
+     * <p>A ColladaAnimation has ColladaChannels, which say which numbers move, and ColladaSamplers, which say how. A FilePose is an animation at a
+     * time. The scene and the deformations ask it.</p>
      *
      * @private
      */
@@ -28,10 +33,9 @@ package starlogo.models.collada
          * @param document the document; its steps may be done
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the document as it is; null for the axis that the document names
          * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param animation moves the scene; null at rest
-         * @param time the time of the animation, in the document's time, in seconds
+         * @param pose moves the scene; null at rest
          */
-        public function ColladaReader(document:ColladaDocument, upAxis:Object, scaling:String, animation:ColladaAnimation = null, time:Number = 0)
+        public function ColladaReader(document:ColladaDocument, upAxis:Object, scaling:String, pose:FilePose = null)
         {
             _data = ModelData.forFile(document.limits.modelName, upAxis == null ? "z" : upAxis, scaling);
             var scene:ColladaScene;
@@ -39,7 +43,7 @@ package starlogo.models.collada
                 {
                     _data.upAxis = upAxis == null ? document.upAxis : _data.upAxis;
                     _data.transform = scaling == Model.AS_GIVEN && _data.transform == null ? scalingBy(document.unit) : _data.transform;
-                    scene = new ColladaScene(document, animation, time);
+                    scene = new ColladaScene(document, pose || new FilePose());
                     return scene;
                 }).begin(function():Steps
                 {

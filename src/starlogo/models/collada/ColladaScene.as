@@ -1,11 +1,12 @@
 package starlogo.models.collada
 {
     import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.FilePose;
     import starlogo.models.building.shortened;
     import starlogo.steps.StepSequence;
 
     /**
-     * The scene of a COLLADA document at rest or at a time of an animation. Its steps visit the nodes and find where they are, and their
+     * The scene of a COLLADA document, at rest or in a pose. Its steps visit the nodes and find where they are, and their
      * geometries. If there is no scene, it takes all geometries of the library.
      */
     internal final class ColladaScene extends StepSequence
@@ -20,32 +21,29 @@ package starlogo.models.collada
         /** The geometries in the document's order, when no step is left. */
         public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
-        private var _document:ColladaDocument;
-        private var _animation:ColladaAnimation;
-        private var _time:Number;
+        /** The document. Its scenes share its geometries and skins. Read only. */
+        public var document:ColladaDocument;
+
+        /** What moves its nodes and geometries. Read only. */
+        public var pose:FilePose;
+
         private var _places:Object = {}; // lists of the places of a node, in their order, by the node's index
 
-        // of the elements that were asked for, by their indices: the scene may place an element often
-        private var _numbers:Object = {};
-        private var _transforms:Object = {};
+        // The transforms of elements that move, by the element's index. The scene may place an element often.
+        private var _movedTransforms:Object = {};
 
-        // The elements that are to be visited, the next one last. Null stands for the end of the innermost node.
-        private var _pending:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-
-        // The innermost node around the next element, or the scene, and how many there were so far.
+        // The innermost place around the next element, null at the end; and how many there were so far.
         private var _place:ColladaPlace = null;
         private var _placeCount:int = 0;
 
         /**
          * @param document the document; all its steps must be done
-         * @param animation moves the nodes; null at rest
-         * @param time the time of the animation, in the document's time, in seconds
+         * @param pose moves the nodes
          */
-        public function ColladaScene(document:ColladaDocument, animation:ColladaAnimation, time:Number)
+        public function ColladaScene(document:ColladaDocument, pose:FilePose)
         {
-            _document = document;
-            _animation = animation;
-            _time = time;
+            this.document = document;
+            this.pose = pose;
             var root:ColladaElement = document.root;
             var scene:ColladaElement = root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
@@ -58,28 +56,6 @@ package starlogo.models.collada
             {
                 addLibrary(root);
             }
-        }
-
-        /** The document. Its scenes share its geometries and skins. */
-        public function get document():ColladaDocument
-        {
-            return _document;
-        }
-
-        /** Whether nothing moves. */
-        public function get isAtRest():Boolean
-        {
-            return _animation == null;
-        }
-
-        /** The numbers that the animation gives to an element; null if they stay. */
-        public function numbersOf(element:ColladaElement):Vector.<Number>
-        {
-            if (_animation != null && !(element.index in _numbers))
-            {
-                _numbers[element.index] = _animation.numbersOf(element, _time);
-            }
-            return _numbers[element.index];
         }
 
         /**
@@ -99,11 +75,20 @@ package starlogo.models.collada
 
         private function visitSome():Boolean
         {
-            for (var i:int = 0; i < ELEMENTS_PER_STEP && _pending.length > 0; i++)
+            for (var i:int = 0; i < ELEMENTS_PER_STEP && _place != null; i++)
             {
-                visit(_pending.pop());
+                var element:ColladaElement = _place.nextElement();
+                if (element == null)
+                {
+                    _place.leave(_placeCount);
+                    _place = _place.around;
+                }
+                else
+                {
+                    visit(element);
+                }
             }
-            return _pending.length > 0;
+            return _place != null;
         }
 
         private function addLibrary(root:ColladaElement):void
@@ -112,38 +97,27 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, _document.meshOf(geometry, !isAtRest), new AffineTransform()));
+                    instances.push(new ColladaInstance(geometry, document.meshOf(geometry), new AffineTransform()));
                 }
             }
         }
 
-        // All elements of a node are visited next.
+        // The elements of a node are visited next.
         private function enter(node:ColladaElement):void
         {
             _place = new ColladaPlace(node, _place, _placeCount++);
             node.refuseIf(_place.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
             node.limits.countElements(COUNT_PER_PLACING * (1 + node.children.length), node);
             (_places[node.index] ||= []).push(_place);
-            _pending.push(null);
-            for (var i:int = node.children.length - 1; i >= 0; i--)
-            {
-                _pending.push(node.children[i]);
-            }
         }
 
         // Visits an element of the innermost node.
         private function visit(element:ColladaElement):void
         {
-            if (element == null)
-            {
-                _place.end = _placeCount;
-                _place = _place.around;
-                return;
-            }
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaInstance(element, _document.meshOf(element.target("url", ["geometry"]), !isAtRest), _place.transform));
+                    instances.push(new ColladaInstance(element, document.meshOf(element.target("url", ["geometry"])), _place.transform));
                     break;
                 case "instance_controller":
                     addController(element);
@@ -158,15 +132,18 @@ package starlogo.models.collada
                     break;
                 default:
                     var local:AffineTransform = transformOf(element);
-                    _place.transform = local == null ? _place.transform : _place.transform.after(local);
+                    if (local != null)
+                    {
+                        _place.addTransform(local);
+                    }
             }
         }
 
         // The transform that an element is; null if it is none.
         private function transformOf(element:ColladaElement):AffineTransform
         {
-            var numbers:Vector.<Number> = numbersOf(element);
-            return numbers == null ? element.toTransform() : (_transforms[element.index] ||= ColladaTransform.of(element, numbers));
+            var numbers:Vector.<Number> = pose.numbersOf(element.index);
+            return numbers == null ? element.toTransform() : (_movedTransforms[element.index] ||= ColladaTransform.of(element, numbers));
         }
 
         // Follows controllers down to the geometry, and finds their skins and morphs.
@@ -183,7 +160,7 @@ package starlogo.models.collada
                         " controllers follow one another, or they refer to each other in a circle");
                 deformers.push(deformer);
             }
-            var mesh:ColladaMesh = _document.meshOf(target, true);
+            var mesh:ColladaMesh = document.meshOf(target);
             instances.push(new ColladaInstance(element, mesh, _place.transform, new ColladaDeformation(this, element, _place, mesh, deformers)));
         }
     }

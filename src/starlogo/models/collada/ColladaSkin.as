@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.JointWeights;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -9,10 +10,9 @@ package starlogo.models.collada
     {
         private static const POINTS_PER_STEP:int = 1000;
         private static const INFLUENCES_PER_STEP:int = 2000;
-        private static const MATRIX:int = 16;
 
-        // programs invert matrices in 32 bits and write few digits, so their last rows are rounded
-        private static const TOLERANCE:Number = 1e-4;
+        // How far a number in the last row of an inverse matrix may be from 0 or 1. Programs invert matrices in 32 bits and write few digits.
+        private static const LAST_ROW_TOLERANCE:Number = 1e-4;
 
         /** The skin's element. */
         public var element:ColladaElement;
@@ -27,7 +27,7 @@ package starlogo.models.collada
         public var inverses:Vector.<AffineTransform> = null;
 
         // joint -1, which does not move, has the index after the last joint
-        private var _weights:JointWeights = new JointWeights();
+        private var _weights:JointWeights;
 
         /** @param element the skin's element @throws ModelError if its bind shape matrix is wrong */
         public function ColladaSkin(element:ColladaElement)
@@ -57,12 +57,12 @@ package starlogo.models.collada
         {
             names = ColladaAccessor.read(joints, "JOINT", ColladaAccessor.NAMES, element);
             var matrices:ColladaAccessor = ColladaAccessor.read(joints, "INV_BIND_MATRIX", ["float_array"], element);
-            joints.refuseIf(names.words.length == 0 || matrices.count != names.words.length || matrices.width != MATRIX,
+            joints.refuseIf(names.words.length == 0 || matrices.count != names.words.length || matrices.width != ColladaTransform.MATRIX_SIZE,
                     "expected at least one joint, and a matrix for each, but found " + names.words.length + " and " + matrices.count);
             inverses = new Vector.<AffineTransform>();
             for (var i:int = 0; i < names.words.length; i++)
             {
-                inverses.push(ColladaTransform.matrix(matrices.array, matrices.numbers.slice(MATRIX * i, MATRIX * i + MATRIX), TOLERANCE));
+                inverses.push(ColladaTransform.matrix(matrices.array, matrices.numbersOfEntry(i), LAST_ROW_TOLERANCE));
             }
         }
 
@@ -75,24 +75,26 @@ package starlogo.models.collada
             {
                 stride = Math.max(stride, input.integer("offset", 0) + 1);
             }
-            var joint:Number = weighted.requiredInput("JOINT").integer("offset", 0);
-            var weight:Number = weighted.child("input", "WEIGHT").integer("offset", 0);
+            var jointOffset:Number = weighted.requiredInput("JOINT").integer("offset", 0);
+            var weightOffset:Number = weighted.child("input", "WEIGHT").integer("offset", 0);
             var indices:Array = weighted.child("v") == null ? [] : weighted.child("v").countedWords();
-            var influences:Number = indices.length / stride;
-            return new StepSequence().add(readingCounts(weighted, influences)).slices(influences, INFLUENCES_PER_STEP, function(first:int, end:int):void
+            weighted.refuseIf(indices.length % stride != 0, "expected " + stride + " indices for each joint of a point, but found " + indices.length + " in all");
+            var influenceCount:int = indices.length / stride;
+            _weights = new JointWeights(influenceCount);
+            return new StepSequence().add(readingCounts(weighted, influenceCount)).slices(influenceCount, INFLUENCES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        var ofJoint:int = weighted.toWholeNumber(indices[i * stride + joint], -1, inverses.length - 1, "a joint's index");
-                        var ofWeight:int = weighted.toWholeNumber(indices[i * stride + weight], 0, weights.words.length - 1, "a weight's index");
-                        _weights.joints.push(ofJoint < 0 ? inverses.length : ofJoint);
-                        _weights.weights.push(weights.array.toNumber(weights.words[ofWeight]));
+                        var joint:int = weighted.toWholeNumber(indices[i * stride + jointOffset], -1, inverses.length - 1, "a joint's index");
+                        var weight:int = weighted.toWholeNumber(indices[i * stride + weightOffset], 0, weights.words.length - 1, "a weight's index");
+                        _weights.joints[i] = joint < 0 ? inverses.length : joint;
+                        _weights.weights[i] = weights.array.toNumber(weights.words[weight]);
                     }
                 });
         }
 
-        // The steps that read how many influences each point has. There are as many as given.
-        private function readingCounts(element:ColladaElement, influences:Number):Steps
+        // The steps that read how many influences each point has.
+        private function readingCounts(element:ColladaElement, influenceCount:int):Steps
         {
             var counts:Array = element.requiredChild("vcount").countedWords();
             var sum:Number = 0;
@@ -101,12 +103,12 @@ package starlogo.models.collada
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        sum += element.toWholeNumber(counts[i], 0, influences, "the number of a point's joints");
+                        sum += element.toWholeNumber(counts[i], 0, influenceCount, "the number of a point's joints");
                         _weights.starts.push(sum);
                     }
                 }).call(function():void
                 {
-                    element.refuseIf(sum != influences, "its <vcount> adds up to " + sum + " joints, but <v> has " + influences);
+                    element.refuseIf(sum != influenceCount, "its <vcount> adds up to " + sum + " joints, but <v> has " + influenceCount);
                 });
         }
     }

@@ -10,7 +10,10 @@ package starlogo.models.collada
      */
     internal final class ColladaTransform
     {
-        private static const SIZES:Object = {matrix: 16, bind_shape_matrix: 16, translate: 3, scale: 3, rotate: 4, lookat: 9, skew: 7};
+        /** How many numbers a matrix has, row by row. */
+        internal static const MATRIX_SIZE:int = 16;
+
+        private static const SIZES:Object = {matrix: MATRIX_SIZE, bind_shape_matrix: MATRIX_SIZE, translate: 3, scale: 3, rotate: 4, lookat: 9, skew: 7};
 
         /** How many numbers an element with a name has, if it is a transform. 0 if it is none. */
         internal static function sizeOf(name:String):int
@@ -50,7 +53,7 @@ package starlogo.models.collada
         }
 
         /**
-         * The transform with 16 numbers, row by row.
+         * The transform with the numbers of a matrix.
          *
          * @param element names the place of an error
          * @param tolerance how far the last row may be from 0 0 0 1, in each number

@@ -34,9 +34,11 @@ package starlogo.models.collada
         /** The root element, when no step is left; null if there is none. */
         public var root:ColladaElement = null;
 
+        /** What the document may have and cost. Read only. */
+        public var limits:FileLimits;
+
         private var _text:String;
         private var _at:int = 0;
-        private var _limits:FileLimits;
         private var _elementCount:int = 0;
 
         // the names of the elements that are not closed yet, with their prefixes
@@ -49,7 +51,7 @@ package starlogo.models.collada
          */
         public function XmlReader(text:String, limits:FileLimits)
         {
-            _limits = limits;
+            this.limits = limits;
             _text = text;
         }
 
@@ -72,12 +74,6 @@ package starlogo.models.collada
             }
             refuseIf(_at == _text.length && _open != null);
             return _at < _text.length;
-        }
-
-        /** What the document may have and cost. */
-        public function get limits():FileLimits
-        {
-            return _limits;
         }
 
         /** The line that is read now, as a place for errors. */
@@ -132,8 +128,8 @@ package starlogo.models.collada
             var quote:int = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
             refuseIf(name == "" || root != null && _open == null);
-            _limits.countElements(1, this);
-            var element:ColladaElement = new ColladaElement(_limits, _elementCount++, localName(name), _open);
+            limits.countElements(1, this);
+            var element:ColladaElement = new ColladaElement(limits, _elementCount++, localName(name), _open);
             root ||= element;
             _at += name.length;
             for (var count:int = 0; quote < end && count < MAX_ATTRIBUTES; count++)
@@ -178,7 +174,7 @@ package starlogo.models.collada
         {
             if (isWrong)
             {
-                throw new ModelError(_limits.modelName, String(this), problem);
+                throw new ModelError(limits.modelName, String(this), problem);
             }
         }
 

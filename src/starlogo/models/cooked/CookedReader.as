@@ -71,15 +71,16 @@ package starlogo.models.cooked
         /** @inheritDoc */
         override public function step():Boolean
         {
+            var hasMore:Boolean = false;
             try
             {
-                return super.step();
+                hasMore = super.step();
             }
             catch (error:EOFError)
             {
                 throw new ModelError(_data.name, "", "the cooked file has fewer numbers than it says");
             }
-            return false;
+            return hasMore;
         }
 
         // Reads the head. The work that it returns reads the numbers.
@@ -125,28 +126,41 @@ package starlogo.models.cooked
 
         private function readingLabels(labels:TriangleLabels):Steps
         {
+            // a negative number stands for labels without names
             var nameCount:int = VarInt.read(_bytes);
-            var start:Number = 0;
             labels.names = nameCount < 0 ? null : labels.names;
             return new StepSequence().slices(Math.max(0, nameCount), LABELS_PER_STEP, function(first:int, end:int):void
                 {
-                    for (var i:int = first; i < end; i++)
-                    {
-                        var length:int = VarInt.read(_bytes);
-                        labels.addName(length < 0 ? null : _bytes.readUTFBytes(length));
-                    }
+                    readNames(labels, end - first);
                 }).begin(function():Steps
                 {
-                    return new StepSequence().slices(readCount(int.MAX_VALUE), LABELS_PER_STEP, function(first:int, end:int):void
-                        {
-                            for (var i:int = first; i < end; i++)
-                            {
-                                start = Math.min(start + readCount(int.MAX_VALUE), _data.triangles.length / 3);
-                                var number:int = VarInt.read(_bytes);
-                                refuseIf(number < -1 || nameCount >= 0 && number >= nameCount, _data.name, "the cooked file has a wrong number: " + number);
-                                labels.beginRun(number, start);
-                            }
-                        });
+                    return readingRuns(labels);
+                });
+        }
+
+        private function readNames(labels:TriangleLabels, count:int):void
+        {
+            for (var i:int = 0; i < count; i++)
+            {
+                var length:int = VarInt.read(_bytes);
+                labels.addName(length < 0 ? null : _bytes.readUTFBytes(length));
+            }
+        }
+
+        // The steps that read the runs of labels, whose names are read already.
+        private function readingRuns(labels:TriangleLabels):Steps
+        {
+            var mostNumber:int = labels.names == null ? int.MAX_VALUE : labels.names.length - 1;
+            var start:Number = 0;
+            return new StepSequence().slices(readCount(int.MAX_VALUE), LABELS_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = first; i < end; i++)
+                    {
+                        start = Math.min(start + readCount(int.MAX_VALUE), _data.triangles.length / 3);
+                        var number:int = VarInt.read(_bytes);
+                        refuseIf(number < -1 || number > mostNumber, _data.name, "the cooked file has a wrong number: " + number);
+                        labels.beginRun(number, start);
+                    }
                 });
         }
 
@@ -159,15 +173,16 @@ package starlogo.models.cooked
 
         private function readTransform():ModelTransform
         {
+            var transform:ModelTransform = null;
             try
             {
-                return new ModelTransform(readVector(), readVector(), readVector());
+                transform = new ModelTransform(readVector(), readVector(), readVector());
             }
             catch (error:RangeError)
             {
                 throw new ModelError(_data.name, "", error.message);
             }
-            return null;
+            return transform;
         }
 
         private function readFrame():SourceFrame

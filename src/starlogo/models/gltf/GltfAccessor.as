@@ -72,8 +72,8 @@ package starlogo.models.gltf
         /** The accessor that is an entry of the file. */
         public static function of(file:GltfFile, json:GltfJson):GltfAccessor
         {
-            var accessor:GltfAccessor = new GltfAccessor(file, json, json.whole("count", int.MAX_VALUE), WIDTHS[json.value.type],
-                    json.whole("componentType", int.MAX_VALUE), json.value.normalized === true);
+            var accessor:GltfAccessor = new GltfAccessor(file, json, json.requiredWhole("count", int.MAX_VALUE), WIDTHS[json.value.type],
+                    json.requiredWhole("componentType", int.MAX_VALUE), json.value.normalized === true);
             var sparse:GltfJson = json.object("sparse");
             if (sparse != null)
             {
@@ -86,6 +86,12 @@ package starlogo.models.gltf
         public function get areIndices():Boolean
         {
             return _divisor == 0 && (_componentType == UNSIGNED_BYTE || _componentType == UNSIGNED_SHORT || _componentType == UNSIGNED_INT);
+        }
+
+        /** Checks that it has an element for each vertex of a primitive. */
+        public function requireCount(vertexCount:int):void
+        {
+            json.refuseIf(count != vertexCount, "it has " + count + " elements, but there are " + vertexCount + " vertices");
         }
 
         // Adds the steps that read the rows: from an offset in a bufferView on, at the view's distance from one another.
@@ -131,12 +137,12 @@ package starlogo.models.gltf
         // Adds the steps that replace some elements.
         private function addSparse(file:GltfFile, sparse:GltfJson):void
         {
-            var some:int = sparse.whole("count", count);
+            var some:int = sparse.requiredWhole("count", count);
             var indices:GltfJson = sparse.object("indices");
             var values:GltfJson = sparse.object("values");
             sparse.refuseIf(indices == null || values == null, "expected indices and values");
             sparse.refuseIf(!indices.has("bufferView") || !values.has("bufferView"), "expected indices and values in bufferViews");
-            var at:GltfAccessor = new GltfAccessor(file, indices, some, 1, indices.whole("componentType", int.MAX_VALUE), false);
+            var at:GltfAccessor = new GltfAccessor(file, indices, some, 1, indices.requiredWhole("componentType", int.MAX_VALUE), false);
             var by:GltfAccessor = new GltfAccessor(file, values, some, _width, _componentType, _divisor > 0);
             add(at).add(by).slices(some, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {

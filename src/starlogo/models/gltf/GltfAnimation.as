@@ -1,11 +1,12 @@
 package starlogo.models.gltf
 {
     import starlogo.models.building.FileAnimation;
+    import starlogo.models.building.FilePose;
     import starlogo.models.building.ModelBuilder;
     import starlogo.steps.StepSequence;
 
     /**
-     * An animation of a glTF file. At each time it gives numbers to properties of nodes, in place of those that the file has for them.
+     * An animation of a glTF file. At each time it gives numbers to properties of nodes. The key of a property is what <code>GltfScene.keyOf()</code> returns.
      *
      * @private
      */
@@ -17,7 +18,7 @@ package starlogo.models.gltf
         private var _file:GltfFile;
         private var _upAxis:Object;
 
-        // The samplers, by the node's index, a space and the path.
+        // The samplers, by the property's key.
         private var _samplers:Object = {};
 
         /**
@@ -47,9 +48,9 @@ package starlogo.models.gltf
                     continue;
                 }
                 target.refuseIf(target.fileEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
-                var sampler:GltfJson = animation.element("samplers", channel.whole("sampler", samplerCount - 1));
+                var sampler:GltfJson = animation.element("samplers", channel.requiredWhole("sampler", samplerCount - 1));
                 var reader:GltfSampler = new GltfSampler(file, sampler, path);
-                _samplers[node + " " + path] = reader;
+                _samplers[GltfScene.keyOf(node, path)] = reader;
                 add(reader);
             }
         }
@@ -75,13 +76,13 @@ package starlogo.models.gltf
         public function verticesAt(time:Number):Vector.<Number>
         {
             _file.limits.restart();
-            return ModelBuilder.verticesOf(new GltfReader(_file, _upAxis, null, this, time));
+            return ModelBuilder.verticesOf(new GltfReader(_file, _upAxis, null, new FilePose(this, time)));
         }
 
-        /** The numbers of a node's property at a time in seconds. Null if the property is not animated. */
-        public function valueAt(node:int, path:String, time:Number):Vector.<Number>
+        /** @inheritDoc */
+        public function numbersAt(key:Object, time:Number):Vector.<Number>
         {
-            var sampler:GltfSampler = _samplers[node + " " + path];
+            var sampler:GltfSampler = _samplers[key];
             return sampler == null ? null : sampler.valueAt(time);
         }
     }

@@ -60,8 +60,9 @@ package starlogo.models.gltf
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
         private var _chunk:ByteArray = null;
 
-        // the accessors so far, by index
+        // the accessors so far, by index, and the weights of skins, by the place of a primitive's attributes and the skin's index
         private var _accessors:Array = [];
+        private var _skinWeights:Object = {};
 
         /**
          * @param name the model's name
@@ -133,6 +134,18 @@ package starlogo.models.gltf
         }
 
         /**
+         * The weights of a primitive's vertices for the joints of a skin. They are the same for all nodes and poses that have both.
+         *
+         * @param attributes the attributes of the primitive
+         * @param vertexCount the number of its vertices
+         * @param skin the skin's index
+         */
+        internal function skinWeights(attributes:GltfJson, vertexCount:int, skin:int):GltfSkinWeights
+        {
+            return _skinWeights[attributes.place + " " + skin] ||= new GltfSkinWeights(this, attributes, vertexCount, json.fileEntry("skins", skin).count("joints"));
+        }
+
+        /**
          * Checks that a bufferView has some bytes. Returns its whole buffer, whose position is the first of them; the next call moves it.
          *
          * @param offset the first of them, in the view
@@ -144,7 +157,7 @@ package starlogo.models.gltf
             var buffer:int = view.reference("buffer", "buffers");
             view.refuseIf(buffer < 0, "it names no buffer");
             var start:int = view.whole("byteOffset", int.MAX_VALUE, 0);
-            var size:int = view.whole("byteLength", int.MAX_VALUE);
+            var size:int = view.requiredWhole("byteLength", int.MAX_VALUE);
             user.refuseIf(offset + length > size, "it needs " + (offset + length) + " bytes of " + view.place + ", which has " + size);
             if (_buffers[buffer] == null)
             {
@@ -252,7 +265,7 @@ package starlogo.models.gltf
             var buffer:GltfJson = json.fileEntry("buffers", index);
             _buffers.push(null);
             // keep() reads the length; here a wrong one is refused before the buffer is fetched or decoded
-            buffer.whole("byteLength", FileLimits.MOST_BYTES);
+            buffer.requiredWhole("byteLength", FileLimits.MOST_BYTES);
             var uri:* = buffer.value.uri;
             buffer.refuseIf(uri !== undefined && !(uri is String), "expected an address", "uri");
             if (uri === undefined)
@@ -300,7 +313,7 @@ package starlogo.models.gltf
         private function keep(index:int, bytes:ByteArray):void
         {
             var buffer:GltfJson = json.fileEntry("buffers", index);
-            var wanted:int = buffer.whole("byteLength", FileLimits.MOST_BYTES);
+            var wanted:int = buffer.requiredWhole("byteLength", FileLimits.MOST_BYTES);
             buffer.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;

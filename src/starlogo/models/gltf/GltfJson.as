@@ -9,6 +9,9 @@ package starlogo.models.gltf
      */
     internal final class GltfJson
     {
+        /** Stands for the length of a list that may have any. */
+        internal static const ANY_LENGTH:int = -1;
+
         /** The object, as it was read. */
         public var value:Object;
 
@@ -123,19 +126,21 @@ package starlogo.models.gltf
             return index;
         }
 
-        /** An integer property from 0 to a maximum. @param preset the value if there is none; -1 if there must be one */
-        public function whole(key:String, most:int, preset:int = -1):int
+        /** An integer property from 0 to a maximum; the preset value if there is none. */
+        public function whole(key:String, most:int, preset:int):int
+        {
+            return has(key) ? requiredWhole(key, most) : preset;
+        }
+
+        /** An integer property from 0 to a maximum. @throws ModelError if there is none */
+        public function requiredWhole(key:String, most:int):int
         {
             var found:* = value[key];
-            if (found === undefined && preset >= 0)
-            {
-                return preset;
-            }
             refuseIf(!isWhole(found, most), "expected an integer from 0 to " + most + ", but found " + shown(found), key);
             return found;
         }
 
-        /** A property that is a list of finite numbers; the preset value if there is none. @param length the list's length; -1 for any */
+        /** A property that is a list of finite numbers; the preset value if there is none. @param length the list's length, or ANY_LENGTH */
         public function numbers(key:String, length:int, preset:Vector.<Number> = null):Vector.<Number>
         {
             if (!has(key))
@@ -143,7 +148,7 @@ package starlogo.models.gltf
                 return preset;
             }
             var found:Array = list(key);
-            refuseIf(length >= 0 && found.length != length, "expected " + length + " numbers, but found " + found.length, key);
+            refuseIf(length != ANY_LENGTH && found.length != length, "expected " + length + " numbers, but found " + found.length, key);
             var all:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < found.length; i++)
             {

@@ -1,5 +1,6 @@
 package starlogo.models.gltf
 {
+    import starlogo.models.building.FilePose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.VertexFilter;
@@ -10,7 +11,10 @@ package starlogo.models.gltf
      * Reads a glTF file. GltfModel says which parts.
      *
      * <p>A GltfFile has the JSON, whose objects are GltfJsons, and the buffers. A GltfScene finds the nodes with meshes, and where they are. For each
-     * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model. A GltfSkin moves vertices by its joints.</p>
+     * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model. A GltfSkin
+     * has the joints of a skin, and GltfSkinWeights say how much vertices follow them.</p>
+     *
+     * <p>A GltfAnimation has GltfSamplers. A FilePose is an animation at a time, and the scene asks it.</p>
      *
      * @private
      */
@@ -27,16 +31,15 @@ package starlogo.models.gltf
          * @param file the file; its steps may be done
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param animation moves the scene; null at rest
-         * @param time the time of the animation, in seconds
+         * @param pose moves the scene; null at rest
          */
-        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, animation:GltfAnimation = null, time:Number = 0)
+        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, pose:FilePose = null)
         {
             _data = ModelData.forFile(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
             add(file).begin(function():Steps
                 {
-                    _scene = new GltfScene(file, animation, time);
+                    _scene = new GltfScene(file, pose || new FilePose());
                     return _scene;
                 }).begin(readingNodes).call(takeLoosePoints).add(new VertexFilter(_data.vertices, _data.triangles));
         }
@@ -63,23 +66,21 @@ package starlogo.models.gltf
             var nodeIndex:int = _scene.nodes[index];
             var node:GltfJson = _file.json.fileEntry("nodes", nodeIndex);
             var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
-            var weights:Vector.<Number> = _scene.animated(nodeIndex, "weights") || node.numbers("weights", -1)
-                || mesh.numbers("weights", -1, new Vector.<Number>());
             var label:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
             _data.readShare = index / _scene.nodes.length;
             // each primitive may have a target for each weight
-            _file.limits.countElements((1 + weights.length) * (1 + mesh.count("primitives")), mesh.place);
+            _file.limits.countElements((1 + _scene.weightsOf(nodeIndex).length) * (1 + mesh.count("primitives")), mesh.place);
             return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
                 {
-                    return readingPrimitive(nodeIndex, label, mesh.element("primitives", primitive), weights, placed);
+                    return readingPrimitive(nodeIndex, label, mesh.element("primitives", primitive), placed);
                 });
         }
 
         // The steps that read a primitive of a node's mesh: its vertices, where the node puts them, and its triangles, which all have one material.
         // No steps if it has no vertices.
-        private function readingPrimitive(node:int, label:String, primitive:GltfJson, weights:Vector.<Number>, placed:Object):Steps
+        private function readingPrimitive(node:int, label:String, primitive:GltfJson, placed:Object):Steps
         {
             var work:StepSequence = new StepSequence();
             primitive.refuseIf(primitive.hasExtension(GltfFile.DRACO), "it is " + GltfFile.DRACO_PROBLEM);
@@ -89,13 +90,11 @@ package starlogo.models.gltf
             {
                 return work;
             }
-            var positions:GltfAccessor = _file.accessor(position, "VEC3");
             var hasSurface:Boolean = GltfTriangles.modeOf(primitive) >= GltfTriangles.TRIANGLES;
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
             var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + primitive.place);
-            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, weights, positions,
-                    hasSurface ? _data.vertices : _loosePoints);
+            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, hasSurface ? _data.vertices : _loosePoints);
             work.add(points);
             if (hasSurface)
             {

@@ -2,9 +2,10 @@ package starlogo.models.gltf
 {
     import starlogo.geometry.Placement;
     import starlogo.models.building.AffineTransform;
+    import starlogo.models.building.FilePose;
     import starlogo.steps.StepSequence;
 
-    /** Finds the nodes with meshes in a glTF file's scene, and their transforms, in steps. */
+    /** The scene of a glTF file, at rest or in a pose. Its steps find the nodes with meshes. */
     internal final class GltfScene extends StepSequence
     {
         private static const NODES_PER_STEP:int = 200;
@@ -13,8 +14,7 @@ package starlogo.models.gltf
         public var nodes:Vector.<int> = new Vector.<int>();
 
         private var _file:GltfFile;
-        private var _animation:GltfAnimation;
-        private var _time:Number;
+        private var _pose:FilePose;
         private var _parents:Vector.<int>;
         private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
@@ -23,14 +23,12 @@ package starlogo.models.gltf
 
         /**
          * @param file the file; all its steps must be done
-         * @param animation moves the nodes; null at rest
-         * @param time the time of the animation, in seconds
+         * @param pose moves the nodes
          */
-        public function GltfScene(file:GltfFile, animation:GltfAnimation, time:Number)
+        public function GltfScene(file:GltfFile, pose:FilePose)
         {
             _file = file;
-            _animation = animation;
-            _time = time;
+            _pose = pose;
             var count:int = file.json.count("nodes");
             _parents = new Vector.<int>(count);
             _globalTransforms = new Vector.<AffineTransform>(count);
@@ -69,6 +67,14 @@ package starlogo.models.gltf
         public function skin(index:int):GltfSkin
         {
             return _skins[index] ||= new GltfSkin(_file, this, index);
+        }
+
+        /** The weights of the morph targets of a node's mesh: those of the pose, otherwise of the node, otherwise of the mesh. */
+        public function weightsOf(index:int):Vector.<Number>
+        {
+            var node:GltfJson = _file.json.fileEntry("nodes", index);
+            var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
+            return moved(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
         }
 
         private function findParents(first:int, end:int):void
@@ -137,12 +143,6 @@ package starlogo.models.gltf
             return _pending.length > 0;
         }
 
-        /** The numbers that the animation gives to a node's property; null if it is at rest. */
-        public function animated(node:int, path:String):Vector.<Number>
-        {
-            return _animation == null ? null : _animation.valueAt(node, path, _time);
-        }
-
         private function localTransformOf(index:int):AffineTransform
         {
             var node:GltfJson = _file.json.fileEntry("nodes", index);
@@ -152,12 +152,24 @@ package starlogo.models.gltf
                 node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
                 return ofColumns(m, 0);
             }
-            var t:Vector.<Number> = animated(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = animated(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = animated(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = moved(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = moved(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = moved(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
             var turn:Placement = new Placement();
             turn.setQuaternion(r[0], r[1], r[2], r[3]);
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);
+        }
+
+        // The numbers of a node's property in the pose; null if they are those in the file.
+        private function moved(node:int, path:String):Vector.<Number>
+        {
+            return _pose.numbersOf(keyOf(node, path));
+        }
+
+        /** The key of a node's property in a FilePose. @param path "translation", "rotation", "scale" or "weights" */
+        internal static function keyOf(node:int, path:String):String
+        {
+            return node + " " + path;
         }
 
         /** The transform with 16 numbers, column by column. @param at the index of the first one */

@@ -3,13 +3,13 @@ package starlogo.models.gltf
     import starlogo.models.building.AffineTransform;
     import starlogo.steps.StepSequence;
 
-    /** How the joints of a skin move points, at rest or in a pose, as the nodes of the scene are. Its steps find a transform for each joint. */
+    /** The joints of a glTF skin, where the nodes of the scene are, at rest or in a pose. Its steps find what each joint does to points. */
     internal final class GltfSkin extends StepSequence
     {
         private static const JOINTS_PER_STEP:int = 200;
 
-        /** The transform of each joint, when no step is left. */
-        public var joints:Vector.<AffineTransform> = new Vector.<AffineTransform>();
+        /** What each joint does to points, when no step is left. */
+        public var palette:Vector.<AffineTransform> = new Vector.<AffineTransform>();
 
         /**
          * @param file the file
@@ -33,7 +33,7 @@ package starlogo.models.gltf
                     for (var i:int = first; i < end; i++)
                     {
                         var transform:AffineTransform = scene.globalTransformOf(skin.indexIn("joints", i, "nodes"));
-                        joints.push(matrices == null ? transform : transform.after(GltfScene.ofColumns(matrices.numbers, 16 * i)));
+                        palette.push(matrices == null ? transform : transform.after(GltfScene.ofColumns(matrices.numbers, 16 * i)));
                     }
                 });
         }

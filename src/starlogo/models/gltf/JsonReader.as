@@ -92,7 +92,7 @@ package starlogo.models.gltf
             var mark:String = MARKS.indexOf(character) < 0 ? WORD : character;
             if (_allowed.indexOf(mark) < 0)
             {
-                refuseIf(true, "unexpected " + GltfJson.shown(character));
+                throw errorOf("unexpected " + GltfJson.shown(character));
             }
             switch (mark)
             {
@@ -152,15 +152,17 @@ package starlogo.models.gltf
         // The string that a text in quotes stands for.
         private function decoded(quoted:String):String
         {
+            var text:String = null;
             try
             {
-                return JSON.parse(quoted) as String;
+                text = JSON.parse(quoted) as String;
             }
             catch (error:Error)
             {
-                refuseIf(true, "a string has a wrong character or escape");
+                // the text stays null
             }
-            return null;
+            refuseIf(text == null, "a string has a wrong character or escape");
+            return text;
         }
 
         // The index of the quote that ends a string; -1 if there is none.
@@ -231,8 +233,13 @@ package starlogo.models.gltf
         {
             if (isWrong)
             {
-                throw new ModelError(_limits.modelName, String(this), "its JSON can't be read: " + problem);
+                throw errorOf(problem);
             }
+        }
+
+        private function errorOf(problem:String):ModelError
+        {
+            return new ModelError(_limits.modelName, String(this), "its JSON can't be read: " + problem);
         }
     }
 }

@@ -135,7 +135,7 @@ package starlogo.models.loading
                     }
                 }).call(function():void
                 {
-                    addMaking(new ModelBuilder(ModelFormat.newReader(name, bytes, text, _url, _upAxis, _scaling, fetchBeside)));
+                    addMaking(ModelBuilder.reading(ModelFormat.newReader(name, bytes, text, _url, _upAxis, _scaling, fetchBeside)));
                 });
         }
 
@@ -172,7 +172,7 @@ package starlogo.models.loading
             var file:FileDownload = download(address);
             call(function():void
                 {
-                    _maker = new ModelBuilder(new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms)));
+                    _maker = ModelBuilder.reading(new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms)));
                 }).repeat(readCooked);
         }
 

@@ -29,8 +29,9 @@ package starlogo.models.obj
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
         private var _polygonTriangles:int = 0;
 
-        // The material and the mesh of each polygon.
-        private var _polygonLabels:Vector.<int> = new Vector.<int>();
+        // The numbers of each polygon's material and mesh.
+        private var _polygonMaterials:Vector.<int> = new Vector.<int>();
+        private var _polygonMeshes:Vector.<int> = new Vector.<int>();
 
         // The highest index of a vertex in a face, and its line.
         private var _highestIndex:int = -1;
@@ -118,7 +119,8 @@ package starlogo.models.obj
             else if (corners.length > 3)
             {
                 _polygons.push(corners);
-                _polygonLabels.push(_data.materials.current, _data.meshes.current);
+                _polygonMaterials.push(_data.materials.current);
+                _polygonMeshes.push(_data.meshes.current);
                 _polygonTriangles += corners.length - 2;
             }
         }
@@ -161,8 +163,8 @@ package starlogo.models.obj
             var triangulator:Triangulator = new Triangulator(_limits, _data.vertices, _data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
-                    _data.materials.beginRun(_polygonLabels[2 * index], _data.triangles.length / 3);
-                    _data.meshes.beginRun(_polygonLabels[2 * index + 1], _data.triangles.length / 3);
+                    _data.materials.beginRun(_polygonMaterials[index], _data.triangles.length / 3);
+                    _data.meshes.beginRun(_polygonMeshes[index], _data.triangles.length / 3);
                     return triangulator.addPolygon(_polygons[index]);
                 });
         }

@@ -53,7 +53,7 @@ package starlogo.models.text
             }
             bytes.position = 0;
             var text:String = bytes.readUTFBytes(bytes.length);
-            checkText(name, bytes, text.length == bytes.length, expected);
+            checkText(name, bytes, text, expected);
             var declaration:Array = text.substr(0, DECLARATION_LENGTH).match(/^<\?xml[^>]*encoding=["'](iso-8859-1|windows-1252)["']/i);
             return declaration == null ? text : latin(bytes, declaration[1].toLowerCase() == "windows-1252");
         }
@@ -64,10 +64,11 @@ package starlogo.models.text
             return bytes.length >= 4 && bytes[0] == 0x50 && bytes[1] == 0x4B && (bytes[2] == 3 && bytes[3] == 4 || bytes[2] == 5 && bytes[3] == 6);
         }
 
-        // The player ends a text at its first zero character.
-        private static function checkText(name:String, bytes:ByteArray, isPlain:Boolean, expected:String):void
+        // Throws if there is a zero byte, as in binary files. The player ends a text at its first one. A text with a character for each byte has not been
+        // ended, so a look at its beginning is enough: other players do not end it.
+        private static function checkText(name:String, bytes:ByteArray, text:String, expected:String):void
         {
-            var length:int = isPlain ? Math.min(bytes.length, HEAD_LENGTH) : bytes.length;
+            var length:int = text.length == bytes.length ? Math.min(bytes.length, HEAD_LENGTH) : bytes.length;
             for (var i:int = 0; i < length; i++)
             {
                 if (bytes[i] == 0)

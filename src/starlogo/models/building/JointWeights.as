@@ -1,9 +1,8 @@
-package starlogo.models.collada
+package starlogo.models.building
 {
-    import starlogo.models.building.AffineTransform;
-
     /**
-     * How much each point of a skin follows which joints. The lists have the influences of all points, one point after the other.
+     * How much each point of a skin follows which joints, in a file of any format. A point follows each of its influences: a joint, by a weight. The
+     * lists have the influences of all points, one point after the other. The readers of formats fill them.
      *
      * @private
      */
@@ -13,14 +12,16 @@ package starlogo.models.collada
         public var starts:Vector.<int> = new <int>[0];
 
         /** The index of each influence's joint. */
-        public var joints:Vector.<int> = new Vector.<int>();
+        public var joints:Vector.<int>;
 
         /** The weight of each influence. */
-        public var weights:Vector.<Number> = new Vector.<Number>();
+        public var weights:Vector.<Number>;
 
-        /** Weights for no points. */
-        public function JointWeights()
+        /** Weights for no points. @param mostInfluences the lists have room for so many influences */
+        public function JointWeights(mostInfluences:int = 0)
         {
+            joints = new Vector.<int>(mostInfluences);
+            weights = new Vector.<Number>(mostInfluences);
         }
 
         /**

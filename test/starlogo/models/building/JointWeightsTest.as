@@ -1,9 +1,8 @@
-package starlogo.models.collada
+package starlogo.models.building
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.models.building.AffineTransform;
 
     public class JointWeightsTest
     {

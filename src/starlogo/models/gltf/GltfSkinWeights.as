@@ -1,0 +1,84 @@
+package starlogo.models.gltf
+{
+    import starlogo.models.building.JointWeights;
+    import starlogo.steps.StepSequence;
+
+    /** How much the vertices of a glTF primitive follow the joints of a skin. Its steps read it. All nodes and poses that have both share it. */
+    internal final class GltfSkinWeights extends StepSequence
+    {
+        private static const VERTICES_PER_STEP:int = 2000;
+
+        /** The weights, when no step is left. */
+        public var weights:JointWeights;
+
+        /** How many influences there may be: four for each vertex and set. */
+        public var mostInfluences:Number;
+
+        private var _jointCount:int;
+
+        // The accessors of sets: the indices of joints, and the weights of these. Each has four numbers for a vertex.
+        private var _indices:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
+        private var _weights:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
+
+        /**
+         * @param file the file
+         * @param attributes the attributes of the primitive, with at least one set of joints
+         * @param vertexCount the number of its vertices
+         * @param jointCount the number of the skin's joints
+         */
+        public function GltfSkinWeights(file:GltfFile, attributes:GltfJson, vertexCount:int, jointCount:int)
+        {
+            _jointCount = jointCount;
+            for (var i:int = 0; attributes.has("JOINTS_" + i); i++)
+            {
+                _indices.push(accessorOf(file, attributes, "JOINTS_" + i, vertexCount));
+                _weights.push(accessorOf(file, attributes, "WEIGHTS_" + i, vertexCount));
+            }
+            mostInfluences = 4 * Number(vertexCount) * i;
+            weights = new JointWeights(mostInfluences);
+            slices(vertexCount, VERTICES_PER_STEP, read);
+        }
+
+        private function accessorOf(file:GltfFile, attributes:GltfJson, key:String, vertexCount:int):GltfAccessor
+        {
+            var index:int = attributes.reference(key, "accessors");
+            attributes.refuseIf(index < 0, "a mesh has no weights for its joints");
+            var found:GltfAccessor = file.accessor(index, "VEC4");
+            found.requireCount(vertexCount);
+            add(found);
+            return found;
+        }
+
+        // Reads the influences of some vertices. A weight of 0 is none, whatever its joint is.
+        private function read(first:int, end:int):void
+        {
+            var joints:Vector.<int> = weights.joints;
+            var shares:Vector.<Number> = weights.weights;
+            var jointCount:int = _jointCount;
+            var count:int = weights.starts[first];
+            for (var vertex:int = first; vertex < end; vertex++)
+            {
+                for (var i:int = 0; i < _indices.length; i++)
+                {
+                    var indices:Vector.<Number> = _indices[i].numbers;
+                    var numbers:Vector.<Number> = _weights[i].numbers;
+                    for (var at:int = 4 * vertex; at < 4 * vertex + 4; at++)
+                    {
+                        if (numbers[at] != 0)
+                        {
+                            var joint:Number = indices[at];
+                            if (!(joint >= 0 && joint < jointCount && int(joint) == joint))
+                            {
+                                throw _indices[i].json.error("vertex " + vertex + " names joint " + joint + ", but there are only " + jointCount);
+                            }
+                            joints[count] = joint;
+                            shares[count] = numbers[at];
+                            count++;
+                        }
+                    }
+                }
+                weights.starts.push(count);
+            }
+        }
+    }
+}

@@ -79,6 +79,11 @@ function isGeneric(type, types) {
 	return type?.kind === "class" && (type.bases.some((name) => isGeneric(types.get(name), types)) || type.members.some((member) => hasAgents(member) || hasAgent(member) || isAboutThem(member)));
 }
 
+/** Whether a class is there to be extended, as its documentation or its constructor's says. */
+function isAbstract(type) {
+	return /\babstract base class\b/.test(type.doc) || type.members.some(({ kind, doc }) => kind === "constructor" && doc.startsWith("For subclasses only."));
+}
+
 /** A member's documentation with the values that only ActionScript shows in its signature: of arguments that are left out, of a switch at first. */
 function withValues(said, { kind, parameters, result, initial }) {
 	if (kind === "var" && result === "Boolean" && initial && !/@default\b/.test(said)) return `${said}\n\n@default ${initial}`;
@@ -113,7 +118,7 @@ class Writer {
 		const parameters = this.#isGeneric(type) ? (hasHandlers ? OF_BREEDS : OF_AGENTS) : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
 		if (ADDED[type.qname]?.declaration) members.push(ADDED[type.qname].declaration);
-		return `${this.#eventsText(type)}${docComment(type.doc, "")}${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
+		return `${this.#eventsText(type)}${docComment(type.doc, "")}${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${isAbstract(type) ? "abstract " : ""}${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
 	}
 
 	#eventsText(type) {
@@ -201,9 +206,9 @@ class Writer {
 		return (isFinding ? this.#foundType(member.result) : this.#resultType(member, said)) + orNull;
 	}
 
-	/** Agents that a question finds. */
+	/** Agents that a question finds. Their class is not inferred from where they are stored: that would be a cast that nobody sees. */
 	#foundType(type) {
-		return type === "Agent" ? "F" : "F[]";
+		return type === "Agent" ? "Uninferred<F>" : "Uninferred<F>[]";
 	}
 
 	// "null for a mesh without a name" makes null an element
@@ -242,6 +247,7 @@ class Writer {
 			if (isRest) return `...${name}: string[]`;
 			if (generic.endsWith(NAMING) && /breed$/i.test(name)) return `${name}: ${name === "breed" ? "N" : "M"}`;
 			if (generic === FINDING && name === "out") return `out?: ${this.#foundType(type)} | null`;
+			if (generic === FINDING && type === "AgentFilter") return `${name}?: AgentFilterInit<A, F> | null`;
 			const text = this.#parameterType(parameter, this.#said(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");

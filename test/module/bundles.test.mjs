@@ -232,7 +232,7 @@ test("the documentation has no remarks for those who maintain the engine, and no
 	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
 	assert.doesNotMatch(text, /for the engine alone/);
 	assert.match(text, /constructor\(name: string, vertices: Numbers, triangles\?: Numbers \| null, scaling\?: Scaling\);/, "the fifth argument of a model is the engine's own");
-	const known = new Set([...text.matchAll(/^(?:export |declare )+(?:class|function|interface|type) (\w+)/gm)].map(([, name]) => name));
+	const known = new Set([...text.matchAll(/^(?:export |declare |abstract )+(?:class|function|interface|type) (\w+)/gm)].map(([, name]) => name));
 	const platform = /^(?:AbortController|AbortError|AbortSignal|ArrayBuffer|ByteArrays|ImageData|InstancedMesh|JavaScript|LineSegments|StarLogo|NaN|RangeError|TypeError|Vector3Ds|WebAssembly)$/;
 	for (const { of, said } of documentation()) {
 		assert.doesNotMatch(said, /\bthis file\b|\bwritten out\b|\bflash\.|\bFlash|\bRuffle|\bAdobe|ActionScript|\bplayer (?:takes|lets|that compiles)|\bas in the player\b|display list/i, of);
@@ -258,6 +258,11 @@ test("a class with a part of AgentQueries declares the same results", () => {
 		assert.ok(results.length > 2, part);
 		for (const [method, result] of results) assert.equal(result, expected.get(method), `${part}.${method}`);
 	}
+});
+
+test("editors strike out older names", () => {
+	const older = [...readFileSync(path.join(folder, "index.d.ts"), "utf8").matchAll(/@deprecated Use `(\w+)\(\)`\.\n\t \*\/\n\t(\w+)/g)].map(([, now, before]) => [before, now]);
+	assert.deepEqual(older.slice(0, 2), [["moved", "refresh"], ["nearestOf", "nearestFew"]]);
 });
 
 test("samples in the documentation are JavaScript", async () => {

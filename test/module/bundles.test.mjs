@@ -7,6 +7,7 @@ import path from "node:path";
 import { before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
+import { fencesIn } from "../docs/samples.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = path.join(root, "bin/module");
@@ -169,6 +170,15 @@ for (const [module, moduleResolution] of [["nodenext", "nodenext"], ["esnext", "
 		execFileSync(process.execPath, [tools.resolve("typescript/bin/tsc"), "-p", path.join(work, `tsconfig.${moduleResolution}.json`)], { encoding: "utf8" });
 	});
 }
+
+test("the package's page shows what TypeScript accepts", () => {
+	const samples = fencesIn(readFileSync(path.join(root, "js/module/README.md"), "utf8")).filter(({ language }) => language === "ts").map(({ text }) => text);
+	assert.ok(samples.length > 0);
+	const given = `import type { CollisionSystem } from "starlogo-collision";\ndeclare const collider: CollisionSystem;\ndeclare const hero: Hero;\n`;
+	write("page.ts", `${given}${samples.join("\n")}\nexport const found: Coin[] = coins;\n`);
+	const options = ["--strict", "--noEmit", "--target", "es2022", "--module", "nodenext", "--typeRoots", "none"];
+	execFileSync(process.execPath, [tools.resolve("typescript/bin/tsc"), ...options, path.join(work, "page.ts")], { encoding: "utf8" });
+});
 
 test("editors do not offer the package's events where a program means the platform's", async () => {
 	const { default: ts } = await import(pathToFileURL(tools.resolve("typescript")));

@@ -36,8 +36,7 @@ export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Mode
 export type Uninferred<F> = [F][F extends unknown ? 0 : never];
 
 /**
- * What is taken for an AgentFilter: one, or a literal with some of its properties. The agents that count are of the class F, if `accepts` is a
- * type guard: `{ accepts: (agent): agent is Coin => agent instanceof Coin }`.
+ * What is taken for an AgentFilter: one, or a literal with some of its properties. If `accepts` is a type guard, F is its class.
  */
 export interface AgentFilterInit<A extends Agent = Agent, F extends A = A> {
 	/** Only agents of these breeds count. If the list is empty, no agent counts. */

@@ -95,10 +95,7 @@ export function $warnOfLaterProperties(updated, agents) {
 	}
 }
 
-/**
- * Warns of a level that is one patch wide: an agent with a tree that stays where a new agent is, of a model that was much larger before it was
- * normalised.
- */
+/** Warns of a level that is one patch wide: it stays where a new agent is, and its model was much larger before it was normalised. */
 function $lookAtLevels(collisionSystem, agents) {
 	const greatLand = collisionSystem?.$search?.narrowPhase.choice.greatLand;
 	const level = agents.find((agent) => agent?.hierarchical && agent.size === 1 && agent.x === 0 && agent.y === 0 && agent.z === 0

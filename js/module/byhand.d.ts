@@ -32,8 +32,13 @@ export type UpAxis = "x" | "y" | "z" | ModelTransform;
 /** How a model is scaled. */
 export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Model.AS_GIVEN;
 
-/** What is taken for an AgentFilter: one, or a literal with some of its properties. */
-export interface AgentFilterInit<A extends Agent = Agent> {
+/** The type F, where the compiler must not infer it. */
+export type Uninferred<F> = [F][F extends unknown ? 0 : never];
+
+/**
+ * What is taken for an AgentFilter: one, or a literal with some of its properties. If `accepts` is a type guard, F is its class.
+ */
+export interface AgentFilterInit<A extends Agent = Agent, F extends A = A> {
 	/** Only agents of these breeds count. If the list is empty, no agent counts. */
 	breeds?: readonly string[] | null | undefined;
 	/** Agents of these breeds do not count. */
@@ -41,7 +46,7 @@ export interface AgentFilterInit<A extends Agent = Agent> {
 	/** These agents do not count. Null among them is nobody. */
 	except?: readonly (Agent | null | undefined)[] | null | undefined;
 	/** Returns true if an agent counts. It is called last, for as few agents as the answer needs: see {@link AgentFilter.accepts}. */
-	accepts?: { accept(agent: A): boolean }["accept"] | null | undefined;
+	accepts?: ((agent: A) => agent is F) | { accept(agent: A): boolean }["accept"] | null | undefined;
 }
 
 /** What is taken for WalkOptions: an object of this class, or a literal with some of its properties. */

@@ -76,7 +76,15 @@ function isGeneric(type, types) {
 	const hasAgents = (member) => member.name === "update" && member.parameters[0]?.type === "Vector.<Agent>";
 	const hasAgent = (member) => member.kind === "var" && member.isPublic && !member.isPrivate && member.result === "Agent";
 	const isAboutThem = (member) => member.kind === "constructor" && member.parameters[0]?.type === "SeenAgents";
-	return type?.kind === "class" && (type.bases.some((name) => isGeneric(types.get(name), types)) || type.members.some((member) => hasAgents(member) || hasAgent(member) || isAboutThem(member)));
+	if (type?.kind !== "class") return false;
+	return type.members.some((member) => hasAgents(member) || hasAgent(member) || isAboutThem(member))
+		|| type.bases.some((name) => isGeneric(types.get(name), types));
+}
+
+/** Whether a class is there to be extended, as its documentation or its constructor's says. */
+function isAbstract(type) {
+	const isForSubclasses = ({ kind, doc }) => kind === "constructor" && doc.startsWith("For subclasses only.");
+	return /\babstract base class\b/.test(type.doc) || type.members.some(isForSubclasses);
 }
 
 /** A member's documentation with the values that only ActionScript shows in its signature: of arguments that are left out, of a switch at first. */
@@ -87,6 +95,11 @@ function withValues(said, { kind, parameters, result, initial }) {
 		if (about === "" || /\bwithout it\b/.test(about)) return text;
 		return text.replace(`@param ${name} ${about}`, () => `@param ${name} ${about.replace(/\.?\s*$/, "")}. Default: ${value.replace("Number.NEGATIVE_INFINITY", "-Infinity")}`);
 	}, said);
+}
+
+/** A word and the names after it, if there are any. */
+function listText(word, names) {
+	return names.length > 0 ? word + names.join(", ") : "";
 }
 
 class Writer {
@@ -106,14 +119,20 @@ class Writer {
 			return `${docComment(type.doc, "")}export function ${type.name}(${this.#parameters(type)}): ${this.#type(type.result)};\n`;
 		}
 		const members = this.#membersOf(type).map((member) => this.#memberText(type, member));
-		const bases = type.bases.filter((name) => this.#exported.has(name) || name === "Error").map((name) => (this.#isGeneric(this.#exported.get(name)) ? `${name}<A>` : name));
 		const interfaces = type.interfaces.filter((name) => this.#exported.has(name));
-		const heritage = (bases.length > 0 ? ` extends ${bases.join(", ")}` : "") + (interfaces.length > 0 ? ` implements ${interfaces.join(", ")}` : "");
+		const heritage = listText(" extends ", this.#basesOf(type)) + listText(" implements ", interfaces);
 		const hasHandlers = type.members.some((member) => HANDLER.test(docOf(type, member, this.#exported)));
 		const parameters = this.#isGeneric(type) ? (hasHandlers ? OF_BREEDS : OF_AGENTS) : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
 		if (ADDED[type.qname]?.declaration) members.push(ADDED[type.qname].declaration);
-		return `${this.#eventsText(type)}${docComment(type.doc, "")}${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
+		const modifiers = `${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${isAbstract(type) ? "abstract " : ""}`;
+		const head = `${modifiers}${type.kind} ${type.name}${parameters}${heritage}`;
+		return `${this.#eventsText(type)}${docComment(type.doc, "")}${head} {\n${members.join("\n")}\n}\n`;
+	}
+
+	#basesOf(type) {
+		const isKnown = (name) => this.#exported.has(name) || name === "Error";
+		return type.bases.filter(isKnown).map((name) => (this.#isGeneric(this.#exported.get(name)) ? `${name}<A>` : name));
 	}
 
 	#eventsText(type) {
@@ -201,9 +220,9 @@ class Writer {
 		return (isFinding ? this.#foundType(member.result) : this.#resultType(member, said)) + orNull;
 	}
 
-	/** Agents that a question finds. */
+	/** Agents that a question finds. Their class is not inferred from where they are stored: that would be a cast that nobody sees. */
 	#foundType(type) {
-		return type === "Agent" ? "F" : "F[]";
+		return type === "Agent" ? "Uninferred<F>" : "Uninferred<F>[]";
 	}
 
 	// "null for a mesh without a name" makes null an element
@@ -242,6 +261,7 @@ class Writer {
 			if (isRest) return `...${name}: string[]`;
 			if (generic.endsWith(NAMING) && /breed$/i.test(name)) return `${name}: ${name === "breed" ? "N" : "M"}`;
 			if (generic === FINDING && name === "out") return `out?: ${this.#foundType(type)} | null`;
+			if (generic === FINDING && type === "AgentFilter") return `${name}?: AgentFilterInit<A, F> | null`;
 			const text = this.#parameterType(parameter, this.#said(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");

@@ -51,6 +51,7 @@ export function docComment(text, indent) {
 		.replaceAll(/<\/?(em|i)>/g, "*").replaceAll(/<\/?(strong|b)>/g, "**")
 		.replaceAll(/<\/?ul>/g, "").replaceAll("<li>", "- ").replaceAll("</li>", "")
 		.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&")
+		.replaceAll(/^An older name of (`\w+\(\)`)\.$/gm, "An older name.\n\n@deprecated Use $1.")
 		.replaceAll(/^@return /gm, "@returns ").replaceAll(/@eventType.*$/gm, "").replaceAll("*/", "* /").trim();
 	const lines = plain.split("\n");
 	if (lines.length === 1) return `${indent}/** ${lines[0]} */\n`;

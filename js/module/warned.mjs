@@ -14,6 +14,7 @@ const WARNINGS = new Map([
 	["collision.Collision.update", [
 		"$warnOfTime(\"Collision.update\", arguments);",
 		"$warnOfSilence(this, agents);",
+		"$warnOfShots(agents);",
 		"$warnOfNewAgents(this, agents);",
 		"$warnOfStops(this);",
 		"$warnOfLaterProperties(this, agents);",
@@ -21,6 +22,8 @@ const WARNINGS = new Map([
 	...sameFor(["collision.Collision.onCollision", "collision.Collision.onCollisionStart", "collision.Collision.onCollisionEnd"], [
 		"$warnOfAddition(this, breed, otherBreed);",
 	]),
+	["agents.Agent.moveTo", ["$warnOfPlace(this, x, y, z, false);"]],
+	["agents.Agent.jumpTo", ["$warnOfPlace(this, x, y, z, true);"]],
 	["collision.Collision.removeHandler", ["$warnOfRemoval(this, breed, otherBreed, handler);"]],
 	["queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],
 	["queries.AgentQueries.update", [

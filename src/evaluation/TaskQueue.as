@@ -4,11 +4,11 @@ package evaluation
 
     /**
      * Works through the tasks in steps. Then those whose times were noisy are measured once more, because the machine may be quieter now. This
-     * ends after a minute.
+     * ends after 45 seconds.
      */
     public final class TaskQueue
     {
-        private static const REPEATS_MS:int = 60000;
+        private static const REPEATS_MS:int = 45000;
 
         private var _tasks:Vector.<Task>;
         private var _next:int = 0;

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
@@ -50,7 +50,9 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 	assert.equal(runAnt(ofExec, 1).stdout.split('seconds\n')[1], '\nexec returned: 1\n');
 	const twice = ['/c/A.as(3): col: 5 Error: one', '    x++;', '/c/A.as(9): col: 5 Error: two', '    x++;'];
 	const long = `FAILED ATest.is: ${'1, not 2; '.repeat(100)}`;
-	assert.equal(runAnt([long, '', ...ofExec], 1).stdout.split('seconds\n')[1], `\n${long.slice(0, 300)}... (the whole line is above)\n`);
+	const cut = `${long.slice(0, 300)}... (the whole line: bin/test-reports/failures.txt)\n`;
+	assert.equal(runAnt([long, '', ...ofExec], 1).stdout, `${cut}\nTotal time: 8 seconds\n\n${cut}`);
+	assert.equal(readFileSync(path.join(home, 'bin/test-reports/failures.txt'), 'utf8'), `${long}\n`);
 	const ofParts = ['BUILD FAILED', '/a/build.xml:2: The following error occurred while executing this line:', '/a/build.xml:9: mxmlc:', ...twice, '/a/build.xml:9: mxmlc:', ...twice, '', 'Total time: 8 seconds'];
 	assert.equal(runAnt(ofParts, 1).stdout.split('seconds\n')[1], `\nmxmlc:\n${twice.join('\n')}\n`);
 	const other = ['/c/A.as(3): col: 7 one', 'x++;'];

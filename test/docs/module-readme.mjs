@@ -10,7 +10,10 @@ const read = (name) => readFileSync(new URL(name, assets));
 const THREE = createRequire(new URL('../../js/module/package.json', import.meta.url))('three');
 export const mesh = new THREE.Mesh(new THREE.BoxGeometry(2, 4, 2));
 mesh.position.set(1, 2, 3);
-export const levelScene = new THREE.Mesh(new THREE.BoxGeometry(40, 1, 40).translate(0, -0.5, 0));
+const floor = new THREE.BoxGeometry(40, 1, 40).translate(0, -0.5, 0);
+// thinner than a shot flies in a frame
+const wall = new THREE.BoxGeometry(0.05, 5, 40).translate(15, 2.5, 0);
+export const levelScene = new THREE.Group().add(...[floor, wall].map((geometry) => new THREE.Mesh(geometry)));
 export const bearText = read('bear.obj').toString();
 export const signal = new AbortController().signal;
 export const file = new Blob([read('dragon.dae')]);
@@ -44,6 +47,13 @@ export async function check({ bear, ball, collision, greatLand, teapot, nextFram
 	assert.deepEqual([hero.x, hero.z, actors.length], after);
 	for (let i = 0; i < 60; i++) nextFrame(keys);
 	assert.ok(footing.stands);
+	nextFrame({ ...keys, isShooting: true });
+	const shot = actors.at(-1);
+	assert.deepEqual([shot.breed, shot.x], ['shots', hero.x]);
+	for (let i = 0; i < 5; i++) nextFrame(keys);
+	assert.ok(actors.includes(shot) && Math.abs(shot.x - hero.x) > 3);
+	for (let i = 0; i < 12; i++) nextFrame(keys);
+	assert.ok(!actors.includes(shot) && shot.x < 16, `${shot.x}`);
 	assert.equal(runners.length, 3);
 	for (let i = 0; i < 20; i++) nextStep(keys);
 	assert.ok(footing.stands && Math.abs(runner.x - 1.6) < 1e-9 && Math.abs(runner.z) < 1e-6, `${runner.x}, ${runner.z}`);

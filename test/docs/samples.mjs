@@ -11,7 +11,7 @@ import { pathToFileURL } from 'node:url';
 import { codeOf, definitionIn, read, root, sourcesBelow } from '../structure/sources.mjs';
 
 /** What a sample's fence must not be called: it would not be run. Others (a command, a tree, a table of fields) are no programs. */
-const OTHER_NAMES = /^(?:as3?|javascript|mjs|ts|typescript)$/i;
+const OTHER_NAMES = /^(?:as3?|javascript|mjs|typescript)$/i;
 
 /** The file of tests that runs samples in JavaScript: those of the pages that the environment's OF names, or all. */
 export const SAMPLES_IN_JAVASCRIPT = 'test/docs/samples.test.mjs';
@@ -64,7 +64,7 @@ export function pages() {
 	for (const { file, fences } of written) {
 		for (const { language, line } of fences) {
 			if (OTHER_NAMES.test(language)) {
-				throw new Error(`${file}:${line}: the fence of a sample is called actionscript or js, not ${language}`);
+				throw new Error(`${file}:${line}: the fence of a sample is called actionscript, js or ts, not ${language}`);
 			}
 		}
 	}

@@ -7,6 +7,7 @@ import path from "node:path";
 import { before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
+import { fencesIn } from "../docs/samples.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = path.join(root, "bin/module");
@@ -170,6 +171,15 @@ for (const [module, moduleResolution] of [["nodenext", "nodenext"], ["esnext", "
 	});
 }
 
+test("the package's page shows what TypeScript accepts", () => {
+	const samples = fencesIn(readFileSync(path.join(root, "js/module/README.md"), "utf8")).filter(({ language }) => language === "ts").map(({ text }) => text);
+	assert.ok(samples.length > 0);
+	const given = `import type { CollisionSystem } from "starlogo-collision";\ndeclare const collider: CollisionSystem;\ndeclare const hero: Hero;\n`;
+	write("page.ts", `${given}${samples.join("\n")}\nexport const found: Coin[] = coins;\n`);
+	const options = ["--strict", "--noEmit", "--target", "es2022", "--module", "nodenext", "--typeRoots", "none"];
+	execFileSync(process.execPath, [tools.resolve("typescript/bin/tsc"), ...options, path.join(work, "page.ts")], { encoding: "utf8" });
+});
+
 test("editors do not offer the package's events where a program means the platform's", async () => {
 	const { default: ts } = await import(pathToFileURL(tools.resolve("typescript")));
 	const offered = (text) => {
@@ -232,7 +242,7 @@ test("the documentation has no remarks for those who maintain the engine, and no
 	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
 	assert.doesNotMatch(text, /for the engine alone/);
 	assert.match(text, /constructor\(name: string, vertices: Numbers, triangles\?: Numbers \| null, scaling\?: Scaling\);/, "the fifth argument of a model is the engine's own");
-	const known = new Set([...text.matchAll(/^(?:export |declare )+(?:class|function|interface|type) (\w+)/gm)].map(([, name]) => name));
+	const known = new Set([...text.matchAll(/^(?:export |declare |abstract )+(?:class|function|interface|type) (\w+)/gm)].map(([, name]) => name));
 	const platform = /^(?:AbortController|AbortError|AbortSignal|ArrayBuffer|ByteArrays|ImageData|InstancedMesh|JavaScript|LineSegments|StarLogo|NaN|RangeError|TypeError|Vector3Ds|WebAssembly)$/;
 	for (const { of, said } of documentation()) {
 		assert.doesNotMatch(said, /\bthis file\b|\bwritten out\b|\bflash\.|\bFlash|\bRuffle|\bAdobe|ActionScript|\bplayer (?:takes|lets|that compiles)|\bas in the player\b|display list/i, of);
@@ -258,6 +268,11 @@ test("a class with a part of AgentQueries declares the same results", () => {
 		assert.ok(results.length > 2, part);
 		for (const [method, result] of results) assert.equal(result, expected.get(method), `${part}.${method}`);
 	}
+});
+
+test("editors strike out older names", () => {
+	const older = [...readFileSync(path.join(folder, "index.d.ts"), "utf8").matchAll(/@deprecated Use `(\w+)\(\)`\.\n\t \*\/\n\t(\w+)/g)].map(([, now, before]) => [before, now]);
+	assert.deepEqual(older.slice(0, 2), [["moved", "refresh"], ["nearestOf", "nearestFew"]]);
 });
 
 test("samples in the documentation are JavaScript", async () => {

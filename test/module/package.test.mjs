@@ -130,14 +130,14 @@ test("every public class is exported, declared, and used by the sample", async (
 	const exported = Object.keys(await import(pathToFileURL(minified))).sort();
 	assert.deepEqual(Object.keys(await import(pathToFileURL(readable))).sort(), exported);
 	const declarations = readFileSync(path.join(folder, "index.d.ts"), "utf8");
-	const declared = [...declarations.matchAll(/^export (?:class|function) (\w+)/gm)].map((match) => match[1]).sort();
+	const declared = [...declarations.matchAll(/^export (?:(?:abstract )?class|function) (\w+)/gm)].map((match) => match[1]).sort();
 	// the platform has these names too: editors must not offer them for its own
 	const unnamed = ["ErrorEvent", "Event", "ProgressEvent", "TextEvent"];
 	assert.deepEqual(exported, [...declared, ...unnamed].sort());
 	assert.doesNotMatch(declarations, /ENTER_FRAME|enterFrame|[sS]tage/);
 	const listed = readFileSync(sample, "utf8").split("} from")[0];
 	const used = readFileSync(sample, "utf8").split("} from")[1];
-	for (const [, name] of declarations.matchAll(/^export (?:class|function|interface) (\w+)/gm)) {
+	for (const [, name] of declarations.matchAll(/^export (?:(?:abstract )?class|function|interface) (\w+)/gm)) {
 		assert.match(listed, new RegExp(`\\b${name}\\b`), `the sample does not import ${name}`);
 		assert.match(used, new RegExp(`\\b${name}\\b`), `the sample does not use ${name}`);
 	}
@@ -649,6 +649,76 @@ test("while a game is developed, a level that collides as the structure around i
 	assert.deepEqual(said.map((texts) => texts.length), [0, 0, 0, 0, 1, 1], JSON.stringify(said));
 	assert.match(said[4][0], /\(breed "a", shape "level"\) has 10001 triangles, and collides as the structure around them: for a level set hierarchical to true in a CombinationCollider/);
 	assert.ok(run("starlogo-collision.min.js").every((texts) => texts.length === 0));
+});
+
+test("while a game is developed, a shot that is moved before its first frame is warned of, once", () => {
+	const program = (module) => `import { Agent, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const collision = new Collision(new BinCollider());
+		const agents = [];
+		const counts = [];
+		/** A frame with a shot that is put somewhere and then moved. */
+		function shoot(shot, put, dx) {
+			shot[put](1, 2, 0);
+			agents.push(shot);
+			shot.x += dx;
+			collision.update(agents);
+			shot.moveTo(shot.x + 3, 2, 0);
+			collision.update(agents);
+			counts.push(said.length);
+		}
+		const shot = (settings) => Object.assign(new Agent("sphere", "shots"), { sweeps: true, size: 0.5 }, settings);
+		const pooled = shot();
+		shoot(pooled, "moveTo", 0);
+		shoot(shot(), "jumpTo", 0.2);
+		shoot(shot({ sweeps: false }), "moveTo", 2);
+		const late = shot();
+		late.moveTo(0, 0, 0);
+		collision.update(agents);
+		shoot(late, "moveTo", 0);
+		agents.length = 0;
+		shoot(pooled, "jumpTo", 2);
+		shoot(shot(), "moveTo", 2);
+		console.log(JSON.stringify({ said, counts }));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const { said, counts } = run("starlogo-collision.js");
+	assert.deepEqual(counts, [0, 0, 0, 0, 1, 1], said.join("\n"));
+	assert.match(said[0], /^starlogo-collision: agent \d+ \(breed "shots", shape "sphere"\) sweeps, and was moved by 2 between its place \(1, 2, 0\) and its first frame\. /);
+	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+});
+
+test("while a game is developed, a level that was normalised is warned of, once, and what is placed or small is not", () => {
+	const program = (module) => `import { Agent, BuiltInModel, Collision, CombinationCollider, GreatLand, Model } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const wide = [0, 0, 0, 40, 0, 0, 0, 30, 0, 0, 0, 3];
+		const corners = [0, 1, 2, 0, 1, 3, 0, 2, 3];
+		const land = new GreatLand();
+		land.addModel(new Model("small", wide.map((each) => each / 10), corners));
+		land.addModel(new Model("given", wide, corners, Model.AS_GIVEN));
+		land.addModel(new Model("level", wide, corners));
+		const counts = [];
+		for (const [shape, settings] of [["small", {}], ["given", {}], ["level", { size: 40 }], ["level", { x: 3 }], ["level", { hierarchical: false }], ["level", {}]]) {
+			const collision = new Collision(new CombinationCollider(land));
+			const agents = [Object.assign(new Agent(shape), { hierarchical: true }, settings)];
+			for (let frame = 0; frame < 70; frame++) collision.update(agents);
+			counts.push(said.length);
+		}
+		console.log(JSON.stringify({ said, counts }));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const { said, counts } = run("starlogo-collision.js");
+	assert.deepEqual(counts, [0, 0, 0, 0, 0, 1], said.join("\n"));
+	assert.match(said[0], /agent \d+ \(.*shape "level"\) is one patch wide, and its model was 40 units wide before it was normalised\. .*Model\.AS_GIVEN.*levelFromObject/);
+	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+});
+
+test("an error says that a point's numbers are passed one by one, while a game is developed", () => {
+	const program = (module) => `import { Agent } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		try { new Agent("cube").moveTo({ x: 1, y: 2, z: 3 }); } catch ({ message }) { console.log(message); }`;
+	const run = (module) => execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }).trim();
+	assert.match(run("starlogo-collision.js"), /: x must be a number, not a plain object\. It takes the numbers of a point one by one: point\.x, point\.y, point\.z$/);
+	assert.match(run("starlogo-collision.min.js"), /: x must be a number, not a plain object$/);
 });
 
 test("while a game is developed, walks that stop before what has a handler with the walker are warned of, once, unless the two meet otherwise", () => {

@@ -1,6 +1,6 @@
 // What the types of the package say, and what they refuse: tsc --strict has to accept all of it, and to find an error where one is expected.
 import {
-	Agent, AgentFilter, AgentPlaces, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
+	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
 	ModelLoader, ModelTransform, ObjModel, RayHit, SeenAgents, Terrain, TightestFitCollider, TraitBlocks, Vector3D, WalkOptions,
 } from "starlogo-collision";
 import type { AgentFilterInit, CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit, WalkOptionsInit } from "starlogo-collision";
@@ -161,9 +161,22 @@ new AgentQueries(collision).nearest(agent, 3, { accepts: (hero) => hero.life > 1
 const beside = mixedQueries.near(friends[0]!, 3);
 is<Same<typeof beside, (Hero | Coin)[]>>();
 mixedQueries.near<Coin>(friends[0]!, 3, { breeds })[0]!.worth++;
-const coin: Coin | null = mixedQueries.nearestToPoint({ x: 0, y: 0, z: 0 }, 3, { breeds });
-const coins = mixedQueries.touching(friends[0]!, { breeds }, [coin!]);
+const coin: Coin | null = mixedQueries.nearestToPoint<Coin>({ x: 0, y: 0, z: 0 }, 3, { breeds });
+// @ts-expect-error where it is stored says nothing of what it finds
+const noCoin: Coin | null = mixedQueries.nearestToPoint({ x: 0, y: 0, z: 0 }, 3, { breeds });
+// nor does the list that it fills
+const touched = mixedQueries.touching(friends[0]!, { breeds }, [coin!]);
+is<Same<typeof touched, (Hero | Coin)[]>>();
+const coins = mixedQueries.touching<Coin>(friends[0]!, { breeds }, [coin!]);
 is<Same<typeof coins, Coin[]>>();
+// or its filter does, and nobody has to
+const onlyCoins = { accepts: (agent: Agent): agent is Coin => agent instanceof Coin };
+const guarded = mixedQueries.near(friends[0]!, 3, onlyCoins);
+is<Same<typeof guarded, Coin[]>>();
+const nearCoin = mixedQueries.nearest(friends[0]!, 3, { breeds, accepts: (agent): agent is Coin => agent instanceof Coin && agent.worth > 1 });
+is<Same<typeof nearCoin, Coin | null>>();
+const inferred = new AgentQueries(plain).near(agent, 3, { accepts: (other) => other instanceof Hero });
+is<Same<typeof inferred, Hero[]>>();
 const anyone: Agent[] = mixedQueries.near(friends[0]!, 3);
 // @ts-expect-error no agent of the game
 mixedQueries.near<Date>(friends[0]!, 3);
@@ -284,6 +297,15 @@ const present: (Hero | Coin)[] = [...typed.lastAgents];
 typed.restore(typed.snapshot(), present);
 declare const turn: { set(x: number, y: number, z: number, w: number): void };
 turn.set(...agent.getQuaternion());
+// a class that is there to be extended
+class Nobody extends AgentPredicate {
+	override admits(): boolean {
+		return false;
+	}
+}
+collision.filter = new Nobody();
+// @ts-expect-error it is abstract
+collision.filter = new AgentPredicate();
 // settings may be given to a constructor
 collision.filter = new AgentFilter({ exceptBreeds: ["coins"], accepts: (hero: Hero) => hero.life > 1 });
 new AgentFilter(null);

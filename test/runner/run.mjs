@@ -14,6 +14,8 @@
  *            fails
  *   of       the sources that all these are tests of
  *
+ * A test of OF_HASHES that fails does not say what is wrong. So the others go on after it, until one does.
+ *
  * Once the file of --until is there, no more of files and farther begin: the player writes it when a test fails there. With --first all
  * ends when one fails. With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines
  * of TESTS that it runs. The first line has those that run when TESTS is loaded.
@@ -25,6 +27,7 @@ import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
 import { failuresIn, saidOf } from "./failures.mjs";
 import { countLines } from "./coverage.mjs";
+import { OF_HASHES } from "./farther.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
 import { watch, writeSummary } from "./watch.mjs";
@@ -66,6 +69,8 @@ noteCoverage("", 0, linesRun());
 const { log } = console;
 const started = performance.now();
 const counts = { passed: 0, failed: 0, skipped: 0, leftOut: 0 };
+// those of OF_HASHES that have failed
+let hashesFailed = 0;
 const notFound = new Set(NOT_HERE.keys());
 const begins = watch(Number(process.env.NO_END_S ?? (options.full ? NO_END_FULL_S : NO_END_S)), options.summary, options.until);
 const choice = { files: [], farther: [], of: [], ...options.choice && JSON.parse(readFileSync(options.choice, "utf8")) };
@@ -97,9 +102,9 @@ function fail(said) {
 	if (options.first) process.exit(1);
 }
 
-/** Whether a test has failed, here or in the player, so that what is farther off need not run. */
+/** Whether a test has failed that says what is wrong, here or in the player, so that what is farther off need not run. */
 function isOver() {
-	return counts.failed > 0 || existsSync(options.until);
+	return counts.failed > hashesFailed || existsSync(options.until);
 }
 
 /** A class's name without its package. */
@@ -144,6 +149,7 @@ async function runFarther(fartherClasses) {
 	for (const each of fartherClasses) late += await runClass(each, isNext, true);
 	const why = isOver() ? "one failed" : `the time for all is ${ENOUGH_S} s`;
 	console.log(`of the tests farther off ${done() - before} ran${late > 0 ? `, ${late} did not: ${why}` : ""}`);
+	if (hashesFailed > 0 && !isOver()) console.log("of the tests that ran, only a hash says that something has changed");
 }
 
 /** Runs the tests of a class while the next may begin, and returns how many have not been run. */
@@ -195,6 +201,7 @@ async function runTest(name, errorOf, linesBefore, isFarther) {
 	else if (error instanceof AssumptionViolatedException) counts.skipped++;
 	else {
 		for (const words of printed) console.log(...words);
+		if (OF_HASHES.includes(name)) hashesFailed++;
 		fail(` ${name}${ofSources()}: ${error.stack ?? error}`);
 	}
 	noteCoverage(name, ms, [...linesBefore, ...linesRun()]);

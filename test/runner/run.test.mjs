@@ -31,8 +31,13 @@ class LaterTest {
 		for (;;);
 	}
 }
+class SoakTest {
+	whatAGameSeesIsTheSameEverywhere() {
+		flexunit.assertEquals("a hash", "1", "2");
+	}
+}
 const test = (name) => ({ kind: "Test", name, args: {} });
-export const CLASSES = [{ name: "LaterTest", type: LaterTest, metadata: [test("waits"), test("isSkipped"), test("passes"), test("throwsLater"), test("hasNoEnd")] }];
+export const CLASSES = [{ name: "soak.SoakTest", type: SoakTest, metadata: [test("whatAGameSeesIsTheSameEverywhere")] }, { name: "LaterTest", type: LaterTest, metadata: [test("waits"), test("isSkipped"), test("passes"), test("throwsLater"), test("hasNoEnd")] }];
 export const Effort = {};
 export const Fixtures = { load: (files, done) => done() };
 export const setFetch = () => {};
@@ -82,6 +87,15 @@ test("what is farther off does not begin once a test has failed in the player", 
 	const { stdout, status } = runAll();
 	assert.match(stdout, /^of the tests farther off 0 ran, 1 did not: one failed\n.*: 0 passed, 0 failed, 1 skipped,/);
 	assert.equal(status, 0);
+});
+
+test("a hash that differs says nothing more, so the tests after it run until one fails that does", () => {
+	const hash = "SoakTest.whatAGameSeesIsTheSameEverywhere";
+	const alone = run({ order: [hash], farther: ["LaterTest.passes"] });
+	assert.match(alone.stdout, /^FAILED SoakTest[^]*of the tests farther off 1 ran\nof the tests that ran, only a hash says[^]*: 1 passed, 1 failed,/);
+	assert.equal(alone.status, 1);
+	const { stdout } = run({ order: ["LaterTest.isSkipped"], farther: [hash, "LaterTest.waits", "LaterTest.passes"] });
+	assert.match(stdout, /^FAILED SoakTest[^]*\nFAILED LaterTest.waits[^]*of the tests farther off 2 ran, 1 did not: one failed\n.*: 0 passed, 2 failed, 1 skipped,/);
 });
 
 test("what is farther off and has begun is ended once a test has failed in the player", () => {

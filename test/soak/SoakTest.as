@@ -10,11 +10,14 @@ package soak
     {
         private static const CHECK_EVERY:int = 20;
 
-        // Whatever changes an answer, an order or a bit of a contact changes both hashes. Then write them anew: they are the same for each machine.
+        // A hash of all that the game has seen. They are the same on every machine.
         private static const HASH:String = "22613b71";
         private static const HASH_OF_THE_FIRST:String = "f167df98";
         private static const FRAMES_HASHED:int = 200;
         private static const FIRST_FRAMES:int = 48;
+        private static const MEANING:String = "An answer, the order of answers or a bit of a contact is another one: this is a hash of all that a game sees in "
+            + "some frames. A hash cannot say which. If another test fails too, mend that one first. If none does, find out what has changed. Write the hash "
+            + "anew only if it was meant";
 
         [Test(async, timeout="330000")]
         public function whatAGameSeesFirstIsTheSameEverywhere():void
@@ -44,7 +47,7 @@ package soak
             var run:SoakRun = new SoakRun(frames, frames / 2);
             Async.handleEvent(this, run, Event.COMPLETE, function(event:Event, data:Object):void
                 {
-                    assertEquals(expected, run.hash);
+                    assertEquals(MEANING, expected, run.hash);
                 }, 250000);
             run.start();
         }

@@ -63,7 +63,7 @@ export interface WireframeOptions {
 }
 
 /**
- * Makes a model from a three.js object or geometry.
+ * Makes a model from a three.js object or geometry. It is one patch wide, unless `scaling` says otherwise: for a level take levelFromObject.
  *
  * For an object, all meshes count: also its children's, visible or not. They count in the present pose of their bones and morph targets,
  * with all instances of an InstancedMesh or a BatchedMesh, visible or not, and with the finest level of an LOD. The children's transforms count, including mirrors. The

@@ -1,5 +1,8 @@
 package starlogo.queries
 {
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
@@ -181,6 +184,45 @@ package starlogo.queries
                 }
                 assertTrue(name + ": turned " + [_walker.x, _walker.y], Math.abs(_walker.x - _floor.x + x) < NEAR && Math.abs(_walker.y - _floor.y + y) < NEAR);
                 assertTrue(name + ": heading " + _walker.heading, Math.abs(_walker.heading - 180) < NEAR && Math.abs(_walker.z - 0.5) < NEAR);
+            }
+        }
+
+        // A small walker keeps its place on a platform that tilts, turns, grows and moves. What tilts may push it by a part of its own size.
+        [Test]
+        public function aPlatformThatTiltsCarries():void
+        {
+            var random:SeededRandom = new SeededRandom(11);
+            _options.fall = _options.snap = _options.stepHeight = 0;
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                _walker.size = 0.02;
+                for (var i:int = 0; i < 40; i++)
+                {
+                    _floor.heading = _floor.pitch = _floor.roll = 0;
+                    _floor.size = 4;
+                    _floor.moveTo(0, 0, -4);
+                    _walker.moveTo(random.between(-1.5, 1.5), random.between(-1.5, 1.5), 0);
+                    _queries.update(_agents);
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                    assertStrictlyEquals(_floor, _footing.on);
+                    for (var j:int = 0; j < 2; j++)
+                    {
+                        var before:Matrix3D = _floor.getMatrix();
+                        before.invert();
+                        var inFloor:Vector3D = before.transformVector(new Vector3D(_walker.x, _walker.y, _walker.z));
+                        _floor.heading += random.between(-20, 20);
+                        _floor.pitch += random.between(-4, 4);
+                        _floor.roll += random.between(-4, 4);
+                        _floor.size *= random.between(0.95, 1.05);
+                        _floor.moveTo(random.between(-1, 1), random.between(-1, 1), -4 + random.between(-0.2, 0.2));
+                        _queries.update(_agents);
+                        _queries.walk(_walker, 0, 0, _options, _footing);
+                        var carried:Vector3D = _floor.getMatrix().transformVector(inFloor);
+                        var distance:Number = Vector3D.distance(carried, new Vector3D(_walker.x, _walker.y, _walker.z));
+                        assertTrue([name, i, j, distance].join(), distance < 0.5 * _walker.size);
+                    }
+                }
             }
         }
 

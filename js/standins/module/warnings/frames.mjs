@@ -20,6 +20,9 @@ const $checkedBreeds = /* @__PURE__ */ new Map();
 /** How many times Collisions were updated. */
 export let $updates = 0;
 
+/** The greatest id of an agent that was in a list: agents with greater ones are new. */
+export let $greatestId = -1;
+
 /**
  * Of a Collision that is updated: how many frames it called no handler from the first on, without end once it has called one; the
  * greatest id of the last list; how many lists in turn had new agents alone.
@@ -102,6 +105,7 @@ export function $warnOfNewAgents(collision, agents) {
 	}
 	kept.newFrames = least < Infinity && least > kept.greatestId ? kept.newFrames + 1 : 0;
 	kept.greatestId = least < Infinity ? greatest : Infinity;
+	if (greatest > $greatestId) $greatestId = greatest;
 	if (kept.newFrames !== $MANY_FRAMES) return;
 	$warn(`all agents are new in ${$MANY_FRAMES} frames in turn, so no touch lasts, and nothing sweeps: make each agent once, and move it`);
 }

@@ -1,6 +1,6 @@
 /** Properties that a game sets and the engine does not read, and traits that a collision system does not look at. */
 import { $changesBetween } from "./spelling.mjs";
-import { $keptOf, $warn } from "./warn.mjs";
+import { $keptOf, $rounded, $warn } from "./warn.mjs";
 
 /** So many objects are looked at. */
 const $MOST_OBJECTS = 1000;
@@ -47,6 +47,9 @@ const $TRAITS = {
 /** The settings of trees, which other collision systems do not have. */
 const $TREE_SETTINGS = ["exact", "maxDepth"];
 
+/** A model that was wider than this in its source may be a level. */
+const $LARGE = 8;
+
 const $checkedObjects = /* @__PURE__ */ new WeakSet();
 let $objectsLookedAt = 0;
 
@@ -86,7 +89,26 @@ export function $warnOfLaterProperties(updated, agents) {
 	for (const agent of few) if ($checkedObjects.has(agent)) $lookAtProperties(agent);
 	// a game that exchanges its system may have set the traits for another one
 	if (looks.collisionSystem !== collisionSystem) looks.collisionSystem = null;
-	else if (looks.updates > $FRAMES_OF_A_SYSTEM) $lookAtTraits(collisionSystem, few);
+	else if (looks.updates > $FRAMES_OF_A_SYSTEM) {
+		$lookAtTraits(collisionSystem, few);
+		$lookAtLevels(collisionSystem, few);
+	}
+}
+
+/** Warns of a level that is one patch wide: it stays where a new agent is, and its model was much larger before it was normalised. */
+function $lookAtLevels(collisionSystem, agents) {
+	const greatLand = collisionSystem?.$search?.narrowPhase.choice.greatLand;
+	const level = agents.find((agent) => agent?.hierarchical && agent.size === 1 && agent.x === 0 && agent.y === 0 && agent.z === 0
+		&& $unitsOf(greatLand?.modelOf(agent.shape)) > $LARGE);
+	if (!level) return;
+	$warn(`${level} is one patch wide, and its model was ${$rounded($unitsOf(greatLand.modelOf(level.shape)))} units wide before it was normalised. If it is a `
+		+ "level, keep its size: a model with Model.AS_GIVEN, and of a three.js scene levelFromObject in place of modelFromObject", "level");
+}
+
+/** How many units of its source a model's patch is long. */
+function $unitsOf(model) {
+	const [x, y, z] = model?.source.matrix.rawData ?? [1, 0, 0];
+	return 1 / Math.hypot(x, y, z);
 }
 
 /** Warns of traits that agents have and their collision system does not look at. */

@@ -45,3 +45,9 @@ function $commonLetters(word, other) {
 	while (same < word.length && word[same] === other[same]) same++;
 	return same;
 }
+
+/** What an error says about a point in place of numbers. */
+export function $hintOfPoint(value, kind) {
+	const isPoint = kind === "a number" && typeof value === "object" && value !== null && "x" in value && "y" in value;
+	return isPoint ? ". It takes the numbers of a point one by one: point.x, point.y, point.z" : "";
+}

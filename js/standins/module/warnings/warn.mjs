@@ -6,11 +6,12 @@
 
 const $warned = /* @__PURE__ */ new Set();
 
-/** Writes a warning to the console, once: a warning with numbers that change has a key that does not. */
-export function $warn(message, key) {
-	if ($warned.has(key ?? message)) return;
-	$warned.add(key ?? message);
+/** Writes a warning to the console, once: a warning with numbers that change has a key that does not. Returns whether it is written now. */
+export function $warn(message, key = message) {
+	if ($warned.has(key)) return false;
+	$warned.add(key);
 	globalThis.console?.warn?.(`starlogo-collision: ${message}`);
+	return true;
 }
 
 /** Whether the warning with a key has been written. */

@@ -136,6 +136,13 @@ package starlogo.ground
             return atX >= x - border && atY >= y - border && atX <= x + (columns - 1) * cellWidth + border && atY <= y + (rows - 1) * cellWidth + border;
         }
 
+        // Whether a point is not outside of the ground, as seen from above. It takes a record, because V8 would make objects of the Numbers.
+        private function hasGroundBelow(at:GroundPoint):Boolean
+        {
+            var beyond:Number = isBlocky ? cellWidth / 2 : 0;
+            return at.x >= x - beyond && at.y >= y - beyond && at.x <= x + (columns - 1) * cellWidth + beyond && at.y <= y + (rows - 1) * cellWidth + beyond;
+        }
+
         /** How far beyond the outermost heights the ground goes on: half a cell of blocks. Slopes end at these heights. */
         public function get border():Number
         {
@@ -192,7 +199,7 @@ package starlogo.ground
         /** Finds the height at a point's x and y, and on slopes its triangle. */
         public function findHeight(at:GroundPoint):void
         {
-            if (!isWithin(at.x, at.y, border))
+            if (!hasGroundBelow(at))
             {
                 at.height = NaN;
             }

@@ -50,7 +50,7 @@ writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "js/module/cook.mjs"), join(out, "cook.mjs"));
 writePages(out);
-copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
+writeFileSync(join(out, "CHANGELOG.md"), newestChanges(readFileSync(join(ROOT, "CHANGELOG.md"), "utf8")));
 copyFileSync(join(ROOT, "js/module/picture.svg"), join(out, "picture.svg"));
 cpSync(join(ROOT, "js/adapters/three"), join(out, "three"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^three)$/.test(basename(file)) });
 cpSync(join(ROOT, "js/adapters/nova"), join(out, "nova"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^nova)$/.test(basename(file)) });
@@ -83,6 +83,12 @@ function cleaned(code) {
 function withoutWarnings(code) {
 	const warning = String.raw`\t*\$warn\w*\(.*\);`;
 	return code.replaceAll(new RegExp(`^\\t*if \\(.*\\) \\{\n${warning}\n\\t*\\}$`, "gm"), "\n\n").replaceAll(new RegExp(`^${warning}$`, "gm"), "");
+}
+
+/** The changes of the newest version. The project's changelog has those of all. */
+function newestChanges(changelog) {
+	const [head, newest] = changelog.split(/^(?=## )/m);
+	return `${head}${newest}Older versions are in the project's CHANGELOG.md.\n`;
 }
 
 /** The whole module, with some text of the stand-ins and of the classes. */

@@ -110,6 +110,15 @@ test("the package says what it is", () => {
 	}
 });
 
+test("the package says what has changed in its version; older changes are in the project", () => {
+	const changes = readFileSync(path.join(folder, "CHANGELOG.md"), "utf8");
+	const all = readFileSync(path.join(root, "CHANGELOG.md"), "utf8");
+	const [, newest, older] = all.match(/^(## [^]*?)^(## [^]*)/m);
+	assert.ok(changes.includes(newest.trim()));
+	assert.ok(!changes.includes(older.split("\n")[0]));
+	assert.match(changes, /older versions.*CHANGELOG\.md/i);
+});
+
 test("the pages of the package speak of JavaScript, and their links lead somewhere in it", () => {
 	const anchorsOf = (text) => [...text.matchAll(/^#+ (.*)$/gm)].map(([, title]) => title.toLowerCase().replaceAll(/[^\w -]/g, "").replaceAll(" ", "-"));
 	const pages = ["README.md", ...readdirSync(path.join(folder, "docs")).map((file) => `docs/${file}`)];

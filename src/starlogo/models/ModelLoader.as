@@ -166,6 +166,8 @@ package starlogo.models
                 });
         }
 
+        // The default is written out below, because compilers may come to this class before they know the constants of Model.
+
         /**
          * Loads a model from a file. A failure is sent as an ErrorEvent.
          *
@@ -174,7 +176,7 @@ package starlogo.models
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function load(name:String, url:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
+        public function load(name:String, url:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
             add(name, upAxis, scaling).fetch(url, usesTransforms, _manifest);
         }
@@ -187,7 +189,7 @@ package starlogo.models
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
+        public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = "footprint"):void
         {
             add(name, upAxis, scaling).addReading(bytes, null);
         }
@@ -200,7 +202,7 @@ package starlogo.models
          * @param upAxis the axis that points up in OBJ or STL text: "x", "y" or "z"; or, for any text, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
+        public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
             add(name, upAxis, scaling).addReading(null, text);
         }

@@ -202,7 +202,7 @@ package starlogo.agents
             }
         }
 
-        /** The position of the model's origin along the world's x axis, from -LARGEST_COORDINATE to LARGEST_COORDINATE. */
+        /** The place of the model's origin along the world's x axis, from -LARGEST_COORDINATE to LARGEST_COORDINATE. */
         public function get x():Number
         {
             return placement.x;
@@ -213,7 +213,7 @@ package starlogo.agents
             moveTo(value, placement.y, placement.z);
         }
 
-        /** The position of the model's origin along the world's y axis, from -LARGEST_COORDINATE to LARGEST_COORDINATE. */
+        /** The place of the model's origin along the world's y axis, from -LARGEST_COORDINATE to LARGEST_COORDINATE. */
         public function get y():Number
         {
             return placement.y;

@@ -152,9 +152,12 @@ package starlogo.agents
                 bytes.writeDouble(pitch);
                 bytes.writeDouble(roll);
             }
-            for (var i:int = 0; _turnedBy != BY_ANGLES && i < 4; i++)
+            if (_turnedBy != BY_ANGLES)
             {
-                bytes.writeDouble(_quaternion[i]);
+                for (var i:int = 0; i < 4; i++)
+                {
+                    bytes.writeDouble(_quaternion[i]);
+                }
             }
         }
 

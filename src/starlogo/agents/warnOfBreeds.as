@@ -1,7 +1,5 @@
 package starlogo.agents
 {
-    import starlogo.agents.Agent;
-
     /**
      * Warns if a breed that a game names is probably misspelled, because only a breed of a similar name has agents. In ActionScript this does
      * nothing. The ES module has its own version, for games that are developed.

@@ -2,7 +2,7 @@
 // 1. WalkQueries.walk: reads the options into a Walk, moves the agent to where the Walk ends, and copies its Footing
 // 2. WalkMover.go: carried by a platform, pushed out of overlaps, piece by piece along the ground, a fall, and a clearance at the end
 // 3. Slider: each way of a walk is a slide, or goes straight up or down
-// 4. CoreSweep: how such a way starts (startMotion), what stops it first (findFirstImpact), and when (findTouchTime)
+// 4. CoreSweep: how such a way starts (startMotion), what stops it first (findFirstObstacle), and when (findTouchTime)
 // 5. BodyCore: what stops it is what its core meets, and not what the body only touches
 // moveUntilTouch and the casts: MoveQueries, TouchSweep, CoreSweep.findStop. The head of MovingBody has the words of all these.
 package starlogo.queries

@@ -175,7 +175,7 @@ package starlogo.queries
                 if (row != rowA && row != rowB && _rowRays.findHit(row, _ray, _entry))
                 {
                     found.add(row, _entry.distance);
-                    if (found.canEnd)
+                    if (found.hasEnoughOfAny)
                     {
                         break;
                     }

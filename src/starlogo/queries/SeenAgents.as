@@ -1,9 +1,9 @@
 // This room answers questions about agents in space: what is near, what touches, what a ray meets, how far something can go. A class for each
-// kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
-// what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on: its head is a list of them. The folder trees/ has
-// the trees and their searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts
-// may ask while a question is under way: PerQuestion says what that one has afterwards. Read this file first, then AgentRays for a ray, or AgentMotions
-// for a motion or a walk.
+// kind of questions (AgentPlaces, TouchQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests what it finds, and gives
+// it to a Collector. DistanceQueries measures two bodies without a search. AgentQueries has all questions, and passes them on: its head is a list of
+// them. LevelShapes, with LevelChoice and LevelCollider, gives agents shapes without a GreatLand. The folder trees/ has the trees and their searches,
+// rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts may ask while a question is under
+// way: PerQuestion says what that one has afterwards. Read this file first, then AgentRays for a ray, or AgentMotions for a motion or a walk.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
@@ -114,9 +114,12 @@ package starlogo.queries
             next.readWorld(terrain == null ? null : terrain.worldAgent, null);
             table = next;
             narrowPhase = found;
-            for (var i:int = 0; isOther && i < _needs.length; i++)
+            if (isOther)
             {
-                _needs[i](found);
+                for (var i:int = 0; i < _needs.length; i++)
+                {
+                    _needs[i](found);
+                }
             }
             _places.makeStale();
             _extents.makeStale();
@@ -139,8 +142,8 @@ package starlogo.queries
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
             table.readRow(row);
-            _places.move(row);
-            _extents.move(row);
+            _places.refresh(row);
+            _extents.refresh(row);
         }
 
         /**

@@ -94,7 +94,7 @@ package starlogo.queries
                     var toZ:Number = table.places.z[row] - body.placement.z;
                     // the ground has no place, so it comes last
                     found.add(row, row == ListedAgents.GROUND_ROW ? Infinity : toX * toX + toY * toY + toZ * toZ);
-                    if (found.canEnd)
+                    if (found.hasEnoughOfAny)
                     {
                         break;
                     }

@@ -61,14 +61,17 @@ package starlogo.queries
             return footing;
         }
 
-        /** Finds the footing that a walk without a way would give the agent now. Nothing moves. It may be asked in a filter's <code>accepts</code>. */
+        /**
+         * Finds the footing that a walk without a way would give the agent now. Nothing moves, but an agent that has never walked gets an empty
+         * PlatformLink. It may be asked in a filter's <code>accepts</code>.
+         */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
             out.copyFrom(findWalk(agent, 0, 0, options).footing);
             return out;
         }
 
-        // Finds where a walk leads, and on what the agent stands there. Nothing moves.
+        // Finds where a walk leads, and on what the agent stands there. Nothing moves. An agent without a PlatformLink gets an empty one.
         private function findWalk(agent:Agent, dx:Number, dy:Number, options:WalkOptions):Walk
         {
             var walk:Walk = Walk(_walks.current);
@@ -77,10 +80,7 @@ package starlogo.queries
             var footing:Footing = walk.footing;
             footing.stands = _walkMover.go(agent.platformLink, walk);
             footing.on = footing.stands ? _seen.table.list.agents[walk.floorRow] : null;
-            if (!footing.stands)
-            {
-                copyVector(UP, footing.normal);
-            }
+            copyVector(footing.stands ? walk.floorNormal : UP, footing.normal);
             return walk;
         }
 
@@ -89,13 +89,13 @@ package starlogo.queries
         {
             var size:Number = _seen.placementOf(agent).size;
             requireMotion(dx, dy, 0, agent);
-            var whole:Number = Math.sqrt(dx * dx + dy * dy);
+            var length:Number = Math.sqrt(dx * dx + dy * dy);
             out.agent = agent;
             out.options = options;
             out.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
-            out.pieceCount = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
+            out.pieceCount = Math.min(MOST_PIECES, Math.max(1, Math.ceil(length / size)));
             out.pieceMotion.setTo(dx / out.pieceCount, dy / out.pieceCount, 0);
-            out.pieceLength = whole / out.pieceCount;
+            out.pieceLength = length / out.pieceCount;
         }
     }
 }

@@ -92,7 +92,7 @@ package starlogo.queries
 
         /**
          * A cube passes a sphere that is in its way by about as much as its core is smaller, sometimes with a wall near the touch. The core meets the sphere
-         * at a flat angle, where the plane of the contact is far before the sphere.
+         * at a grazing angle, where the plane of the contact is far before the sphere.
          */
         [Test]
         public function whatIsGrazedStopsWhereItIsTouched():void

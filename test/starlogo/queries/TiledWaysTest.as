@@ -154,7 +154,7 @@ package starlogo.queries
                 });
         }
 
-        /** A corner meets the edge between two tiles at a flat angle to its own side, so rounding hides the touch at the computed place. */
+        /** A corner meets the edge between two tiles at a grazing angle to its own side, so rounding hides the touch at the computed place. */
         [Test]
         public function aCornerGoesNoDeeperThanItsTouch():void
         {

@@ -22,8 +22,8 @@ package starlogo.queries.motion
      */
     public final class CoreSweep
     {
-        // The core meets a surface at a flat angle if the sine of the angle between the surface and the motion is at most this.
-        private static const FLAT_SINE:Number = 0.1;
+        // The core meets a surface at a grazing angle if the sine of the angle between the surface and the motion is at most this.
+        private static const GRAZING_SINE:Number = 0.1;
 
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
@@ -135,9 +135,9 @@ package starlogo.queries.motion
 
         /**
          * Finds when the whole body touches the row that its core has met. The body touches the contact's plane earlier, because its surface is in front of
-         * the core's at the contact. Only an inner face of a concave body is behind the core's, and touches later. At a steep angle the touch of the plane
-         * is the touch. But at a flat angle, the body touches a curved surface much nearer to where its core does. So there, and at an inner face, the body
-         * is swept too. Its time counts if it is between the two. If the body touches the row elsewhere, before or after, the nearer one of the two counts.
+         * the core's at the contact. Only an inner face of a concave body is behind the core's, and touches later. Mostly the touch of the plane is
+         * the touch. But at a grazing angle, the body touches a curved surface much nearer to where its core does. So there, and at an inner face, the
+         * body is swept too. Its time counts if it is between the two. If the body touches the row elsewhere, before or after, the nearer one of the two counts.
          *
          * @param impact how the core meets it
          */
@@ -151,8 +151,8 @@ package starlogo.queries.motion
                     + contact.normalZ * (from.z + whole.offsetZ + impact.time * motion.z - contact.z));
             var along:Number = contact.along(motion);
             var ofPlane:Number = Math.max(0, Math.min(1, impact.time + recess / along));
-            var isSteep:Boolean = along < -FLAT_SINE * motion.length;
-            if (isSteep && !(recess < 0))
+            var isGrazing:Boolean = !(along < -GRAZING_SINE * motion.length);
+            if (!isGrazing && !(recess < 0))
             {
                 return ofPlane;
             }

@@ -58,7 +58,7 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(state:MotionState):void
         {
-            if (replaceObstacles(state, false) && !pushOut(state.core, state.obstacles, state.startPlace, state.pushes))
+            if (replaceObstacles(state, false) && !pushFree(state.core, state.obstacles, state.startPlace, false, state.pushes))
             {
                 state.pushes.clear();
                 replaceObstacles(state, true);
@@ -66,7 +66,7 @@ package starlogo.queries.motion
             if (state.core.isFlat && state.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOff(state.core, state.obstacles, state.startPlace);
+                pushFree(state.core, state.obstacles, state.startPlace, true, null);
             }
         }
 
@@ -79,7 +79,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
         {
             _core.beginStanding(body, rows, place);
-            pushOff(_core, rows, place);
+            pushFree(_core, rows, place, true, null);
         }
 
         /**
@@ -109,15 +109,9 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body off the rows that it only touches.
-        private function pushOff(core:BodyCore, rows:IntList, place:Vector3D):void
-        {
-            pushOut(core, rows, place, null);
-        }
-
-        // Pushes a body out of the shallow overlaps of its core, which out receives; or if it is null, off the rows that the body only touches. Goes from
-        // one row to the other until no more pushes are needed. Returns whether the body gets free. If not, it is where it was.
-        private function pushOut(core:BodyCore, rows:IntList, place:Vector3D, out:ContactList):Boolean
+        // Pushes a body off the rows that it only touches, or else out of the shallow overlaps of its core. Goes from one row to the other until no more
+        // pushes are needed. A list, which may be null, receives the pushes. Returns whether the body gets free. If not, it is where it was.
+        private function pushFree(core:BodyCore, rows:IntList, place:Vector3D, isOff:Boolean, out:ContactList):Boolean
         {
             var round:int = 0;
             var count:int;
@@ -125,7 +119,7 @@ package starlogo.queries.motion
             _last.setNormal(0, 0, 0);
             do
             {
-                count = pushRound(core, rows, place, round, out);
+                count = pushRound(core, rows, place, round, isOff, _last, out);
                 round++;
             }
             while (count > 0 && round < MOST_ROUNDS);
@@ -136,21 +130,22 @@ package starlogo.queries.motion
             return count == 0;
         }
 
-        // Pushes a body from each row once, if needed. Returns the number of pushes; BLOCKED if a row is too deep, or pushes back.
-        private function pushRound(core:BodyCore, rows:IntList, place:Vector3D, round:int, out:ContactList):int
+        // Pushes a body from each row once, if needed. The contact of the last push becomes that of the newest. Returns the number of pushes; BLOCKED if a
+        // row is too deep, or pushes back.
+        private function pushRound(core:BodyCore, rows:IntList, place:Vector3D, round:int, isOff:Boolean, last:ContactPoint, out:ContactList):int
         {
             var count:int = 0;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (out == null ? findPushOff(core, row, place, round, _contact) : findPushOut(core, row, place, round, _contact))
+                if (isOff ? findPushOff(core, row, place, round, last, _contact) : findPushOut(core, row, place, round, last, _contact))
                 {
-                    if (!(_contact.depth < Infinity) || areOpposite(_contact, _last))
+                    if (!(_contact.depth < Infinity) || areOpposite(_contact, last))
                     {
                         return BLOCKED;
                     }
                     _contact.push(place, _contact.depth);
-                    _last.copyFrom(_contact);
+                    last.copyFrom(_contact);
                     if (out != null)
                     {
                         out.add(_contact, row);
@@ -215,20 +210,20 @@ package starlogo.queries.motion
 
         // Finds the push out of a row that the core overlaps: along the contact's normal by its depth, which is Infinity if the overlap is deep. Returns whether
         // the core overlaps the row.
-        private function findPushOut(core:BodyCore, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
+        private static function findPushOut(core:BodyCore, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
         {
             if (!core.coreTouches(row, place))
             {
                 return false;
             }
-            findContactInRound(core.body, row, place, round, out);
+            findContactInRound(core.body, row, place, round, last, out);
             out.depth = core.body.isShallow(row, out) ? out.depth + core.clearance : Infinity;
             return true;
         }
 
         // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
         // row deeply, or passes it.
-        private function findPushOff(core:BodyCore, row:int, place:Vector3D, round:int, out:ContactPoint):Boolean
+        private function findPushOff(core:BodyCore, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
         {
             var body:MovingBody = core.body;
             // mostly it is known faster that the core touches the row than how deep the overlap is
@@ -236,7 +231,7 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            findContactInRound(body, row, _touching, round, out);
+            findContactInRound(body, row, _touching, round, last, out);
             var most:Number = SLOPS_OF_TOUCH * core.slop;
             if (out.depth > most && !body.isShallow(row, out))
             {
@@ -247,14 +242,14 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds the contact with a row that the body touches at a place.
-        private function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, out:ContactPoint):void
+        // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
+        private static function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
         {
             if (round < FIRST_SEPARATING_ROUND)
             {
                 body.findContact(row, place, out);
             }
-            if (round >= FIRST_SEPARATING_ROUND || areOpposite(out, _last))
+            if (round >= FIRST_SEPARATING_ROUND || areOpposite(out, last))
             {
                 body.findSeparatingContact(row, place, out);
             }
@@ -293,8 +288,12 @@ package starlogo.queries.motion
             {
                 return true;
             }
+            if (!core.isFlat)
+            {
+                return false;
+            }
             var side:Number = -core.clearance / 2;
-            for (var i:int = 0; i < 2 && core.isFlat; i++)
+            for (var i:int = 0; i < 2; i++)
             {
                 if (touchesAt(core, row, place, 0, 0, side, touching) || touchesAt(core, row, place, 0, side, 0, touching)
                         || touchesAt(core, row, place, side, 0, 0, touching))

@@ -46,12 +46,12 @@ package starlogo.queries.motion
          *
          * @param limits how it may go
          */
-        public function begin(whole:Vector3D, limits:SlideLimits):void
+        public function begin(wanted:Vector3D, limits:SlideLimits):void
         {
             _limits = limits;
             _maxHorizontal = limits.maxHorizontal;
-            _wanted.copyFrom(whole);
-            motion.copyFrom(whole);
+            _wanted.copyFrom(wanted);
+            motion.copyFrom(wanted);
             gone = 0;
             shorten();
         }

@@ -79,8 +79,8 @@ package starlogo.queries.motion
             {
                 _remaining.advance(out.place, 1);
             }
-            var whole:Number = motion.length;
-            out.fraction = _remaining.gone < whole ? _remaining.gone / whole : 1;
+            var wantedLength:Number = motion.length;
+            out.fraction = _remaining.gone < wantedLength ? _remaining.gone / wantedLength : 1;
         }
 
         /**

@@ -66,14 +66,14 @@ package starlogo.queries.motion
             var found:Collector = _seen.beginSearch(wanted, Infinity, null, null);
             _stateOfAll.startPlace.copyFrom(body.from);
             _stateOfAll.pushes.clear();
-            if (addTouches(body, motion, found, hits, first))
+            if (addTouches(body, motion, _stateOfAll, found, hits, first))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
                 _sweep.startMotion(body, body.rows, body.from, motion, _stateOfAll);
                 if (!_stateOfAll.startPlace.equals(body.from))
                 {
                     found = _seen.beginSearch(wanted, Infinity, null, null);
-                    addTouches(body, motion, found, hits, first);
+                    addTouches(body, motion, _stateOfAll, found, hits, first);
                 }
             }
             if (!first.isStopped)
@@ -83,8 +83,8 @@ package starlogo.queries.motion
             return found;
         }
 
-        // Adds the rows that stop the body. Returns whether the start among all rows may change the answer.
-        private function addTouches(body:MovingBody, motion:Vector3D, found:Collector, hits:Hits, first:MotionResult):Boolean
+        // Adds the rows that stop the body. The state among all rows has the start. Returns whether another start may change the answer.
+        private function addTouches(body:MovingBody, motion:Vector3D, ofAll:MotionState, found:Collector, hits:Hits, first:MotionResult):Boolean
         {
             var mayPush:Boolean = false;
             hits.begin();
@@ -95,7 +95,8 @@ package starlogo.queries.motion
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.numbers[i];
-                mayPush = findTouch(body, row, motion, _stateOfAll, _touch) || mayPush;
+                findTouch(body, row, motion, ofAll, _stateOfRow, _touch);
+                mayPush ||= mayPushChange(_stateOfRow, ofAll, _touch);
                 if (_touch.isStopped)
                 {
                     found.add(row, _touch.fraction);
@@ -110,31 +111,36 @@ package starlogo.queries.motion
         }
 
         // Finds whether and when a row stops a motion of a body from where the body begins, as if there were no others. The state among all rows has the
-        // start. Rounding may hide the touch at its place: see goIntoTouch. Returns whether the start among all rows may change the answer: if the row
-        // alone pushes the body, or stops it at once in a shallow overlap.
-        private function findTouch(body:MovingBody, row:int, motion:Vector3D, ofAll:MotionState, out:MotionResult):Boolean
+        // start, and that of the row receives how the motion starts with it alone. Rounding may hide the touch at its place: see goIntoTouch.
+        private function findTouch(body:MovingBody, row:int, motion:Vector3D, ofAll:MotionState, ofRow:MotionState, out:MotionResult):void
         {
             _rowAlone.count = 0;
             _rowAlone.add(row);
-            _sweep.findStop(body, _rowAlone, ofAll.startPlace, motion, _stateOfRow, out);
+            _sweep.findStop(body, _rowAlone, ofAll.startPlace, motion, ofRow, out);
             if (out.isStopped)
             {
                 if (!out.isDeep)
                 {
                     out.contact.depth = 0;
-                    leaveOutPush(motion, _stateOfRow, out);
+                    leaveOutPush(motion, ofRow, out);
                 }
                 setEnd(body.from, motion, out.fraction, ofAll, out.place);
-                pushBack(body.from, _stateOfRow, out.place);
+                pushBack(body.from, ofRow, out.place);
             }
-            return !_stateOfRow.startPlace.equals(ofAll.startPlace) || (out.fraction == 0 && !out.isDeep);
+        }
+
+        // Whether a start that pushes out of all rows lead to may change the answer for a row: the row alone pushes the body, or stops it at once in a
+        // shallow overlap.
+        private static function mayPushChange(ofRow:MotionState, ofAll:MotionState, touch:MotionResult):Boolean
+        {
+            return !ofRow.startPlace.equals(ofAll.startPlace) || (touch.fraction == 0 && !touch.isDeep);
         }
 
         /**
          * Moves the end of a motion into the touch, on the side that the body comes from. Beyond a row without thickness the two would not touch, and
          * the body could not come back. So it tries several places, the outermost first: half of the gap across which the two still touch before the
-         * contact. Rounding may hide the touch on a long way, and at an edge that the body meets at a flat angle. Then the touch is found between the
-         * computed end and where the core touches the row, which may be much farther on: at a flat angle along the side of a tile.
+         * contact. Rounding may hide the touch on a long way, and at an edge that the body meets at a grazing angle. Then the touch is found between the
+         * computed end and where the core touches the row, which may be much farther on: at a grazing angle along the side of a tile.
          *
          * @param touch an answer for this body, which a row stops. Its place changes
          */

@@ -49,10 +49,11 @@ package starlogo.queries.motion
         /** The contact of the deepest overlap where the walk begins. A filter may walk another agent before the push. */
         public var deepest:ContactPoint = new ContactPoint();
 
-        /** The row that the agent stood on last. */
+        /** The row that the agent stood on last, and the normal of its surface there. */
         public var floorRow:int = -1;
+        public var floorNormal:Vector3D = new Vector3D();
 
-        /** What comes of it. Its normal is that of the surface that the agent stood on last, until the walk ends. */
+        /** What comes of it. */
         public var footing:Footing = new Footing();
 
         /** @param seen the agents that the walk is among */

@@ -190,7 +190,7 @@ package starlogo.queries.motion
         // How far a piece leads up or down if it runs along the ground below the agent.
         private static function riseOf(walk:Walk):Number
         {
-            var normal:Vector3D = walk.footing.normal;
+            var normal:Vector3D = walk.floorNormal;
             return -(normal.x * walk.pieceMotion.x + normal.y * walk.pieceMotion.y) / normal.z;
         }
 
@@ -316,7 +316,7 @@ package starlogo.queries.motion
         // Lets the agent stand at a place, on a row that it touches there, if the row carries it.
         private function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
         {
-            if (!_foothold.findSurface(walk, contact, row, place, walk.footing.normal))
+            if (!_foothold.findSurface(walk, contact, row, place, walk.floorNormal))
             {
                 return false;
             }

@@ -79,7 +79,7 @@ package starlogo.queries.trees
         /** The next row of a search that the filter may admit and that has a shape; -1 if there are no more. The last one is the row of the ground. */
         public function nextCandidate(search:SweptBoxSearch):int
         {
-            for (var row:int = search.next(filter.breeds, limit); row >= 0; row = search.next(filter.breeds, limit))
+            for (var row:int = search.next(filter.breedSet, limit); row >= 0; row = search.next(filter.breedSet, limit))
             {
                 if (isCandidate(row))
                 {
@@ -124,8 +124,8 @@ package starlogo.queries.trees
             }
         }
 
-        /** Whether the search can end, because one row is wanted, which may be any, and is found. */
-        public function get canEnd():Boolean
+        /** Whether a question that wants any one row has it. */
+        public function get hasEnoughOfAny():Boolean
         {
             return wanted == 1 && filter.accepts == null && _rows.count > 0;
         }

@@ -55,13 +55,13 @@ package starlogo.queries.trees
         {
             begin(found, x, y, z);
             var tree:RowTree = _tree;
-            var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
+            var asksInOrder:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
             var asker:int = found.filter.askerRow;
             var waiting:int = asker < 0 ? push(RowTree.ROOT, 0) : pushBeside(tree.leafOf(asker));
             while (waiting > 0 && found.limit >= 0)
             {
                 waiting--;
-                if (asks)
+                if (asksInOrder)
                 {
                     putNearestLast(waiting);
                     askBefore(waiting);
@@ -212,7 +212,7 @@ package starlogo.queries.trees
             var toY:Number = _y < boxes[int(box + 1)] ? boxes[int(box + 1)] - _y : (_y > boxes[int(box + 4)] ? _y - boxes[int(box + 4)] : 0);
             var toZ:Number = _z < boxes[int(box + 2)] ? boxes[int(box + 2)] - _z : (_z > boxes[int(box + 5)] ? _z - boxes[int(box + 5)] : 0);
             var square:Number = toX * toX + toY * toY + toZ * toZ;
-            if (square > _found.limit || !_tree.mayHave(node, _found.filter.breeds))
+            if (square > _found.limit || !_tree.mayHave(node, _found.filter.breedSet))
             {
                 return waiting;
             }

@@ -24,7 +24,7 @@ package starlogo.queries.trees
         public var excludes:Boolean = false;
 
         /** The set of the breeds that the filter may admit, see RowTree. */
-        public var breeds:int = RowTree.ALL_BREEDS;
+        public var breedSet:int = RowTree.ALL_BREEDS;
 
         /** The row of the agent that asks, which is left out; or -1. */
         public var askerRow:int = -1;
@@ -51,7 +51,7 @@ package starlogo.queries.trees
             askerRow = asker == null ? -1 : _listed.rowOf(asker);
             _filter = filter;
             excludes = false;
-            breeds = RowTree.ALL_BREEDS;
+            breedSet = RowTree.ALL_BREEDS;
             accepts = null;
             if (filter == null)
             {
@@ -67,12 +67,12 @@ package starlogo.queries.trees
             excludes = filter.breeds != null || filter.exceptBreeds != null;
             if (filter.breeds != null)
             {
-                breeds = setOf(filter.breeds);
+                breedSet = setOf(filter.breeds);
             }
             else if (filter.exceptBreeds != null && Breeds.NAMES.count <= RowTree.BREED_BITS)
             {
                 // each breed has a bit of its own
-                breeds = ~setOf(filter.exceptBreeds);
+                breedSet = ~setOf(filter.exceptBreeds);
             }
             markExcepted(filter.except);
         }
@@ -122,7 +122,11 @@ package starlogo.queries.trees
             {
                 _exceptMarks.length = _listed.agents.length;
             }
-            for (var i:int = 0; agents != null && i < agents.length; i++)
+            if (agents == null)
+            {
+                return;
+            }
+            for (var i:int = 0; i < agents.length; i++)
             {
                 var row:int = agents[i] == null ? -1 : _listed.rowOf(agents[i]);
                 if (row >= 0)

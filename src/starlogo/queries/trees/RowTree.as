@@ -39,25 +39,28 @@ package starlogo.queries.trees
         /** The set of all breeds. */
         public static const ALL_BREEDS:int = -1;
 
-        // After this many moves per row the tree has to be built again, because its boxes have grown too much.
-        private static const MOVES_PER_ROW:Number = 0.5;
+        // After this many refreshes per row the tree has to be built again, because its boxes have grown too much.
+        private static const REFRESHES_PER_ROW:Number = 0.5;
 
-        /** The number of rows. */
+        /** The number of rows. Read only. */
         public var count:int = 0;
 
-        /** The node number of the first leaf. The number of leaves is the same. */
+        /** The node number of the first leaf. The number of leaves is the same. Read only. */
         public var firstLeaf:int = 1;
 
-        /** By slot: the row. */
+        /** By slot: the row. RowDivision brings them into order; read only for others. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /** By slot: the middle of the row's box. */
+        /** By slot: the middle of the row's box. RowDivision brings them into order; read only for others. */
         public var middles:Points = new Points();
 
-        /** By slot: the row's box, widened by a slack that is larger than its rounding errors. A tree of places has them only for rows that have moved. */
+        /**
+         * By slot: the row's box, widened by a slack that is larger than its rounding errors. A tree of places has them only for rows that were
+         * refreshed. Read only.
+         */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
-        /** By node: a box around the boxes of the node's rows. */
+        /** By node: a box around the boxes of the node's rows. RowDivision uses them for a while; read only for others. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
         // How many rows that filters exclude were tested by searches since the nodes learned their breeds. A unit test reads it.
@@ -67,8 +70,8 @@ package starlogo.queries.trees
         private var _breedSets:Vector.<int> = new Vector.<int>();
         private var _breedsAsOf:int = -1;
 
-        // How many rows may still move. If it is less than 0, the tree is stale.
-        private var _movesLeft:int = -1;
+        // How many rows may still be refreshed. If it is less than 0, the tree is stale.
+        private var _refreshesLeft:int = -1;
 
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
@@ -78,7 +81,7 @@ package starlogo.queries.trees
         private var _sizes:Extents;
 
         /**
-         * Builds the tree again. It keeps the columns, because <code>move()</code> reads them later.
+         * Builds the tree again. It keeps the columns, because <code>refresh()</code> reads them later.
          *
          * @param rows a list of rows
          * @param count how many rows the tree has: the first ones of the list
@@ -87,7 +90,7 @@ package starlogo.queries.trees
          */
         public function build(rows:Vector.<int>, count:int, points:Points, sizes:Extents):void
         {
-            _movesLeft = MOVES_PER_ROW * count;
+            _refreshesLeft = REFRESHES_PER_ROW * count;
             excludedCount = 0;
             _breedsAsOf = -1;
             this.count = count;
@@ -113,13 +116,13 @@ package starlogo.queries.trees
         /** Whether the tree must be built again before the next search. */
         public function get isStale():Boolean
         {
-            return _movesLeft < 0;
+            return _refreshesLeft < 0;
         }
 
         /** The rows have changed: the tree is built again before it is asked. */
         public function makeStale():void
         {
-            _movesLeft = -1;
+            _refreshesLeft = -1;
         }
 
         /** The bit of a breed in a set of breeds. Breeds with the same remainder share one. */
@@ -160,10 +163,10 @@ package starlogo.queries.trees
             return found;
         }
 
-        /** Whether a node may have rows of some breeds. */
-        public function mayHave(node:int, breeds:int):Boolean
+        /** Whether a node may have rows of a set of breeds. */
+        public function mayHave(node:int, breedSet:int):Boolean
         {
-            return breeds == ALL_BREEDS || _breedsAsOf != Breeds.changes || (_breedSets[node] & breeds) != 0;
+            return breedSet == ALL_BREEDS || _breedsAsOf != Breeds.changes || (_breedSets[node] & breedSet) != 0;
         }
 
         /** The slot where the rows of a leaf begin. Those of the leaf before it, or of the last leaf of all, end there. */
@@ -193,10 +196,10 @@ package starlogo.queries.trees
         }
 
         /** Reads the box of one row again, unless the tree is stale. The boxes around the row grow, so searches stay correct, but take more time. */
-        public function move(row:int):void
+        public function refresh(row:int):void
         {
-            _movesLeft--;
-            if (_movesLeft < 0)
+            _refreshesLeft--;
+            if (_refreshesLeft < 0)
             {
                 return;
             }

@@ -129,10 +129,10 @@ package starlogo.queries.trees
         /**
          * The next row, or -1 if there are no more.
          *
-         * @param breeds the breeds that count, a set of RowTree. Nodes without them are skipped, but single rows may have others
+         * @param breedSet the breeds that count, see RowTree. Nodes without them are skipped, but single rows may have others
          * @param limit if the box moves: how much of the motion is still searched, as a multiple of its vector. It may become less during the search
          */
-        public function next(breeds:int, limit:Number):int
+        public function next(breedSet:int, limit:Number):int
         {
             _limit = limit;
             while (_slotsLeft > 0 || _waiting > 0)
@@ -150,16 +150,16 @@ package starlogo.queries.trees
                 _waiting--;
                 if (!_moves || _entries[_waiting] <= limit)
                 {
-                    visit(_nodes[_waiting], breeds);
+                    visit(_nodes[_waiting], breedSet);
                 }
             }
             return -1;
         }
 
         // Finds the rows of a leaf, or puts the children of a node on the waiting list.
-        private function visit(node:int, breeds:int):void
+        private function visit(node:int, breedSet:int):void
         {
-            if (!tree.mayHave(node, breeds))
+            if (!tree.mayHave(node, breedSet))
             {
                 return;
             }

@@ -164,7 +164,7 @@ package starlogo.ground
         }
 
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
-        public function stayApart(level:int, column:int, row:int, heights:HeightBounds):Boolean
+        public function isFarther(level:int, column:int, row:int, heights:HeightBounds):Boolean
         {
             if (search.shape == null)
             {
@@ -175,7 +175,7 @@ package starlogo.ground
             var y:Number = alongY.firstCell + row * width;
             _least.setTo(x - _slack, y - _slack, heights.least - _slack);
             _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
-            return _separation.stayApart(search, _least, _greatest);
+            return _separation.isFarther(search, _least, _greatest);
         }
     }
 }

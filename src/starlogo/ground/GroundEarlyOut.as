@@ -76,7 +76,7 @@ package starlogo.ground
             {
                 return APART;
             }
-            return isSphere && !grid.isBlocky && touchesSphere(grid, extents) ? TOUCHING : UNKNOWN;
+            return isSphere && !grid.isBlocky && touchesSphere(grid, extents, _under) ? TOUCHING : UNKNOWN;
         }
 
         // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
@@ -98,16 +98,16 @@ package starlogo.ground
         }
 
         // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane of the triangle under its
-        // middle. That place is moved there.
-        private function touchesSphere(grid:HeightGrid, extents:GroundBox):Boolean
+        // middle. The point under its middle is moved to there.
+        private function touchesSphere(grid:HeightGrid, extents:GroundBox, under:GroundPoint):Boolean
         {
             var width:Number = grid.cellWidth;
-            grid.findFall(_under);
-            var step:Number = extents.halfX / Math.sqrt(_under.fallX * _under.fallX + _under.fallY * _under.fallY + width * width);
-            _under.x -= step * _under.fallX;
-            _under.y -= step * _under.fallY;
-            grid.findHeight(_under);
-            return _under.height >= extents.z - step * width;
+            grid.findFall(under);
+            var step:Number = extents.halfX / Math.sqrt(under.fallX * under.fallX + under.fallY * under.fallY + width * width);
+            under.x -= step * under.fallX;
+            under.y -= step * under.fallY;
+            grid.findHeight(under);
+            return under.height >= extents.z - step * width;
         }
     }
 }

@@ -152,7 +152,8 @@ package starlogo.ground
             if (_mustBegin)
             {
                 _mustBegin = false;
-                _areKept = _source.begin(search);
+                _source.begin(search);
+                _areKept = _source.comesToFewCells;
             }
             else if (!_areKept)
             {

@@ -78,8 +78,8 @@ package starlogo.ground
         {
             var motion:RelativeMotion = _path.search.motion;
             var grid:HeightGrid = _path.search.grid;
-            var lastColumn:int = Math.min(firstColumn + most - 1, HeightPyramid.squareOf(grid.lastColumn, level));
-            var lastRow:int = Math.min(firstRow + most - 1, HeightPyramid.squareOf(grid.lastRow, level));
+            var lastColumn:int = Math.min(firstColumn + most - 1, HeightPyramid.squareOf(grid.lastCellColumn, level));
+            var lastRow:int = Math.min(firstRow + most - 1, HeightPyramid.squareOf(grid.lastCellRow, level));
             var left:int = Math.max(firstColumn, _path.firstOf(_path.alongX, _passage, level));
             var right:int = Math.min(lastColumn, _path.lastOf(_path.alongX, _passage, level));
             var bottom:int = Math.max(firstRow, _path.firstOf(_path.alongY, _passage, level));
@@ -131,8 +131,8 @@ package starlogo.ground
         private function readHeights(level:int, column:int, row:int):void
         {
             var grid:HeightGrid = _path.search.grid;
-            var isAtBorder:Boolean = column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastColumn, level)
-                || row == HeightPyramid.squareOf(grid.lastRow, level);
+            var isAtBorder:Boolean = column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level)
+                || row == HeightPyramid.squareOf(grid.lastCellRow, level);
             grid.pyramid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.zeroHeight;
             _heights.greatest += _path.zeroHeight;

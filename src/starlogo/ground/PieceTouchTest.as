@@ -71,7 +71,7 @@ package starlogo.ground
         // under the ground do so there.
         private function isLowestUnder(ground:GroundPoint):Boolean
         {
-            _pairs.grid.findDirectionOut(ground, _normal);
+            _pairs.grid.findNormal(ground, _normal);
             _lowest.find(_normal, _pairs.kernel.shape);
             findGroundUnder(_lowest.point, ground);
             return ground.height >= _lowest.point.z + _pairs.origin.z;

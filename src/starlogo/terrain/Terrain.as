@@ -341,16 +341,16 @@ package starlogo.terrain
         public function normalAt(x:Number, y:Number, out:Vector3D = null):Vector3D
         {
             requireInWorld("a place", x, y, 0);
-            var at:GroundPoint = _point;
-            at.x = x;
-            at.y = y;
-            grid.findHeight(at);
-            if (isNaN(at.height))
+            var point:GroundPoint = _point;
+            point.x = x;
+            point.y = y;
+            grid.findHeight(point);
+            if (isNaN(point.height))
             {
                 return null;
             }
             var normal:Vector3D = out || new Vector3D();
-            grid.findDirectionOut(at, normal);
+            grid.findNormal(point, normal);
             return normal;
         }
 

@@ -44,7 +44,7 @@ package starlogo.ground
          */
         public var holes:Vector.<int> = null;
 
-        /** Bounds of the heights. Update it after a change of heights or holes. */
+        /** Bounds of the heights. Who writes to <code>heights</code> or <code>holes</code> updates it. */
         public var pyramid:HeightPyramid;
 
         // The number of frames that need the ground as it is.
@@ -64,6 +64,22 @@ package starlogo.ground
             this.y = y;
             heights = new Vector.<Number>(columns * rows, true);
             pyramid = new HeightPyramid(this);
+        }
+
+        /** Sets the heights of a region, which has a height for each place, row by row. */
+        public function setHeights(column:int, row:int, columns:int, rows:int, heights:Vector.<Number>):void
+        {
+            var i:int = 0;
+            for (var toRow:int = row; toRow < row + rows; toRow++)
+            {
+                for (var toColumn:int = column; toColumn < column + columns; toColumn++)
+                {
+                    // plus 0, because -0 becomes 0, which is the only height that snapshots leave out
+                    this.heights[int(toRow * this.columns + toColumn)] = heights[i] + 0;
+                    i++;
+                }
+            }
+            pyramid.update(column, row, column + columns - 1, row + rows - 1);
         }
 
         /** Makes all heights 0, without holes. */
@@ -180,11 +196,13 @@ package starlogo.ground
         }
 
         /** Makes the cell of a height a hole, or fills it. */
-        public function setHole(at:int, isHole:Boolean):void
+        public function setHole(column:int, row:int, becomesHole:Boolean):void
         {
-            var bit:int = 1 << (at & 31);
+            var index:int = row * columns + column;
+            var bit:int = 1 << (index & 31);
             holes ||= new Vector.<int>((columns * rows + 31) >> 5, true);
-            holes[at >> 5] = isHole ? holes[at >> 5] | bit : holes[at >> 5] & ~bit;
+            holes[index >> 5] = becomesHole ? holes[index >> 5] | bit : holes[index >> 5] & ~bit;
+            pyramid.update(column, row, column, row);
         }
 
         /** The height at a place; NaN outside and over holes. Where blocks meet, it is the height of the highest. */

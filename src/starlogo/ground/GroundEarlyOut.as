@@ -41,7 +41,7 @@ package starlogo.ground
          */
         public function decide(grid:HeightGrid, extents:GroundBox, form:int):int
         {
-            // nodes of a tree may extend beyond the tree's extents
+            // neither trees, whose nodes may extend beyond their extents, nor structures of other kinds
             if (form > BoundingStructure.HULL)
             {
                 return UNKNOWN;
@@ -65,14 +65,14 @@ package starlogo.ground
             }
             grid.pyramid.findWhole(_whole);
             // agents that are this close may touch, because of rounding
-            var tolerance:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
+            var slack:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
                     + Math.abs(_whole.least) + Math.abs(_whole.greatest));
             // a whole grid has the same bound along both axes
             var slope:Number = grid.isBlocky ? Infinity : _whole.riseX / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
             // an agent whose lowest height is in the ground under its middle is not far
-            if (above > height * Tolerances.OUTER + tolerance || above > extents.halfZ && isFar(grid, extents, isSphere, above, tolerance))
+            if (above > height * Tolerances.OUTER + slack || above > extents.halfZ && isFar(grid, extents, isSphere, above, slack))
             {
                 return APART;
             }
@@ -80,12 +80,12 @@ package starlogo.ground
         }
 
         // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
-        private function isFar(grid:HeightGrid, extents:GroundBox, isSphere:Boolean, above:Number, tolerance:Number):Boolean
+        private function isFar(grid:HeightGrid, extents:GroundBox, isSphere:Boolean, above:Number, slack:Number):Boolean
         {
             var width:Number = grid.cellWidth;
-            var halfX:Number = extents.halfX * Tolerances.OUTER + tolerance;
-            var halfY:Number = extents.halfY * Tolerances.OUTER + tolerance;
-            var halfZ:Number = extents.halfZ * Tolerances.OUTER + tolerance;
+            var halfX:Number = extents.halfX * Tolerances.OUTER + slack;
+            var halfY:Number = extents.halfY * Tolerances.OUTER + slack;
+            var halfZ:Number = extents.halfZ * Tolerances.OUTER + slack;
             grid.pyramid.findAround(extents.x, extents.y, halfX, halfY, _around);
             if (extents.z - halfZ > _around.greatest)
             {

@@ -136,7 +136,7 @@ package starlogo.ground
         }
 
         /**
-         * Reads a surface that was written: a grid of the same cells with it. Returns null if the bytes are none.
+         * Reads a surface that was written: a grid of the same cells with it. Returns null if the bytes are no surface.
          *
          * @throws ArgumentError if they are a surface of other cells
          * @throws EOFError if they are cut off

@@ -6,7 +6,7 @@ package starlogo.ground
         /** The box's middle at time 0. */
         public var middle:Number = 0;
 
-        /** Half of the box's length, with a margin for rounding. */
+        /** Half of the box's length, with slack for rounding. */
         public var half:Number = 0;
 
         /** How far the box moves from time 0 to time 1. */

@@ -15,9 +15,9 @@ package starlogo.ground
         // boxes begin with squares that are larger than needed. Larger: long boxes begin with many squares.
         private static const FIRST_SQUARES:int = 3;
 
-        // How many computed positions are compared with one another: the box's middle, half its length, how far it has moved, and a square's border. Each may be
+        // How many rounded terms are compared with one another: the box's middle, half its length, how far it has moved, and a square's border. Each may be
         // off by Tolerances.ROUNDING of the lengths.
-        private static const POSITIONS:Number = 4;
+        private static const ROUNDED_TERMS:Number = 4;
 
         /** The height 0 of the ground, relative to the search's origin. Read only. */
         public var zeroHeight:Number = 0;
@@ -32,7 +32,7 @@ package starlogo.ground
         public var alongX:AxisPath = new AxisPath();
         public var alongY:AxisPath = new AxisPath();
 
-        // Half the box's height, with a margin for rounding.
+        // Half the box's height, with slack for rounding.
         private var _halfZ:Number = 0;
 
         // No rounding error of the search's coordinates is larger.
@@ -53,7 +53,7 @@ package starlogo.ground
             alongX.firstCell = grid.x - search.origin.x - grid.border;
             alongY.firstCell = grid.y - search.origin.y - grid.border;
             zeroHeight = -search.origin.z;
-            _slack = POSITIONS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.firstCell) + Math.abs(box.y) + Math.abs(alongY.firstCell) + Math.abs(box.z)
+            _slack = ROUNDED_TERMS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.firstCell) + Math.abs(box.y) + Math.abs(alongY.firstCell) + Math.abs(box.z)
                     + Math.abs(zeroHeight) + grid.cellWidth
                     + latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
@@ -164,7 +164,7 @@ package starlogo.ground
         }
 
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
-        public function stayApart(level:int, column:int, row:int, heights:HeightBounds):Boolean
+        public function isFarther(level:int, column:int, row:int, heights:HeightBounds):Boolean
         {
             if (search.shape == null)
             {
@@ -175,7 +175,7 @@ package starlogo.ground
             var y:Number = alongY.firstCell + row * width;
             _least.setTo(x - _slack, y - _slack, heights.least - _slack);
             _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
-            return _separation.stayApart(search, _least, _greatest);
+            return _separation.isFarther(search, _least, _greatest);
         }
     }
 }

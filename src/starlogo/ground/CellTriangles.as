@@ -69,7 +69,7 @@ package starlogo.ground
             _row = row;
             _passage = passage;
             readTops(at);
-            var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastColumn || row == grid.lastRow;
+            var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastCellColumn || row == grid.lastCellRow;
             var hasWalls:Boolean = isAtBorder || grid.isBlocky || hasHoles && grid.isBesideHole(at);
             if (passage.low <= _highest && (hasWalls || passage.high >= _lowest))
             {

@@ -41,7 +41,7 @@ package starlogo.ground
          */
         public function decide(grid:HeightGrid, extents:GroundBox, form:int):int
         {
-            // nodes of a tree may extend beyond the tree's extents
+            // neither trees, whose nodes may extend beyond their extents, nor structures of other kinds
             if (form > BoundingStructure.HULL)
             {
                 return UNKNOWN;
@@ -65,27 +65,27 @@ package starlogo.ground
             }
             grid.pyramid.findWhole(_whole);
             // agents that are this close may touch, because of rounding
-            var tolerance:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
+            var slack:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
                     + Math.abs(_whole.least) + Math.abs(_whole.greatest));
             // a whole grid has the same bound along both axes
             var slope:Number = grid.isBlocky ? Infinity : _whole.riseX / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
             // an agent whose lowest height is in the ground under its middle is not far
-            if (above > height * Tolerances.OUTER + tolerance || above > extents.halfZ && isFar(grid, extents, isSphere, above, tolerance))
+            if (above > height * Tolerances.OUTER + slack || above > extents.halfZ && isFar(grid, extents, isSphere, above, slack))
             {
                 return APART;
             }
-            return isSphere && !grid.isBlocky && touchesSphere(grid, extents) ? TOUCHING : UNKNOWN;
+            return isSphere && !grid.isBlocky && touchesSphere(grid, extents, _under) ? TOUCHING : UNKNOWN;
         }
 
         // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
-        private function isFar(grid:HeightGrid, extents:GroundBox, isSphere:Boolean, above:Number, tolerance:Number):Boolean
+        private function isFar(grid:HeightGrid, extents:GroundBox, isSphere:Boolean, above:Number, slack:Number):Boolean
         {
             var width:Number = grid.cellWidth;
-            var halfX:Number = extents.halfX * Tolerances.OUTER + tolerance;
-            var halfY:Number = extents.halfY * Tolerances.OUTER + tolerance;
-            var halfZ:Number = extents.halfZ * Tolerances.OUTER + tolerance;
+            var halfX:Number = extents.halfX * Tolerances.OUTER + slack;
+            var halfY:Number = extents.halfY * Tolerances.OUTER + slack;
+            var halfZ:Number = extents.halfZ * Tolerances.OUTER + slack;
             grid.pyramid.findAround(extents.x, extents.y, halfX, halfY, _around);
             if (extents.z - halfZ > _around.greatest)
             {
@@ -98,16 +98,16 @@ package starlogo.ground
         }
 
         // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane of the triangle under its
-        // middle. That place is moved there.
-        private function touchesSphere(grid:HeightGrid, extents:GroundBox):Boolean
+        // middle. The point under its middle is moved to there.
+        private function touchesSphere(grid:HeightGrid, extents:GroundBox, under:GroundPoint):Boolean
         {
             var width:Number = grid.cellWidth;
-            grid.findFall(_under);
-            var step:Number = extents.halfX / Math.sqrt(_under.fallX * _under.fallX + _under.fallY * _under.fallY + width * width);
-            _under.x -= step * _under.fallX;
-            _under.y -= step * _under.fallY;
-            grid.findHeight(_under);
-            return _under.height >= extents.z - step * width;
+            grid.findFall(under);
+            var step:Number = extents.halfX / Math.sqrt(under.fallX * under.fallX + under.fallY * under.fallY + width * width);
+            under.x -= step * under.fallX;
+            under.y -= step * under.fallY;
+            grid.findHeight(under);
+            return under.height >= extents.z - step * width;
         }
     }
 }

@@ -22,8 +22,8 @@ package starlogo.ground
         // needs no search for other ways out. Larger: more contacts need one.
         private static const LEAST_SHARE_PROVEN:Number = 0.8;
 
-        // How many computed positions a depth behind a plane is a sum of, of the shape and of the plane. Each may be off by the triangle's margin.
-        private static const POSITIONS:Number = 10;
+        // How many rounded terms a depth behind a plane is a sum of, of the shape and of the plane. Each may be off by the triangle's margin.
+        private static const ROUNDED_TERMS:Number = 10;
 
         private var _pairs:PieceTrianglePairs;
         private var _pieceTest:PieceTouchTest;
@@ -142,22 +142,23 @@ package starlogo.ground
         private function findDeepestOverlap(out:ContactPoint):Boolean
         {
             var isFound:Boolean = false;
-            var deepest:Number = 0;
+            var mostOverlap:Number = 0;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
                 var rounding:Number = roundingHere();
                 // no overlap is deeper than the piece is behind the plane
                 _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
-                var isLess:Boolean = deepest > 0 && _tried.depth < deepest - rounding;
+                var isLess:Boolean = mostOverlap > 0 && _tried.depth < mostOverlap - rounding;
                 if (!isLess && findOverlap())
                 {
-                    var depth:Number = _tried.depth;
+                    var overlap:Number = _tried.depth;
+                    // now the depth is how long the way out is
                     _kernel.plane.leadOutside(_kernel.shape, RelativeMotion.NONE, _tried);
-                    if (!isFound || depth > deepest + roundingFor(_tried.depth - out.depth, rounding))
+                    if (!isFound || overlap > mostOverlap + roundingFor(_tried.depth - out.depth, rounding))
                     {
                         isFound = true;
-                        deepest = Math.max(depth, deepest);
+                        mostOverlap = Math.max(overlap, mostOverlap);
                         _pairs.moveToWorld(_tried);
                         out.copyFrom(_tried);
                         out.isDeepestOfA = true;
@@ -202,20 +203,20 @@ package starlogo.ground
 
         // How much deeper an overlap has to be than another one. With a clearly shorter way out it may be as deep up to rounding. With a clearly longer one
         // it has to be clearly deeper.
-        private static function roundingFor(longer:Number, rounding:Number):Number
+        private static function roundingFor(extraWayOut:Number, rounding:Number):Number
         {
-            if (longer > rounding)
+            if (extraWayOut > rounding)
             {
                 return rounding;
             }
-            return longer < -rounding ? -rounding : 0;
+            return extraWayOut < -rounding ? -rounding : 0;
         }
 
         // How much a depth behind the current triangle may be off by rounding.
         private function roundingHere():Number
         {
             var origin:Placement = _pairs.origin;
-            return POSITIONS * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            return ROUNDED_TERMS * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
         // Whether a contact is deeper than another one by more than rounding.

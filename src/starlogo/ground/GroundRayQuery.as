@@ -26,7 +26,7 @@ package starlogo.ground
         private var _sheared:ShearedRay = new ShearedRay();
         private var _first:TriangleCrossing = new TriangleCrossing();
 
-        // Bounds of all heights, and a radius that no triangle between them has.
+        // Bounds of all heights, and an upper bound of the radius of a triangle between them.
         private var _whole:HeightBounds = new HeightBounds();
         private var _largest:Number = 0;
 

@@ -22,8 +22,9 @@ package starlogo.ground
         public var box:GroundBox = new GroundBox();
 
         /**
-         * The box's motion: the vector is 0 if the box stands. Of its times, the latest counts. It is a limit: it may become earlier during the search. The
-         * corners of the triangles that are still found do not depend on it.
+         * The box's motion: the vector is 0 if the box stands. For a ray the vector is its direction, and times are distances, which may be more than 1.
+         * Of its times, the latest counts. It is a limit: it may become earlier during the search. The corners of the triangles that are still found do
+         * not depend on it.
          */
         public var motion:RelativeMotion = new RelativeMotion();
 

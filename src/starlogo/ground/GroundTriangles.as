@@ -30,17 +30,25 @@ package starlogo.ground
         // Whether the box stands and nothing beside it counts. Then its passage is the same over all squares, because only those below it are visited.
         private var _isStill:Boolean = false;
 
-        /** Begins a search, which is kept until it ends. Returns whether the box comes to few cells. */
-        public function begin(search:GroundSearch):Boolean
+        // The level of the first squares.
+        private var _firstLevel:int = 0;
+
+        /** Begins a search, which is kept until it ends. */
+        public function begin(search:GroundSearch):void
         {
             _path.begin(search);
             stop();
             _isStill = search.motion.isStill && search.maxDistance == 0;
             _passage.begin(search.motion.latest);
             _path.findHeights(_passage);
-            var level:int = _path.firstLevel();
-            addSquares(level, 0, 0, int.MAX_VALUE);
-            return level == 0;
+            _firstLevel = _path.firstLevel();
+            addSquares(_firstLevel, 0, 0, int.MAX_VALUE);
+        }
+
+        /** Whether the box of the search comes to few cells. */
+        public function get comesToFewCells():Boolean
+        {
+            return _firstLevel == 0;
         }
 
         /** Writes the next triangle. Returns false if there is none. */
@@ -70,8 +78,8 @@ package starlogo.ground
         {
             var motion:RelativeMotion = _path.search.motion;
             var grid:HeightGrid = _path.search.grid;
-            var lastColumn:int = Math.min(firstColumn + most - 1, HeightPyramid.squareOf(grid.lastColumn, level));
-            var lastRow:int = Math.min(firstRow + most - 1, HeightPyramid.squareOf(grid.lastRow, level));
+            var lastColumn:int = Math.min(firstColumn + most - 1, HeightPyramid.squareOf(grid.lastCellColumn, level));
+            var lastRow:int = Math.min(firstRow + most - 1, HeightPyramid.squareOf(grid.lastCellRow, level));
             var left:int = Math.max(firstColumn, _path.firstOf(_path.alongX, _passage, level));
             var right:int = Math.min(lastColumn, _path.lastOf(_path.alongX, _passage, level));
             var bottom:int = Math.max(firstRow, _path.firstOf(_path.alongY, _passage, level));
@@ -105,7 +113,7 @@ package starlogo.ground
                 return;
             }
             readHeights(level, column, row);
-            if (_passage.low <= _heights.greatest && _passage.high >= _heights.least && !_path.stayApart(level, column, row, _heights))
+            if (_passage.low <= _heights.greatest && _passage.high >= _heights.least && !_path.isFarther(level, column, row, _heights))
             {
                 _path.narrowPassage(_heights, _passage);
                 addSquares(level - 1, column << HeightPyramid.SHIFT, row << HeightPyramid.SHIFT, 1 << HeightPyramid.SHIFT);
@@ -123,8 +131,8 @@ package starlogo.ground
         private function readHeights(level:int, column:int, row:int):void
         {
             var grid:HeightGrid = _path.search.grid;
-            var isAtBorder:Boolean = column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastColumn, level)
-                || row == HeightPyramid.squareOf(grid.lastRow, level);
+            var isAtBorder:Boolean = column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level)
+                || row == HeightPyramid.squareOf(grid.lastCellRow, level);
             grid.pyramid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.zeroHeight;
             _heights.greatest += _path.zeroHeight;

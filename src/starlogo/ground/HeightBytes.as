@@ -65,9 +65,10 @@ package starlogo.ground
 
         private static function writeNumbers(bytes:ByteArray, numbers:Vector.<Number>, areInts:Boolean):void
         {
+            var count:int;
             for (var at:int = 0; at < numbers.length; at += count)
             {
-                var count:int = 1;
+                count = 1;
                 if (areInts)
                 {
                     bytes.writeInt(numbers[at]);
@@ -91,10 +92,11 @@ package starlogo.ground
         private static function readNumbers(bytes:ByteArray, length:int, areInts:Boolean):Vector.<Number>
         {
             var numbers:Vector.<Number> = new Vector.<Number>(length, true);
+            var count:uint;
             for (var at:uint = 0; at < length; at += count)
             {
                 numbers[at] = areInts ? bytes.readInt() : bytes.readDouble();
-                var count:uint = 1;
+                count = 1;
                 if (numbers[at] == 0)
                 {
                     count = bytes.readUnsignedInt();

@@ -44,7 +44,7 @@ package starlogo.ground
          */
         public var holes:Vector.<int> = null;
 
-        /** Bounds of the heights. Update it after a change of heights or holes. */
+        /** Bounds of the heights. Who writes to <code>heights</code> or <code>holes</code> updates it. */
         public var pyramid:HeightPyramid;
 
         // The number of frames that need the ground as it is.
@@ -64,6 +64,22 @@ package starlogo.ground
             this.y = y;
             heights = new Vector.<Number>(columns * rows, true);
             pyramid = new HeightPyramid(this);
+        }
+
+        /** Sets the heights of a region, which has a height for each place, row by row. */
+        public function setHeights(column:int, row:int, columns:int, rows:int, heights:Vector.<Number>):void
+        {
+            var i:int = 0;
+            for (var toRow:int = row; toRow < row + rows; toRow++)
+            {
+                for (var toColumn:int = column; toColumn < column + columns; toColumn++)
+                {
+                    // plus 0, because -0 becomes 0, which is the only height that snapshots leave out
+                    this.heights[int(toRow * this.columns + toColumn)] = heights[i] + 0;
+                    i++;
+                }
+            }
+            pyramid.update(column, row, column + columns - 1, row + rows - 1);
         }
 
         /** Makes all heights 0, without holes. */
@@ -120,7 +136,7 @@ package starlogo.ground
         }
 
         /**
-         * Reads a surface that was written: a grid of the same cells with it. Returns null if the bytes are none.
+         * Reads a surface that was written: a grid of the same cells with it. Returns null if the bytes are no surface.
          *
          * @throws ArgumentError if they are a surface of other cells
          * @throws EOFError if they are cut off
@@ -137,10 +153,10 @@ package starlogo.ground
         }
 
         // Whether a point is not outside of the ground, as seen from above. It takes a record, because V8 would make objects of the Numbers.
-        private function hasGroundBelow(at:GroundPoint):Boolean
+        private function hasGroundBelow(point:GroundPoint):Boolean
         {
             var beyond:Number = isBlocky ? cellWidth / 2 : 0;
-            return at.x >= x - beyond && at.y >= y - beyond && at.x <= x + (columns - 1) * cellWidth + beyond && at.y <= y + (rows - 1) * cellWidth + beyond;
+            return point.x >= x - beyond && point.y >= y - beyond && point.x <= x + (columns - 1) * cellWidth + beyond && point.y <= y + (rows - 1) * cellWidth + beyond;
         }
 
         /** How far beyond the outermost heights the ground goes on: half a cell of blocks. Slopes end at these heights. */
@@ -150,41 +166,43 @@ package starlogo.ground
         }
 
         /** Whether the cell of a height is a hole. */
-        public function isHole(at:int):Boolean
+        public function isHole(index:int):Boolean
         {
-            return holes != null && (holes[at >> 5] >> (at & 31) & 1) == 1;
+            return holes != null && (holes[index >> 5] >> (index & 31) & 1) == 1;
         }
 
         /** Whether one of the four cells beside the cell of a height is a hole. The cell is not at a border. */
-        public function isBesideHole(at:int):Boolean
+        public function isBesideHole(index:int):Boolean
         {
-            return holes != null && (isHole(at - 1) || isHole(at + 1) || isHole(at - columns) || isHole(at + columns));
+            return holes != null && (isHole(index - 1) || isHole(index + 1) || isHole(index - columns) || isHole(index + columns));
         }
 
         /** Whether there is a cell at a column and a row, and it is no hole. */
         public function hasCell(column:int, row:int):Boolean
         {
-            return column >= 0 && row >= 0 && column <= lastColumn && row <= lastRow && !isHole(row * columns + column);
+            return column >= 0 && row >= 0 && column <= lastCellColumn && row <= lastCellRow && !isHole(row * columns + column);
         }
 
         /** The last column of cells. Blocks are around heights, slopes between them. */
-        public function get lastColumn():int
+        public function get lastCellColumn():int
         {
             return isBlocky ? columns - 1 : columns - 2;
         }
 
         /** The last row of cells. */
-        public function get lastRow():int
+        public function get lastCellRow():int
         {
             return isBlocky ? rows - 1 : rows - 2;
         }
 
         /** Makes the cell of a height a hole, or fills it. */
-        public function setHole(at:int, isHole:Boolean):void
+        public function setHole(column:int, row:int, becomesHole:Boolean):void
         {
-            var bit:int = 1 << (at & 31);
+            var index:int = row * columns + column;
+            var bit:int = 1 << (index & 31);
             holes ||= new Vector.<int>((columns * rows + 31) >> 5, true);
-            holes[at >> 5] = isHole ? holes[at >> 5] | bit : holes[at >> 5] & ~bit;
+            holes[index >> 5] = becomesHole ? holes[index >> 5] | bit : holes[index >> 5] & ~bit;
+            pyramid.update(column, row, column, row);
         }
 
         /** The height at a place; NaN outside and over holes. Where blocks meet, it is the height of the highest. */
@@ -197,36 +215,36 @@ package starlogo.ground
         }
 
         /** Finds the height at a point's x and y, and on slopes its triangle. */
-        public function findHeight(at:GroundPoint):void
+        public function findHeight(point:GroundPoint):void
         {
-            if (!hasGroundBelow(at))
+            if (!hasGroundBelow(point))
             {
-                at.height = NaN;
+                point.height = NaN;
             }
             else if (isBlocky)
             {
-                findTop(at);
+                findHeightOfBlocks(point);
             }
             else
             {
-                findSlope(at);
+                findHeightOfSlopes(point);
             }
         }
 
         // Finds the height of the highest block at a point. At most four blocks meet there.
-        private function findTop(at:GroundPoint):void
+        private function findHeightOfBlocks(point:GroundPoint):void
         {
             // rounding can lead beyond the last block
-            var toX:Number = Math.min((at.x - x) / cellWidth + 0.5, columns);
-            var toY:Number = Math.min((at.y - y) / cellWidth + 0.5, rows);
-            findHighest(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1), at);
+            var toX:Number = Math.min((point.x - x) / cellWidth + 0.5, columns);
+            var toY:Number = Math.min((point.y - y) / cellWidth + 0.5, rows);
+            findHighest(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1), point);
         }
 
         // Finds the height of the slope at a point, and its triangle.
-        private function findSlope(at:GroundPoint):void
+        private function findHeightOfSlopes(point:GroundPoint):void
         {
-            var toX:Number = (at.x - x) / cellWidth;
-            var toY:Number = (at.y - y) / cellWidth;
+            var toX:Number = (point.x - x) / cellWidth;
+            var toY:Number = (point.y - y) / cellWidth;
             // The conversion to int rounds down, because the numbers are not negative.
             var column:int = Math.min(toX, columns - 2);
             var row:int = Math.min(toY, rows - 2);
@@ -236,7 +254,7 @@ package starlogo.ground
                 corner = besideHole(corner, toX == column && column > 0, toY == row && row > 0);
                 if (corner < 0)
                 {
-                    at.height = NaN;
+                    point.height = NaN;
                     return;
                 }
                 column = corner % columns;
@@ -244,11 +262,11 @@ package starlogo.ground
             }
             toX -= column;
             toY -= row;
-            at.corner = corner;
-            at.side = toX >= toY ? corner + 1 : corner + columns;
+            point.corner = corner;
+            point.side = toX >= toY ? corner + 1 : corner + columns;
             var more:Number = toX >= toY ? toX : toY;
             var less:Number = toX >= toY ? toY : toX;
-            at.height = (1 - more) * heights[corner] + (more - less) * heights[at.side] + less * heights[int(corner + columns + 1)];
+            point.height = (1 - more) * heights[corner] + (more - less) * heights[point.side] + less * heights[int(corner + columns + 1)];
         }
 
         // Finds the height of the highest block of a range that is no hole; NaN if all are holes.
@@ -257,11 +275,11 @@ package starlogo.ground
             var highest:Number = NaN;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
-                for (var at:int = row * columns + firstColumn; at <= row * columns + lastColumn; at++)
+                for (var index:int = row * columns + firstColumn; index <= row * columns + lastColumn; index++)
                 {
-                    if (!isHole(at) && !(heights[at] <= highest))
+                    if (!isHole(index) && !(heights[index] <= highest))
                     {
-                        highest = heights[at];
+                        highest = heights[index];
                     }
                 }
             }
@@ -284,28 +302,28 @@ package starlogo.ground
         }
 
         /** Finds the fall of sloping ground at a point whose triangle is known. */
-        public function findFall(at:GroundPoint):void
+        public function findFall(point:GroundPoint):void
         {
-            var near:Number = heights[at.corner];
-            var side:Number = heights[at.side];
-            var far:Number = heights[int(at.corner + columns + 1)];
-            var isRight:Boolean = at.side == at.corner + 1;
-            at.fallX = isRight ? near - side : side - far;
-            at.fallY = isRight ? side - far : near - side;
+            var near:Number = heights[point.corner];
+            var side:Number = heights[point.side];
+            var far:Number = heights[int(point.corner + columns + 1)];
+            var isRight:Boolean = point.side == point.corner + 1;
+            point.fallX = isRight ? near - side : side - far;
+            point.fallY = isRight ? side - far : near - side;
         }
 
-        /** Finds the direction out of the ground at a point whose height is known: a unit vector. It is up from blocks, and where there is no ground. */
-        public function findDirectionOut(at:GroundPoint, out:Vector3D):void
+        /** Finds the normal at a point whose height is known: a unit vector out of the ground. It is up from blocks, and where there is no ground. */
+        public function findNormal(point:GroundPoint, out:Vector3D):void
         {
             // not setTo, because a game in JavaScript may give any object with x, y and z; and V8 would make objects for the Numbers
             out.x = out.y = 0;
             out.z = 1;
-            if (!isBlocky && !isNaN(at.height))
+            if (!isBlocky && !isNaN(point.height))
             {
-                findFall(at);
-                var length:Number = Math.sqrt(at.fallX * at.fallX + at.fallY * at.fallY + cellWidth * cellWidth);
-                out.x = at.fallX / length;
-                out.y = at.fallY / length;
+                findFall(point);
+                var length:Number = Math.sqrt(point.fallX * point.fallX + point.fallY * point.fallY + cellWidth * cellWidth);
+                out.x = point.fallX / length;
+                out.y = point.fallY / length;
                 out.z = cellWidth / length;
             }
         }
@@ -314,20 +332,20 @@ package starlogo.ground
          * Moves a point to a point of the grid that belongs to the ground, and finds the height there. It is the nearest one as seen from above,
          * or one around it if that is in a hole. If all of the ground is holes, the height becomes Infinity.
          */
-        public function findNearest(at:GroundPoint):void
+        public function findNearest(point:GroundPoint):void
         {
-            var column:int = Math.max(0, Math.min(columns - 1, Math.round((at.x - x) / cellWidth)));
-            var row:int = Math.max(0, Math.min(rows - 1, Math.round((at.y - y) / cellWidth)));
-            at.height = Infinity;
-            for (var around:int = 0; at.height == Infinity && around < columns + rows; around++)
+            var column:int = Math.max(0, Math.min(columns - 1, Math.round((point.x - x) / cellWidth)));
+            var row:int = Math.max(0, Math.min(rows - 1, Math.round((point.y - y) / cellWidth)));
+            point.height = Infinity;
+            for (var around:int = 0; point.height == Infinity && around < columns + rows; around++)
             {
-                findOnRing(column, row, around, at);
+                findOnRing(column, row, around, point);
             }
         }
 
         // Moves a point to the last height of a ring that belongs to the ground, if there is one. The ring is the border of a square of heights around a
         // height. <code>around</code> is how many columns and rows away from that height the border is.
-        private function findOnRing(column:int, row:int, around:int, at:GroundPoint):void
+        private function findOnRing(column:int, row:int, around:int, point:GroundPoint):void
         {
             for (var i:int = Math.max(0, row - around); i <= Math.min(rows - 1, row + around); i++)
             {
@@ -337,9 +355,9 @@ package starlogo.ground
                 {
                     if (k >= 0 && k < columns && isOfCell(k, i))
                     {
-                        at.x = x + k * cellWidth;
-                        at.y = y + i * cellWidth;
-                        at.height = heights[int(i * columns + k)];
+                        point.x = x + k * cellWidth;
+                        point.y = y + i * cellWidth;
+                        point.height = heights[int(i * columns + k)];
                     }
                 }
             }

@@ -84,7 +84,7 @@ package starlogo.ground
             var stride:int = countSquares(_grid.columns, level);
             var low:Number = Infinity;
             var high:Number = -Infinity;
-            var step:Number = 0;
+            var rise:Number = 0;
             out.hasHole = false;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
@@ -93,13 +93,13 @@ package starlogo.ground
                     var at:int = _begins[level] + NUMBERS * (row * stride + column);
                     low = Math.min(low, _bounds[at]);
                     high = Math.max(high, _bounds[int(at + 1)]);
-                    step = Math.max(step, _bounds[int(at + 2)]);
+                    rise = Math.max(rise, _bounds[int(at + 2)]);
                     out.hasHole ||= _bounds[int(at + 3)] > 0;
                 }
             }
             out.least = low;
             out.greatest = high;
-            out.riseX = out.riseY = step;
+            out.riseX = out.riseY = rise;
         }
 
         // Finds bounds of a range of heights, all of which are read.
@@ -110,8 +110,8 @@ package starlogo.ground
             var columns:int = _grid.columns;
             var low:Number = Infinity;
             var high:Number = -Infinity;
-            var alongX:Number = 0;
-            var alongY:Number = 0;
+            var riseX:Number = 0;
+            var riseY:Number = 0;
             out.hasHole = false;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
@@ -121,12 +121,12 @@ package starlogo.ground
                     var here:Number = all[at];
                     low = here < low ? here : low;
                     high = here > high ? here : high;
-                    var step:Number = column == firstColumn ? 0 : here - all[int(at - 1)];
-                    alongX = step > alongX ? step : alongX;
-                    alongX = -step > alongX ? -step : alongX;
-                    step = row == firstRow ? 0 : here - all[int(at - columns)];
-                    alongY = step > alongY ? step : alongY;
-                    alongY = -step > alongY ? -step : alongY;
+                    var rise:Number = column == firstColumn ? 0 : here - all[int(at - 1)];
+                    riseX = rise > riseX ? rise : riseX;
+                    riseX = -rise > riseX ? -rise : riseX;
+                    rise = row == firstRow ? 0 : here - all[int(at - columns)];
+                    riseY = rise > riseY ? rise : riseY;
+                    riseY = -rise > riseY ? -rise : riseY;
                     if (hasHoles && _grid.isHole(at))
                     {
                         out.hasHole = true;
@@ -135,8 +135,8 @@ package starlogo.ground
             }
             out.least = low;
             out.greatest = high;
-            out.riseX = alongX;
-            out.riseY = alongY;
+            out.riseX = riseX;
+            out.riseY = riseY;
         }
 
         /**

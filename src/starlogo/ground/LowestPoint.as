@@ -15,29 +15,33 @@ package starlogo.ground
         private static const MARGINS:Number = 1.5;
 
         /** The point. Read only. */
-        public var x:Number = 0;
-        public var y:Number = 0;
-        public var z:Number = 0;
+        public var point:Vector3D = new Vector3D();
 
-        private var _up:Vector3D;
+        // The direction.
+        private var _up:Vector3D = new Vector3D();
 
         // How high the point is along the direction, less what may be rounded.
         private var _height:Number = 0;
 
-        /** @param up the direction, a unit vector. It is kept: <code>find()</code> takes it as it is then, and it must not change after that */
-        public function LowestPoint(up:Vector3D)
+        /**
+         * Finds the point.
+         *
+         * @param up the direction, a unit vector
+         */
+        public function find(up:Vector3D, shape:ConvexShape):void
         {
-            _up = up;
-        }
-
-        /** Finds the point. */
-        public function find(shape:ConvexShape):void
-        {
-            var at:int = shape.support(_up, -1);
-            x = shape.x + shape.points[at] - shape.radius * _up.x;
-            y = shape.y + shape.points[int(at + 1)] - shape.radius * _up.y;
-            z = shape.z + shape.points[int(at + 2)] - shape.radius * _up.z;
-            _height = x * _up.x + y * _up.y + z * _up.z - Tolerances.EXTENTS * (shape.extent + shape.radius + Math.abs(x) + Math.abs(y) + Math.abs(z));
+            var at:int = shape.support(up, -1);
+            var x:Number = shape.x + shape.points[at] - shape.radius * up.x;
+            var y:Number = shape.y + shape.points[int(at + 1)] - shape.radius * up.y;
+            var z:Number = shape.z + shape.points[int(at + 2)] - shape.radius * up.z;
+            // not setTo, because V8 would make objects for the Numbers
+            point.x = x;
+            point.y = y;
+            point.z = z;
+            _up.x = up.x;
+            _up.y = up.y;
+            _up.z = up.z;
+            _height = x * up.x + y * up.y + z * up.z - Tolerances.EXTENTS * (shape.extent + shape.radius + Math.abs(x) + Math.abs(y) + Math.abs(z));
         }
 
         /** Whether a triangle of nine numbers is clearly lower than the shape that was given last, which has the margin of both now. */

@@ -148,7 +148,8 @@ package starlogo.ground
                 return;
             }
             var lower:int = heightOf(left) < heightOf(left + 1) ? left : left + 1;
-            _nodes[_nodeCount] = 2 * left + 1 - lower;
+            var upper:int = lower == left ? left + 1 : left;
+            _nodes[_nodeCount] = upper;
             _nodes[int(_nodeCount + 1)] = lower;
             _nodeCount += 2;
         }
@@ -204,7 +205,8 @@ package starlogo.ground
         {
             var shape:ConvexShape = kernel.shape;
             isDivisible = false;
-            margin = shape.margin += _margin;
+            shape.margin += _margin;
+            margin = shape.margin;
             point.x = shape.x;
             point.y = shape.y;
             point.z = shape.z;

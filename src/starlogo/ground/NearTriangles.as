@@ -12,9 +12,9 @@ package starlogo.ground
      */
     internal final class NearTriangles
     {
-        // How many computed positions are compared with one another: three of each axis, and a limit. Each may be off by Tolerances.ROUNDING of the lengths,
+        // How many rounded terms are compared with one another: three of each axis, and a limit. Each may be off by Tolerances.ROUNDING of the lengths,
         // and those of a triangle by its margin.
-        private static const POSITIONS:Number = 10;
+        private static const ROUNDED_TERMS:Number = 10;
 
         /** What is looked for. Set the ground, the origin, the motion and the limits before boxes begin. Then only the limits may be narrowed. */
         public var search:GroundSearch = new GroundSearch();
@@ -99,14 +99,14 @@ package starlogo.ground
             var motion:RelativeMotion = search.motion;
             var grid:HeightGrid = search.grid;
             var toFirst:Number = Math.abs(grid.x - search.origin.x) + Math.abs(grid.y - search.origin.y);
-            var wider:Number = POSITIONS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + Math.abs(motion.x) + Math.abs(motion.y)
+            var slack:Number = ROUNDED_TERMS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + Math.abs(motion.x) + Math.abs(motion.y)
                     + Math.abs(motion.z) + box.halfX + box.halfY + box.halfZ + grid.cellWidth + toFirst);
             _moved.x = motion.latest * motion.x / 2;
             _moved.y = motion.latest * motion.y / 2;
             _moved.z = motion.latest * motion.z / 2;
-            _moved.halfX = Math.abs(_moved.x) + wider;
-            _moved.halfY = Math.abs(_moved.y) + wider;
-            _moved.halfZ = Math.abs(_moved.z) + wider;
+            _moved.halfX = Math.abs(_moved.x) + slack;
+            _moved.halfY = Math.abs(_moved.y) + slack;
+            _moved.halfZ = Math.abs(_moved.z) + slack;
         }
 
         /**
@@ -137,7 +137,7 @@ package starlogo.ground
                 var y:Number = normal.y > 0 ? _least.y : _greatest.y;
                 var z:Number = normal.z > 0 ? _least.z : _greatest.z;
                 // a flat triangle has no plane
-                if (!(normal.x * x + normal.y * y + normal.z * z - near.plane.greatest > front + POSITIONS * near.margin))
+                if (!(normal.x * x + normal.y * y + normal.z * z - near.plane.greatest > front + ROUNDED_TERMS * near.margin))
                 {
                     triangle = near;
                     return true;
@@ -152,7 +152,8 @@ package starlogo.ground
             if (_mustBegin)
             {
                 _mustBegin = false;
-                _areKept = _source.begin(search);
+                _source.begin(search);
+                _areKept = _source.comesToFewCells;
             }
             else if (!_areKept)
             {
@@ -178,7 +179,7 @@ package starlogo.ground
         // Makes the box around a triangle larger. V8 would make an object of a Number that is passed.
         private static function widen(found:GroundTriangle):void
         {
-            var by:Number = POSITIONS * found.margin;
+            var by:Number = ROUNDED_TERMS * found.margin;
             found.minX -= by;
             found.maxX += by;
             found.minY -= by;

@@ -14,14 +14,14 @@ package starlogo.ground
     {
         private var _pairs:PieceTrianglePairs;
 
-        // A place under the piece, and the ground there.
+        // The ground under a point of the piece.
         private var _ground:GroundPoint = new GroundPoint();
 
-        // The direction out of the ground below the piece, and the normal of the contact that was found last; and the piece's lowest points along both.
-        private var _directionOut:Vector3D = new Vector3D();
+        // The ground's normal below the piece, and the normal of the contact that was found last; and the piece's lowest points along both.
+        private var _normal:Vector3D = new Vector3D();
         private var _wayOut:Vector3D = new Vector3D(0, 0, 1);
-        private var _lowest:LowestPoint = new LowestPoint(_directionOut);
-        private var _lowestOnWayOut:LowestPoint = new LowestPoint(_wayOut);
+        private var _lowest:LowestPoint = new LowestPoint();
+        private var _lowestOnWayOut:LowestPoint = new LowestPoint();
 
         /** @param pairs of the model */
         public function PieceTouchTest(pairs:PieceTrianglePairs)
@@ -32,23 +32,22 @@ package starlogo.ground
         /** Whether the piece touches the ground. Its triangles are those that come next. */
         public function isTouching():Boolean
         {
-            if (isUnder(0))
+            var point:Vector3D = _pairs.pieces.point;
+            findGroundUnder(point, _ground);
+            if (_ground.height >= point.z + _pairs.origin.z)
             {
                 return true;
             }
             // no triangle is near a node that stands for the pieces below it
-            return !_pairs.pieces.isDivisible && (isLowestUnder() || touchesTriangle());
+            return !_pairs.pieces.isDivisible && (isLowestUnder(_ground) || touchesTriangle());
         }
 
         /** Whether a point of the piece is at least this deep under the ground. */
         public function isUnder(depth:Number):Boolean
         {
-            var origin:Placement = _pairs.origin;
             var point:Vector3D = _pairs.pieces.point;
-            _ground.x = point.x + origin.x;
-            _ground.y = point.y + origin.y;
-            _pairs.grid.findHeight(_ground);
-            return _ground.height - depth >= point.z + origin.z;
+            findGroundUnder(point, _ground);
+            return _ground.height - depth >= point.z + _pairs.origin.z;
         }
 
         /** Notes the normal of a contact of the model. It makes later tests quicker, of the model along this way out. No answer depends on it. */
@@ -59,16 +58,23 @@ package starlogo.ground
             _wayOut.z = contact.normalZ;
         }
 
-        // Whether the lowest point above the slope below the first point is under the ground. Nearly all pieces that reach under the ground do so there.
-        private function isLowestUnder():Boolean
+        // Finds the ground under or above a point that is relative to the origin.
+        private function findGroundUnder(point:Vector3D, out:GroundPoint):void
         {
             var origin:Placement = _pairs.origin;
-            _pairs.grid.findDirectionOut(_ground, _directionOut);
-            _lowest.find(_pairs.kernel.shape);
-            _ground.x = _lowest.x + origin.x;
-            _ground.y = _lowest.y + origin.y;
-            _pairs.grid.findHeight(_ground);
-            return _ground.height >= _lowest.z + origin.z;
+            out.x = point.x + origin.x;
+            out.y = point.y + origin.y;
+            _pairs.grid.findHeight(out);
+        }
+
+        // Whether the lowest point above the slope at a place of the ground is under the ground; the place is moved to there. Nearly all pieces that reach
+        // under the ground do so there.
+        private function isLowestUnder(ground:GroundPoint):Boolean
+        {
+            _pairs.grid.findNormal(ground, _normal);
+            _lowest.find(_normal, _pairs.kernel.shape);
+            findGroundUnder(_lowest.point, ground);
+            return ground.height >= _lowest.point.z + _pairs.origin.z;
         }
 
         // Whether the piece touches a triangle near it. A model that is tried along its way out is above nearly all triangles there.
@@ -86,7 +92,7 @@ package starlogo.ground
                 if (!isWayOutMeasured)
                 {
                     isWayOutMeasured = true;
-                    _lowestOnWayOut.find(kernel.shape);
+                    _lowestOnWayOut.find(_wayOut, kernel.shape);
                 }
                 if (!_lowestOnWayOut.isAbove(corners, kernel.shape) && kernel.areTouching())
                 {

@@ -24,7 +24,7 @@ package starlogo.ground
          * @param low the least corner around the square
          * @param high the greatest one
          */
-        public function stayApart(search:GroundSearch, low:Vector3D, high:Vector3D):Boolean
+        public function isFarther(search:GroundSearch, low:Vector3D, high:Vector3D):Boolean
         {
             var shape:ConvexShape = search.shape;
             var direction:Vector3D = _direction;

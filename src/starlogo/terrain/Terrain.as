@@ -199,18 +199,7 @@ package starlogo.terrain
             {
                 requireInWorld("a terrain's height", heights[i], 0, 0);
             }
-            var changed:HeightGrid = worldAgent.beginChange();
-            i = 0;
-            for (var toRow:int = row; toRow < row + rows; toRow++)
-            {
-                for (var toColumn:int = column; toColumn < column + columns; toColumn++)
-                {
-                    // plus 0, because -0 becomes 0, which is the only height that snapshots leave out
-                    changed.heights[int(toRow * changed.columns + toColumn)] = heights[i] + 0;
-                    i++;
-                }
-            }
-            changed.pyramid.update(column, row, column + columns - 1, row + rows - 1);
+            worldAgent.beginChange().setHeights(column, row, columns, rows, heights);
         }
 
         /**
@@ -220,13 +209,11 @@ package starlogo.terrain
          *     x and y. The last height along x or y has no such cell; then nothing is seen of the hole until the surface is blocks
          * @throws RangeError if there is no such height; columns and rows count from 0 on
          */
-        public function setHole(column:int, row:int, isHole:Boolean):void
+        public function setHole(column:int, row:int, becomesHole:Boolean):void
         {
-            if (this.isHole(column, row) != isHole)
+            if (isHole(column, row) != becomesHole)
             {
-                var changed:HeightGrid = worldAgent.beginChange();
-                changed.setHole(row * changed.columns + column, isHole);
-                changed.pyramid.update(column, row, column, row);
+                worldAgent.beginChange().setHole(column, row, becomesHole);
             }
         }
 
@@ -235,10 +222,10 @@ package starlogo.terrain
          *
          * @throws RangeError if the place is outside of the terrain
          */
-        public function setHoleAt(x:Number, y:Number, isHole:Boolean):void
+        public function setHoleAt(x:Number, y:Number, becomesHole:Boolean):void
         {
             var at:int = indexAt("a hole", x, y, isBlocky);
-            setHole(at % columns, at / columns, isHole);
+            setHole(at % columns, at / columns, becomesHole);
         }
 
         /**
@@ -341,16 +328,16 @@ package starlogo.terrain
         public function normalAt(x:Number, y:Number, out:Vector3D = null):Vector3D
         {
             requireInWorld("a place", x, y, 0);
-            var at:GroundPoint = _point;
-            at.x = x;
-            at.y = y;
-            grid.findHeight(at);
-            if (isNaN(at.height))
+            var point:GroundPoint = _point;
+            point.x = x;
+            point.y = y;
+            grid.findHeight(point);
+            if (isNaN(point.height))
             {
                 return null;
             }
             var normal:Vector3D = out || new Vector3D();
-            grid.findDirectionOut(at, normal);
+            grid.findNormal(point, normal);
             return normal;
         }
 

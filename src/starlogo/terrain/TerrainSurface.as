@@ -56,10 +56,10 @@ package starlogo.terrain
             }
             var grid:HeightGrid = terrain.grid;
             _terrain = terrain;
-            var first:int = within(Math.ceil((minX - grid.x) / grid.cellWidth), 0, grid.columns);
-            var firstRow:int = within(Math.ceil((minY - grid.y) / grid.cellWidth), 0, grid.rows);
-            var last:int = within(Math.floor((maxX - grid.x) / grid.cellWidth), -1, grid.columns - 1);
-            var lastRow:int = within(Math.floor((maxY - grid.y) / grid.cellWidth), -1, grid.rows - 1);
+            var first:int = clamp(Math.ceil((minX - grid.x) / grid.cellWidth), 0, grid.columns);
+            var firstRow:int = clamp(Math.ceil((minY - grid.y) / grid.cellWidth), 0, grid.rows);
+            var last:int = clamp(Math.floor((maxX - grid.x) / grid.cellWidth), -1, grid.columns - 1);
+            var lastRow:int = clamp(Math.floor((maxY - grid.y) / grid.cellWidth), -1, grid.rows - 1);
             // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the blocks of these
             // heights and over the cells between them, and over no other.
             var box:GroundBox = _search.box;
@@ -97,7 +97,7 @@ package starlogo.terrain
             return true;
         }
 
-        private static function within(value:Number, least:int, greatest:int):int
+        private static function clamp(value:Number, least:int, greatest:int):int
         {
             return Math.max(least, Math.min(greatest, value));
         }

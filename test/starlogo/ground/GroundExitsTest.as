@@ -54,11 +54,12 @@ package starlogo.ground
         {
             var grid:HeightGrid = new HeightGrid(SIDE, SIDE, WIDTH, -2, -2);
             grid.isBlocky = true;
+            var heights:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < SIDE * SIDE; i++)
             {
-                grid.heights[i] = i % SIDE > 1 ? 0 : 1;
+                heights.push(i % SIDE > 1 ? 0 : 1);
             }
-            grid.pyramid.update(0, 0, SIDE - 1, SIDE - 1);
+            grid.setHeights(0, 0, SIDE, SIDE, heights);
             var border:Number = -2 + 1.5 * WIDTH;
             for each (var reach:Number in [1e-20, 1e-9, 0.01, 1])
             {
@@ -83,11 +84,12 @@ package starlogo.ground
             var grid:HeightGrid = new HeightGrid(SIDE, SIDE, WIDTH, -2, -2);
             grid.isBlocky = _random.chance();
             var high:Number = _random.pick([0.02, 0.3, 3]);
+            var heights:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < SIDE * SIDE; i++)
             {
-                grid.heights[i] = _random.between(0, high);
+                heights.push(_random.between(0, high));
             }
-            grid.pyramid.update(0, 0, SIDE - 1, SIDE - 1);
+            grid.setHeights(0, 0, SIDE, SIDE, heights);
             return grid;
         }
     }

@@ -35,7 +35,7 @@ package starlogo.search.pairs
         private static const CELL_SHARE:Number = 1e-4;
 
         private var _limits:TreeLimits;
-        private var _separation:ExitSearch;
+        private var _exitSearch:ExitSearch;
 
         // Decides quickly about bodies that are clearly above or in the ground, by their extents; and about the others.
         private var _extents:GroundBox = new GroundBox();
@@ -49,7 +49,7 @@ package starlogo.search.pairs
         {
             _limits = limits;
             var pair:DisplacedPair = new DisplacedPair(this);
-            _separation = new ExitSearch(pair, this, new PlacesAbove(pair));
+            _exitSearch = new ExitSearch(pair, this, new PlacesAbove(pair));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -110,7 +110,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _separation.find(a, b, motion, out);
+            _exitSearch.find(a, b, motion, out);
         }
 
         /**

@@ -42,7 +42,7 @@ package starlogo.search.pairs
 
         private var _reversed:RelativeMotion = new RelativeMotion();
 
-        private var _separation:ExitSearch;
+        private var _exitSearch:ExitSearch;
 
         // The second body in the first one's space, for the contact of the structures around them.
         private var _pose:RelativePose = new RelativePose();
@@ -60,7 +60,7 @@ package starlogo.search.pairs
             _counts = counts;
             _trees = new TreeTreePair(counts);
             _treeAndStructure = new TreeStructurePair(counts);
-            _separation = new ExitSearch(new DisplacedPair(this), this, null);
+            _exitSearch = new ExitSearch(new DisplacedPair(this), this, null);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -122,7 +122,7 @@ package starlogo.search.pairs
         {
             // the contact's object may have been that of a contact with the ground
             out.forgetDeepest();
-            _separation.find(a, b, motion, out);
+            _exitSearch.find(a, b, motion, out);
         }
 
         /** The covers are the structures around the trees. @inheritDoc */

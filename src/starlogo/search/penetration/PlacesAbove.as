@@ -31,8 +31,7 @@ package starlogo.search.penetration
         private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
         private var _target:ShortestExit = new ShortestExit();
 
-        // The length of the shortest way out so far, the place above which one is looked for, and the displacement that is tried. The place is a field, because V8
-        // would allocate objects for Numbers that are passed.
+        // The length of the shortest way out so far, a place above which one is looked for, and the displacement that is tried.
         private var _shortest:Number = 0;
         private var _place:Vector3D = new Vector3D();
         private var _tried:Displacement = new Displacement();
@@ -65,13 +64,13 @@ package starlogo.search.penetration
             for (var push:int = 0; push < pushOut.blockedEnd; push += 2)
             {
                 _place.setTo(pushOut.blockedPlaces[push], pushOut.blockedPlaces[int(push + 1)], 0);
-                tryAbovePlace();
+                tryAbove(_place);
             }
             for (var i:int = 0; i < PLACES; i++)
             {
                 var along:Number = _shortest * Math.sqrt((i + 0.5) / PLACES);
                 _place.setTo(along * x, along * y, 0);
-                tryAbovePlace();
+                tryAbove(_place);
                 var before:Number = x;
                 x = TURN_X * x - TURN_Y * y;
                 y = TURN_Y * before + TURN_X * y;
@@ -83,15 +82,15 @@ package starlogo.search.penetration
             }
         }
 
-        // Tries a place that is so high above _place that it is as far as the shortest way. If the body is free there, finds a shorter way. The
+        // Tries a place that is so high above a place beside the body's own that it is as far as the shortest way. If the body is free there, finds a shorter way. The
         // place is the pair's room farther, and the way ends before it. So the body is free a little farther along the way too, even between walls that
         // are as far apart as it is wide.
-        private function tryAbovePlace():void
+        private function tryAbove(place:Vector3D):void
         {
-            var along:Number = Math.sqrt(_place.x * _place.x + _place.y * _place.y);
+            var along:Number = Math.sqrt(place.x * place.x + place.y * place.y);
             var fartherFactor:Number = along > 0 ? 1 + _pair.room / along : 1;
-            var fartherX:Number = _place.x * fartherFactor;
-            var fartherY:Number = _place.y * fartherFactor;
+            var fartherX:Number = place.x * fartherFactor;
+            var fartherY:Number = place.y * fartherFactor;
             var highSquared:Number = _shortest * _shortest - (fartherX * fartherX + fartherY * fartherY);
             if (!(highSquared > 0))
             {
@@ -100,8 +99,9 @@ package starlogo.search.penetration
             var high:Number = Math.sqrt(highSquared);
             _tried.setDirection(fartherX, fartherY, high);
             _tried.distance = 1;
-            if (sweepDown())
+            if (!_pair.touchesAt(_tried))
             {
+                sweepDown();
                 // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
                 var share:Number = (1 + fartherFactor) / (2 * fartherFactor);
                 var lowest:Number = high * (1 - Math.min(_sweep.time, 1)) + _pair.room;
@@ -179,19 +179,13 @@ package starlogo.search.penetration
             takeIfFree(x, y, z, _pair.room);
         }
 
-        // Sweeps the first body down from the displacement that is tried, to the height of its own place. Returns whether it is free at the beginning.
-        // If it is, finds when it meets the ground.
-        private function sweepDown():Boolean
+        // Sweeps the first body down from the displacement that is tried, to the height of its own place, and finds when it meets the ground.
+        private function sweepDown():void
         {
-            if (_pair.touchesAt(_tried))
-            {
-                return false;
-            }
             _sweep.endAfter(0, 0, -_tried.z);
             _tried.z = 0;
             _pair.displace(_tried);
             _pair.findImpact(_sweep, _met);
-            return true;
         }
     }
 }

@@ -12,6 +12,7 @@ package benchmark
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.PosedTrees;
+    import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
@@ -57,6 +58,7 @@ package benchmark
             var bear:Model = new ObjModel("bear", Fixtures.text(FIXTURES[0]));
             var boxes:ModelTree = built(bear);
             _ball = built(BuiltInModel.sphere());
+            _trees.pose = new RelativePose();
             add("boxes, upright, far into each other", boxes, boxes, 0.4, 1, true, false);
             add("boxes, upright, near", boxes, boxes, 1.3, 1, true, false);
             add("boxes, leaning, far into each other", boxes, boxes, 0.4, 1, false, false);

@@ -24,13 +24,14 @@ package starlogo.convex
 
         /**
          * The number of the tree's triangle if one of a and b is a tree, the other a structure, and this triangle decides. -1 if none does. Tests of
-         * trees write it.
+         * trees and of rays write it. Other tests and kernels leave it as it was, so there it means nothing.
          */
         public var triangle:int = -1;
 
         /**
          * Whether the deepest point is known to be a point of a, so that it has to get out of b. Tests of the ground write it. It counts until the two are
-         * separated, and means nothing in other contacts.
+         * separated, and means nothing in other contacts. Kernels leave it and the bound as they were. So call forgetDeepest() for an object
+         * that may have been that of a contact with the ground.
          */
         public var isDeepestOfA:Boolean = false;
 

@@ -5,8 +5,8 @@ package starlogo.convex
     /**
      * Answers four questions about any two convex shapes: whether they touch, where they are closest, when a moving one first touches the other,
      * and how far they overlap. A shape is a core of points with a radius (ConvexShape). CoreDistance finds the distance of two cores with the help
-     * of Simplex, ConvexSweep the time of impact, CoreOverlap the shortest displacement out of an overlap, CommonPoint the point of a contact. Read
-     * ConvexShape first, then this class from the top, then CorePair, CoreDistance, Simplex and SimplexPart.
+     * of Simplex, ConvexSweep the time of impact, CoreOverlap the shortest displacement out of an overlap, CommonPointFinder the point of a contact.
+     * Read ConvexShape first, then this class from the top, then CorePair, CoreDistance, Simplex and SimplexPart.
      *
      * <p>In all packages a kernel decides about two shapes or structures, and a pair is two of them. a and b are the two of a question, in the order
      * of the call; a is the one that moves. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint) stand
@@ -22,7 +22,7 @@ package starlogo.convex
     {
         private var _distance:CoreDistance = new CoreDistance();
         private var _overlap:CoreOverlap = new CoreOverlap();
-        private var _common:CommonPoint = new CommonPoint();
+        private var _common:CommonPointFinder = new CommonPointFinder();
         private var _sweep:ConvexSweep = new ConvexSweep();
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();

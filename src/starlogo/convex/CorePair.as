@@ -32,7 +32,7 @@ package starlogo.convex
         /** How much of the motion is left. Cores that come near enough in this time are not too far apart. */
         public var timeLeft:Number = 0;
 
-        /** Sets two shapes, where they are stored and stay. The cores may be as far apart as they are. */
+        /** Sets two shapes, which stand where they are stored. No distance is too far. */
         public function setShapes(a:ConvexShape, b:ConvexShape):void
         {
             isSwapped = isAfter(a, b);

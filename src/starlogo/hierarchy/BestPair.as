@@ -11,7 +11,7 @@ package starlogo.hierarchy
     public final class BestPair
     {
         /** No larger time or distance counts. It is the best one found, or Infinity; a visitor of times may leave room for others at the same time. */
-        public var least:Number = Infinity;
+        public var limit:Number = Infinity;
 
         /** For times: when two first touch, or Infinity. */
         public var time:Number = Infinity;

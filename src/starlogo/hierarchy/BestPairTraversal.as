@@ -45,19 +45,19 @@ package starlogo.hierarchy
             var out:BestPair = _best;
             var visits:int = 1;
             var top:int = 1;
-            out.least = out.time = out.points.distance = Infinity;
+            out.limit = out.time = out.points.distance = Infinity;
             out.bound = 0;
             estimate(trees, 0, 0, out);
             nodes[0] = 0;
             nodes[1] = 0;
             bounds[0] = out.bound;
-            while (top > 0 && out.least > 0)
+            while (top > 0 && out.limit > 0)
             {
                 top--;
                 var a:int = nodes[2 * top];
                 var b:int = nodes[2 * top + 1];
                 var bound:Number = bounds[top];
-                if (!(bound < out.least))
+                if (!(bound < out.limit))
                 {
                     continue;
                 }
@@ -95,7 +95,7 @@ package starlogo.hierarchy
             return out;
         }
 
-        /** Sets <code>out.bound</code> for a pair of nodes. A bound that is not less than <code>out.least</code> need not be exact. */
+        /** Sets <code>out.bound</code> for a pair of nodes. A bound that is not less than <code>out.limit</code> need not be exact. */
         protected function estimate(trees:PosedTrees, a:int, b:int, out:BestPair):void
         {
             throw new IllegalOperationError(this + " does not implement estimate");

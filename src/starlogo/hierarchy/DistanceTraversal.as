@@ -75,10 +75,10 @@ package starlogo.hierarchy
             distance -= pair.aHalfZ + axes.abs20 * pair.bHalfX + axes.abs21 * pair.bHalfY + axes.abs22 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            var far:Number = out.least + trees.pose.tolerance + 2 * SLACK * (out.least + _radii);
+            var far:Number = out.limit + trees.pose.tolerance + 2 * SLACK * (out.limit + _radii);
             if (squared > far * far)
             {
-                out.bound = out.least;
+                out.bound = out.limit;
                 return;
             }
             raise(Math.sqrt(squared), trees.pose, out);
@@ -159,9 +159,9 @@ package starlogo.hierarchy
             var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.boxOf(b));
             PairTable.findClosest(trees.a.boxOf(a), placedB, _measured);
             reduce(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
-            if (_measured.distance < out.least)
+            if (_measured.distance < out.limit)
             {
-                out.least = _measured.distance;
+                out.limit = _measured.distance;
                 out.points.copyFrom(_measured);
             }
         }

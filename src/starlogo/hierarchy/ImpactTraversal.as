@@ -60,14 +60,14 @@ package starlogo.hierarchy
         {
             if (visitor != null)
             {
-                visitor.findImpact(a, b, out);
+                visitor.findEarlier(a, b, out);
                 return;
             }
             readPair(trees, a, b, out);
             _sweep.findTime(_pair);
-            if (_pair.time < out.least)
+            if (_pair.time < out.limit)
             {
-                out.least = out.time = _pair.time;
+                out.limit = out.time = _pair.time;
                 out.a = a;
                 out.b = b;
             }
@@ -77,9 +77,9 @@ package starlogo.hierarchy
         private function readPair(trees:PosedTrees, a:int, b:int, best:BestPair):void
         {
             trees.readPair(a, b, _pair);
-            if (best.least < _pair.latest)
+            if (best.limit < _pair.latest)
             {
-                _pair.latest = best.least;
+                _pair.latest = best.limit;
             }
         }
     }

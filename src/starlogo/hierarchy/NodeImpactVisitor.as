@@ -20,7 +20,7 @@ package starlogo.hierarchy
 
         // The structure's motion, which receives the time of the first touch, and a copy that has the times of one node. The node that is touched first.
         private var _motion:RelativeMotion;
-        private var _sweep:RelativeMotion = new RelativeMotion();
+        private var _nodeMotion:RelativeMotion = new RelativeMotion();
         private var _found:int = -1;
 
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -43,7 +43,7 @@ package starlogo.hierarchy
         public function findImpact(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             _structure = pose.placeWidened(structure);
-            _sweep.copyVector(motion);
+            _nodeMotion.copyVector(motion);
             _motion = motion;
             _found = -1;
             motion.time = RelativeMotion.NEVER;
@@ -59,20 +59,20 @@ package starlogo.hierarchy
         override public function visit(tree:BoxTree, node:int):void
         {
             var box:Box = tree.boxOf(node);
-            var sweep:RelativeMotion = _sweep;
-            if (sweep.isStill)
+            var nodeMotion:RelativeMotion = _nodeMotion;
+            if (nodeMotion.isStill)
             {
-                sweep.time = PairTable.areTouching(box, _structure) ? 0 : RelativeMotion.NEVER;
+                nodeMotion.time = PairTable.areTouching(box, _structure) ? 0 : RelativeMotion.NEVER;
             }
             else
             {
-                sweep.latest = limit;
-                PairTable.findTime(_structure, box, sweep);
+                nodeMotion.latest = limit;
+                PairTable.findTime(_structure, box, nodeMotion);
             }
-            if (sweep.time <= limit && sweep.time < _motion.time)
+            if (nodeMotion.time <= limit && nodeMotion.time < _motion.time)
             {
                 _found = node;
-                limit = _motion.time = sweep.time;
+                limit = _motion.time = nodeMotion.time;
                 if (!(limit > 0))
                 {
                     // nothing is touched earlier than at the beginning

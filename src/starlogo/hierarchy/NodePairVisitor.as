@@ -21,9 +21,9 @@ package starlogo.hierarchy
          *
          * @param best receives the time and the two items, if they are the first ones to touch so far
          */
-        public function findImpact(a:int, b:int, best:BestPair):void
+        public function findEarlier(a:int, b:int, best:BestPair):void
         {
-            throw new IllegalOperationError(this + " does not implement findImpact");
+            throw new IllegalOperationError(this + " does not implement findEarlier");
         }
 
         /**

@@ -18,8 +18,8 @@ package starlogo.hierarchy
         public var b:BoxTree = null;
         public var depthB:int = 0;
 
-        /** The pose of b's nodes in the space of a. */
-        public var pose:RelativePose = new RelativePose();
+        /** The pose of b's nodes in the space of a. Whoever makes the record sets it. */
+        public var pose:RelativePose = null;
 
         /**
          * Reads the boxes of a node of a and a node of b.

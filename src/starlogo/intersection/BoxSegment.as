@@ -32,8 +32,8 @@ package starlogo.intersection
         public var signY:int = 1;
         public var signZ:int = 1;
 
-        /** Where the segment's point nearest to the box is: from 0 at the segment's start to 1 at its end. If several are, it is in the middle of them. */
-        public var nearest:Number = 0;
+        /** Where the segment's closest point is: from 0 at its start to 1 at its end. If several are closest, it is in the middle of them. */
+        public var share:Number = 0;
 
         /** Whether a part of the segment is inside of all slabs of the box that it crosses. Slabs parallel to the segment are not tested. */
         public var isInside:Boolean = false;
@@ -82,8 +82,8 @@ package starlogo.intersection
             z += time * (signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z));
         }
 
-        /** Finds <code>nearest</code> and <code>isInside</code>. First it finds where the segment's line enters and leaves each slab of the box. */
-        public function findNearest(box:Box):void
+        /** Finds <code>share</code> and <code>isInside</code>. First it finds where the segment's line enters and leaves each slab of the box. */
+        public function findClosest(box:Box):void
         {
             var px:Number = x;
             var py:Number = y;
@@ -111,7 +111,7 @@ package starlogo.intersection
                 var end:Number = firstOut > 0 ? firstOut : 0;
                 begin = begin < 1 ? begin : 1;
                 end = end < 1 ? end : 1;
-                nearest = (begin + end) / 2;
+                share = (begin + end) / 2;
                 return;
             }
             // The line misses the box: it leaves one slab before it enters another, and is closest between these two places. How far it is outside of
@@ -124,26 +124,26 @@ package starlogo.intersection
             var beyondZ:Number = outZ == firstOut ? pz - halfZ : pz + halfZ;
             var slope:Number = dx * beyondX + dy * beyondY + dz * beyondZ;
             var curvature:Number = dx * dx + dy * dy + dz * dz;
-            var share:Number = -slope / curvature;
+            var closest:Number = -slope / curvature;
             // The third slab also counts if the line is outside of it at the minimum found without it.
-            if (dx == 0 && (share < inX || share > outX))
+            if (dx == 0 && (closest < inX || closest > outX))
             {
-                beyondX = share < inX ? px + halfX : px - halfX;
-                share = -(slope + ux * beyondX) / (curvature + ux * ux);
+                beyondX = closest < inX ? px + halfX : px - halfX;
+                closest = -(slope + ux * beyondX) / (curvature + ux * ux);
             }
-            else if (dy == 0 && (share < inY || share > outY))
+            else if (dy == 0 && (closest < inY || closest > outY))
             {
-                beyondY = share < inY ? py + halfY : py - halfY;
-                share = -(slope + uy * beyondY) / (curvature + uy * uy);
+                beyondY = closest < inY ? py + halfY : py - halfY;
+                closest = -(slope + uy * beyondY) / (curvature + uy * uy);
             }
-            else if (dz == 0 && (share < inZ || share > outZ))
+            else if (dz == 0 && (closest < inZ || closest > outZ))
             {
-                beyondZ = share < inZ ? pz + halfZ : pz - halfZ;
-                share = -(slope + uz * beyondZ) / (curvature + uz * uz);
+                beyondZ = closest < inZ ? pz + halfZ : pz - halfZ;
+                closest = -(slope + uz * beyondZ) / (curvature + uz * uz);
             }
             // The comparison is false for NaN too.
-            share = share > 0 ? share : 0;
-            nearest = share < 1 ? share : 1;
+            closest = closest > 0 ? closest : 0;
+            share = closest < 1 ? closest : 1;
         }
     }
 }

@@ -16,7 +16,7 @@ package starlogo.intersection
     internal final class GapFinder
     {
         private var _axes:SegmentPair = new SegmentPair();
-        private var _axis:BoxSegment = new BoxSegment();
+        private var _segment:BoxSegment = new BoxSegment();
 
         // A place as seen from a box's middle, in the box's axes.
         private var _place:Vector3D = new Vector3D();
@@ -107,15 +107,15 @@ package starlogo.intersection
         private function findFromCapsuleToBox(capsule:Capsule, box:Box, motion:RelativeMotion, out:RoundGap):void
         {
             var gap:CoreGap = out.cores;
-            var axis:BoxSegment = _axis;
+            var segment:BoxSegment = _segment;
             var place:Vector3D = _place;
-            axis.setTo(capsule, box);
-            axis.move(box, motion);
-            axis.findNearest(box);
-            var share:Number = axis.nearest;
-            place.x = axis.signX * (axis.x + share * axis.alongX);
-            place.y = axis.signY * (axis.y + share * axis.alongY);
-            place.z = axis.signZ * (axis.z + share * axis.alongZ);
+            segment.setTo(capsule, box);
+            segment.move(box, motion);
+            segment.findClosest(box);
+            var share:Number = segment.share;
+            place.x = segment.signX * (segment.x + share * segment.alongX);
+            place.y = segment.signY * (segment.y + share * segment.alongY);
+            place.z = segment.signZ * (segment.z + share * segment.alongZ);
             measureToBox(place, box, motion, out);
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
@@ -123,7 +123,7 @@ package starlogo.intersection
             gap.pointY = start.y + share * (end.y - start.y);
             gap.pointZ = start.z + share * (end.z - start.z);
             gap.radiusA = capsule.radius;
-            out.extent = axis.alongX + axis.alongY + axis.alongZ + box.halfX + box.halfY + box.halfZ + capsule.radius;
+            out.extent = segment.alongX + segment.alongY + segment.alongZ + box.halfX + box.halfY + box.halfZ + capsule.radius;
         }
 
         // Computes the gap between a place and the nearest point of a box, its squared length, and how a motion of the place closes it.

@@ -22,7 +22,10 @@ package starlogo.intersection
      */
     public final class TriangleKernel
     {
-        /** The shape, in the triangles' space. Only its margin may be changed. */
+        /**
+         * The shape, in the triangles' space. Set it by setStructure(), by setShapeToTriangle(), or itself by ConvexShape.setTriangle() if the triangle
+         * is in that space already. Its margin may be changed then.
+         */
         public var shape:ConvexShape = new ConvexShape();
 
         /** The plane of the triangle. Read only, because it may be another object's: see setTriangle(). */

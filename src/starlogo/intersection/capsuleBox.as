@@ -17,24 +17,25 @@ package starlogo.intersection
      */
     public function capsuleBox(capsule:Capsule, box:Box):Boolean
     {
-        var axis:BoxSegment = BoxSegment.STANDING;
-        axis.setTo(capsule, box);
+        var segment:BoxSegment = BoxSegment.STANDING;
+        segment.setTo(capsule, box);
         var radius:Number = capsule.radius * Tolerances.TOUCHING;
         var halfX:Number = box.halfX;
         var halfY:Number = box.halfY;
         var halfZ:Number = box.halfZ;
-        if (axis.x > halfX + radius || axis.x + axis.alongX < -halfX - radius || axis.y > halfY + radius || axis.y + axis.alongY < -halfY - radius
-                || axis.z > halfZ + radius || axis.z + axis.alongZ < -halfZ - radius)
+        if (segment.x > halfX + radius || segment.x + segment.alongX < -halfX - radius
+                || segment.y > halfY + radius || segment.y + segment.alongY < -halfY - radius
+                || segment.z > halfZ + radius || segment.z + segment.alongZ < -halfZ - radius)
         {
             return false;
         }
-        axis.findNearest(box);
+        segment.findClosest(box);
         // For slabs that the segment is known to be inside of no point is computed, because rounding might put it outside, and a radius of 0 allows no
         // error.
-        var share:Number = axis.nearest;
-        var x:Number = axis.isInside && axis.alongX > 0 ? 0 : axis.x + share * axis.alongX;
-        var y:Number = axis.isInside && axis.alongY > 0 ? 0 : axis.y + share * axis.alongY;
-        var z:Number = axis.isInside && axis.alongZ > 0 ? 0 : axis.z + share * axis.alongZ;
+        var share:Number = segment.share;
+        var x:Number = segment.isInside && segment.alongX > 0 ? 0 : segment.x + share * segment.alongX;
+        var y:Number = segment.isInside && segment.alongY > 0 ? 0 : segment.y + share * segment.alongY;
+        var z:Number = segment.isInside && segment.alongZ > 0 ? 0 : segment.z + share * segment.alongZ;
         include "squaredToBox.inc";
         return squaredDistance <= radius * radius;
     }

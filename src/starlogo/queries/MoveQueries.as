@@ -194,7 +194,7 @@ package starlogo.queries
             }
             else if (contact.triangle < 0)
             {
-                contact.triangle = _seen.narrowPhase.treeTests.nearestTriangle(body, contact);
+                contact.triangle = _seen.narrowPhase.treeTests.findNearestTriangle(body, contact);
             }
             _hits.write(index, hit);
             hit.time = _hits.keyOf(index);

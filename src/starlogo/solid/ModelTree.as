@@ -2,8 +2,8 @@
 // A question goes to one of the classes in the first row. A Search of the package hierarchy then visits nodes of one tree, a Traversal pairs of nodes
 // of two trees. Where the visit ends, boxes decide or triangles. Read ModelTree first, then TreePair and TreeTreePair, then TrianglePairVisitor.
 // 
-// | a tree and a structure   | two trees              | a tree and a ray
-// who is asked           | TreeStructurePair        | TreeTreePair           | TreeRayEntryQuery (the first place), TreeRayCrossingQuery (all)
+// question              | a tree and a structure   | two trees              | a tree and a ray
+// who is asked          | TreeStructurePair        | TreeTreePair           | TreeRayEntryQuery (the first place), TreeRayCrossingQuery (all)
 // 
 // boxes decide
 // whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
@@ -17,7 +17,7 @@
 // the distance          | TriangleDistanceVisitor  | TrianglePairVisitor    | -
 // the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
 // 
-// what is inside         | ModelTree.isInside()     | TreeContainmentQuery   | ModelTree.isInside()
+// what is inside        | ModelTree.isInside()     | TreeContainmentQuery   | ModelTree.isInside()
 // 
 // A TreePairImpactQuery, for a pair of either kind, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of
 // several triangles that are touched first, the ImpactChoice chooses one. The package solid.interior knows what is inside of a surface.

@@ -33,7 +33,7 @@ package starlogo.solid
         private var _ofShape:Interval = new Interval();
 
         /**
-         * Sets the shape. The first triangle that is tested makes its axes: most motions come near no triangle.
+         * Sets the shape. Its axes are made for the first triangle that is tested: most motions come near none.
          *
          * @param shape kept
          * @param radius around the core, with the tolerance and a margin for rounding
@@ -111,12 +111,12 @@ package starlogo.solid
         }
 
         /**
-         * Whether one of the axes separates a triangle from the shape until a time.
+         * Whether one of the axes separates a triangle from the shape until a time. The first triangle makes the axes.
          *
          * @param corners nine numbers of the triangle
          * @param motion has the latest time: they stay apart until then. Nothing else of it counts
          */
-        public function separate(corners:Vector.<Number>, motion:RelativeMotion):Boolean
+        public function keepApart(corners:Vector.<Number>, motion:RelativeMotion):Boolean
         {
             if (_end == 0)
             {

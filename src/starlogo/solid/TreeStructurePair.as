@@ -31,10 +31,10 @@ package starlogo.solid
         // Whether triangles decide.
         private var _isExact:Boolean = false;
 
-        private var _nodes:NodeImpactVisitor;
-        private var _triangles:TriangleImpactVisitor;
-        private var _nodeDistances:NodeDistanceVisitor;
-        private var _triangleDistances:TriangleDistanceVisitor;
+        private var _nodeImpact:NodeImpactVisitor;
+        private var _triangleImpact:TriangleImpactVisitor;
+        private var _nodeDistance:NodeDistanceVisitor;
+        private var _triangleDistance:TriangleDistanceVisitor;
 
         // The motion of a structure that stands; it receives times.
         private var _still:RelativeMotion = new RelativeMotion();
@@ -48,10 +48,10 @@ package starlogo.solid
         /** @param counts counts what the questions take */
         public function TreeStructurePair(counts:TreeCounts)
         {
-            _nodes = new NodeImpactVisitor(counts);
-            _triangles = new TriangleImpactVisitor(counts);
-            _nodeDistances = new NodeDistanceVisitor(counts);
-            _triangleDistances = new TriangleDistanceVisitor(counts);
+            _nodeImpact = new NodeImpactVisitor(counts);
+            _triangleImpact = new TriangleImpactVisitor(counts);
+            _nodeDistance = new NodeDistanceVisitor(counts);
+            _triangleDistance = new TriangleDistanceVisitor(counts);
         }
 
         /**
@@ -73,11 +73,11 @@ package starlogo.solid
             return this;
         }
 
-        /** The number of the triangle that is nearest to the structure, as the model counts them; -1 if triangles do not decide. */
-        public function nearestTriangle():int
+        /** Finds the number of the triangle that is nearest to the structure, as the model counts them; -1 if triangles do not decide. */
+        public function findNearestTriangle():int
         {
             relate();
-            var slot:int = _isExact ? _triangleDistances.find(_tree, _structure, pose, _measured) : -1;
+            var slot:int = _isExact ? _triangleDistance.find(_tree, _structure, pose, _measured) : -1;
             return slot < 0 ? -1 : _tree.boxTree.items[slot];
         }
 
@@ -97,7 +97,7 @@ package starlogo.solid
             }
             if (_isExact)
             {
-                _triangles.findContact(found, motion, out);
+                _triangleImpact.findContact(found, motion, out);
                 out.triangle = _tree.boxTree.items[found];
             }
             else
@@ -115,7 +115,9 @@ package starlogo.solid
         // Finds which triangle, by its slot, or else which node is touched first. Returns -1 if none is.
         private function findFirstTouched(motion:RelativeMotion):int
         {
-            return _isExact ? _triangles.findImpact(_tree, _structure, pose, motion) : _nodes.findImpact(_tree.boxTree, _depth, _structure, pose, motion);
+            return _isExact
+                ? _triangleImpact.findImpact(_tree, _structure, pose, motion)
+                : _nodeImpact.findImpact(_tree.boxTree, _depth, _structure, pose, motion);
         }
 
         private function findContactOfNode(node:int, motion:RelativeMotion, out:ContactPoint):void
@@ -129,11 +131,11 @@ package starlogo.solid
         {
             if (_isExact)
             {
-                _triangleDistances.find(_tree, _structure, pose, out);
+                _triangleDistance.find(_tree, _structure, pose, out);
             }
             else
             {
-                _nodeDistances.find(_tree.boxTree, _depth, _structure, pose, out);
+                _nodeDistance.find(_tree.boxTree, _depth, _structure, pose, out);
             }
         }
 

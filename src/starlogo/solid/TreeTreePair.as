@@ -39,23 +39,23 @@ package starlogo.solid
 
         // Whether triangles decide, and how.
         private var _isExact:Boolean = false;
-        private var _triangles:TrianglePairVisitor;
-        private var _contacts:TriangleContactFinder;
+        private var _pairVisitor:TrianglePairVisitor;
+        private var _contactFinder:TriangleContactFinder;
 
-        private var _overlaps:OverlapTraversal;
-        private var _impacts:ImpactTraversal;
-        private var _distances:DistanceTraversal;
+        private var _overlap:OverlapTraversal;
+        private var _impact:ImpactTraversal;
+        private var _distance:DistanceTraversal;
         private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
 
         /** @param counts counts what the questions take */
         public function TreeTreePair(counts:TreeCounts)
         {
             _trees.pose = pose;
-            _triangles = new TrianglePairVisitor(counts);
-            _contacts = new TriangleContactFinder(counts);
-            _overlaps = new OverlapTraversal(counts);
-            _impacts = new ImpactTraversal(counts);
-            _distances = new DistanceTraversal(counts);
+            _pairVisitor = new TrianglePairVisitor(counts);
+            _contactFinder = new TriangleContactFinder(counts);
+            _overlap = new OverlapTraversal(counts);
+            _impact = new ImpactTraversal(counts);
+            _distance = new DistanceTraversal(counts);
         }
 
         /**
@@ -86,8 +86,8 @@ package starlogo.solid
         }
 
         /**
-         * The tolerance of quick tests, which is larger: it includes the margin of a motion and Tolerances.CORES of two triangles. A second tolerance is
-         * more than those CORES, because it has SURFACES of the radii.
+         * The tolerance of quick tests, which is larger: it includes the margin of a motion and Tolerances.CORES of two triangles. It is twice the
+         * tolerance: the second one has SURFACES of the radii, which is more than the CORES of two triangles.
          */
         internal function quickTolerance(motion:RelativeMotion):Number
         {
@@ -97,7 +97,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function areTouchingInPose():Boolean
         {
-            var result:int = _overlaps.find(_trees, visitorFor(RelativeMotion.NONE));
+            var result:int = _overlap.find(_trees, visitorFor(RelativeMotion.NONE));
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && _containment.findInside(this, null);
         }
@@ -105,7 +105,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            var best:BestPair = _impacts.findImpact(_trees, motion, visitorFor(motion));
+            var best:BestPair = _impact.findImpact(_trees, motion, visitorFor(motion));
             motion.time = best.time;
             if (out == null || motion.time == RelativeMotion.NEVER)
             {
@@ -114,7 +114,7 @@ package starlogo.solid
             out.triangle = -1;
             if (_isExact)
             {
-                _contacts.find(this, best, motion, out);
+                _contactFinder.find(this, best, motion, out);
             }
             else
             {
@@ -138,7 +138,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
-            _distances.findClosest(_trees, visitorFor(RelativeMotion.NONE), out);
+            _distance.findClosest(_trees, visitorFor(RelativeMotion.NONE), out);
         }
 
         /** Neither is inside if the boxes of the roots do not touch. Then the insides are not prepared. @inheritDoc */
@@ -150,7 +150,7 @@ package starlogo.solid
         // What decides about two nodes: their triangles, or null for their boxes. The motion is that of b.
         private function visitorFor(motion:RelativeMotion):NodePairVisitor
         {
-            return _isExact ? _triangles.begin(this, motion) : null;
+            return _isExact ? _pairVisitor.begin(this, motion) : null;
         }
     }
 }

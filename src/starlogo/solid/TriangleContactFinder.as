@@ -42,7 +42,7 @@ package starlogo.solid
 
         // The probe in a's space, the poses of that space in the spaces of both models, and what finds a model's triangles at the probe, which stands.
         private var _probe:Sphere = new Sphere(new Vector3D(), 0);
-        private var _triangles:TriangleImpactVisitor;
+        private var _triangleImpact:TriangleImpactVisitor;
         private var _inA:RelativePose = new RelativePose();
         private var _inB:RelativePose = new RelativePose();
         private var _still:RelativeMotion = new RelativeMotion();
@@ -50,7 +50,7 @@ package starlogo.solid
         /** @param counts counts the triangles that are tested */
         public function TriangleContactFinder(counts:TreeCounts)
         {
-            _triangles = new TriangleImpactVisitor(counts);
+            _triangleImpact = new TriangleImpactVisitor(counts);
         }
 
         /**
@@ -99,7 +99,7 @@ package starlogo.solid
             _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
-            return _triangles.findImpact(model, _probe, pose, _still) >= 0;
+            return _triangleImpact.findImpact(model, _probe, pose, _still) >= 0;
         }
     }
 }

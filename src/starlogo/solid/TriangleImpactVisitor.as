@@ -31,7 +31,7 @@ package starlogo.solid
 
         // The structure's motion, which receives the time of the first touch, and a copy that has the times of one triangle.
         private var _motion:RelativeMotion;
-        private var _sweep:RelativeMotion = new RelativeMotion();
+        private var _triangleMotion:RelativeMotion = new RelativeMotion();
         private var _kernel:TriangleKernel = new TriangleKernel();
 
         // The extents of the structure's core, where it is at time 0: minX, maxX, minY, ... The core of a round structure is a point or a segment.
@@ -100,7 +100,7 @@ package starlogo.solid
             _search.setExtents(extents, _radius);
             _search.setMotion(motion);
             _separatingAxes.setTo(shape, _radius, motion);
-            _sweep.copyVector(motion);
+            _triangleMotion.copyVector(motion);
             sweepExtents();
         }
 
@@ -141,27 +141,27 @@ package starlogo.solid
                     continue;
                 }
                 _mesh.readTriangle(i, _corners);
-                _sweep.latest = limit;
-                if (!isStill && _separatingAxes.separate(_corners, _sweep))
+                _triangleMotion.latest = limit;
+                if (!isStill && _separatingAxes.keepApart(_corners, _triangleMotion))
                 {
                     continue;
                 }
                 _kernel.setTriangle(_corners);
-                _sweep.earliest = _kernel.plane.findEntry(_kernel.shape, _radius, _motion);
-                if (_sweep.earliest > limit)
+                _triangleMotion.earliest = _kernel.plane.findEntry(_kernel.shape, _radius, _motion);
+                if (_triangleMotion.earliest > limit)
                 {
                     continue;
                 }
                 _counts.triangleTests++;
                 if (isStill)
                 {
-                    _sweep.time = _kernel.areTouching() ? 0 : RelativeMotion.NEVER;
+                    _triangleMotion.time = _kernel.areTouching() ? 0 : RelativeMotion.NEVER;
                 }
                 else
                 {
-                    _kernel.findTime(_sweep);
+                    _kernel.findTime(_triangleMotion);
                 }
-                if (_choice.choose(_sweep, _kernel.plane))
+                if (_choice.choose(_triangleMotion, _kernel.plane))
                 {
                     _found = i;
                 }

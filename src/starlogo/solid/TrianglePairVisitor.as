@@ -111,12 +111,12 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function findImpact(a:int, b:int, best:BestPair):void
+        override public function findEarlier(a:int, b:int, best:BestPair):void
         {
             var motion:RelativeMotion = _motion;
             var first:int = _meshA.tree.first[a];
             var end:int = _meshA.tree.end[a];
-            // Higher indices come first, as in the traversal.
+            // Higher slots come first, as the traversal visits the right child first if both bounds are equal.
             for (var i:int = placeTriangles(b) - 1; i >= 0 && _choice.time > 0; i--)
             {
                 setTriangleOfB(i);
@@ -137,7 +137,7 @@ package starlogo.solid
                             best.b = _firstPlaced + i;
                         }
                         best.time = _choice.time;
-                        best.least = motion.latest = _choice.latest;
+                        best.limit = motion.latest = _choice.latest;
                     }
                 }
             }
@@ -157,7 +157,7 @@ package starlogo.solid
                     findCloserPoints(slot, i, points);
                 }
             }
-            best.least = points.distance;
+            best.limit = points.distance;
         }
 
         // Places the triangles of a node of b in a's space, and returns their number. The node has no children: two such nodes do not begin with the
@@ -295,14 +295,14 @@ package starlogo.solid
             var z:Number = points.b.z - points.a.z;
             var corners:Vector.<Number> = _placed;
             var least:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
-            var place:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
-            least = place < least ? place : least;
-            place = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
-            least = place < least ? place : least;
-            var end:Number = least - points.distance * points.distance;
+            var projection:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
+            least = projection < least ? projection : least;
+            projection = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
+            least = projection < least ? projection : least;
+            var limit:Number = least - points.distance * points.distance;
             corners = _cornersOfA;
-            return x * corners[0] + y * corners[1] + z * corners[2] <= end && x * corners[3] + y * corners[4] + z * corners[5] <= end
-                && x * corners[6] + y * corners[7] + z * corners[8] <= end;
+            return x * corners[0] + y * corners[1] + z * corners[2] <= limit && x * corners[3] + y * corners[4] + z * corners[5] <= limit
+                && x * corners[6] + y * corners[7] + z * corners[8] <= limit;
         }
     }
 }

@@ -120,7 +120,7 @@ package starlogo.solid
         {
             var random:SeededRandom = new SeededRandom(2117);
             var trees:PosedTrees = new PosedTrees();
-            var pose:RelativePose = trees.pose;
+            var pose:RelativePose = trees.pose = new RelativePose();
             var boxes:OverlapTraversal = new OverlapTraversal(new TreeCounts());
             var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var ball:ModelTree = hierarchyOf(BuiltInModel.sphere());

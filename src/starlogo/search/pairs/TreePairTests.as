@@ -152,18 +152,18 @@ package starlogo.search.pairs
         }
 
         /**
-         * The number of the triangle of a body that is nearest to a point, as the model counts them; -1 if triangles do not decide.
+         * Finds the number of the triangle of a body that is nearest to a point, as the model counts them; -1 if triangles do not decide.
          *
          * @param body a tree
          * @param point has the point
          */
-        public function nearestTriangle(body:Body, point:ContactPoint):int
+        public function findNearestTriangle(body:Body, point:ContactPoint):int
         {
             _at.x = point.x;
             _at.y = point.y;
             _at.z = point.z;
             _treeAndStructure.setTo(body.shape.hierarchy, body.placement, _limits.depthOf(body), POINT, _at, _limits.exact);
-            return _treeAndStructure.nearestTriangle();
+            return _treeAndStructure.findNearestTriangle();
         }
 
         // Sets the query of impacts to the two bodies in this order or the reverse. Returns the motion of the body that is then first: the given

@@ -3,10 +3,10 @@
 // 
 // An InteriorBuilder makes an Interior, in steps:
 // Welding           finds the vertices that are at the same place
-// SurfaceBuilder    finds the SurfaceTopology, with the three classes that follow
-// EdgeMatcher     pairs the triangles that continue each other over an edge
-// ShellFinder     follows these pairs, and so finds the shells
-// CavityFinder    decides which shells bound cavities
+// SurfaceBuilder    finds the SurfaceTopology, with three classes:
+// - EdgeMatcher     pairs the triangles that continue each other over an edge
+// - ShellFinder     follows these pairs, and so finds the shells
+// - CavityFinder    decides which shells bound cavities
 // OutermostPoints   finds points of each part, which stand for the part
 // 
 // When it is made, the WindingCounter answers. Read Interior first, then WindingCounter, then SurfaceTopology and SurfaceBuilder.

@@ -165,7 +165,7 @@ package starlogo.queries.motion
                 return;
             }
             _met++;
-            var nearest:int = _seen.narrowPhase.treeTests.nearestTriangle(tree, _result.contact);
+            var nearest:int = _seen.narrowPhase.treeTests.findNearestTriangle(tree, _result.contact);
             var triangle:int = _result.contact.triangle;
             if (triangle != nearest)
             {

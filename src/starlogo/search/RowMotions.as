@@ -17,8 +17,8 @@ package starlogo.search
      */
     internal final class RowMotions
     {
-        /** Whether an agent of the search sweeps. If none does, the motions do not count. */
-        internal var areSwept:Boolean = false;
+        /** Whether an agent of the search sweeps. If none does, the motions do not count. Read only. */
+        internal var isSwept:Boolean = false;
 
         /** By row: the way from the place in the search before. It is 0 for an agent that has not moved, or has come without a motion. */
         internal var ways:Points = new Points();
@@ -44,6 +44,12 @@ package starlogo.search
         public function RowMotions(table:AgentTable)
         {
             _table = table;
+        }
+
+        /** Begins a search in which an agent sweeps, or none does. Before an agent has ever swept, no search needs to. */
+        public function begin(isSwept:Boolean):void
+        {
+            this.isSwept = isSwept;
         }
 
         /**

@@ -105,8 +105,8 @@ package starlogo.search
             _isPrepared = prepares;
             counts.copyTests(narrowPhase.counts);
             counts.agents = table.list.rows.count;
-            counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
+            counts.agentsSkipped = counts.agents - memberCount - counts.agentsLoading;
             counts.collisions = _pairs.count;
             return _pairs;
         }

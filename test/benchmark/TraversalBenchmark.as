@@ -140,7 +140,7 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _impacts.setTo(_twoTrees.setTo(a, first[i], DEPTH, b, second[i], DEPTH, exact));
-                    _impacts.findFirst(motions[i], null);
+                    _impacts.findFirstTouch(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {
@@ -164,7 +164,7 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _impacts.setTo(_treeAndStructure.setTo(a, first[i], DEPTH, structures[i], second[i], exact));
-                    _impacts.findFirst(motions[i], null);
+                    _impacts.findFirstTouch(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {

@@ -5,7 +5,8 @@ package starlogo.broadphase
 
     /**
      * Finds rows near one row, among members that hardly change. Each bucket of cells has a list of its members, so a member that has moved changes
-     * two lists. The buckets are those of the last search of the bins, as long as the numbers of members need no others.
+     * two lists. The buckets are those of the last search of the bins, as long as the numbers of members need no others. It counts the members in
+     * the levels of the bins (<code>BinLevel.count</code>), until the bins count them anew.
      *
      * @private
      */

@@ -234,17 +234,19 @@ package starlogo.collision
          */
         override engine function enterPhase(phase:int):void
         {
-            // the edges do not change
-            var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
-            if (phase == HANDLING)
+            var held:Boolean = areHandlersRunning;
+            var holds:Boolean = phase == HANDLING;
+            if (holds)
             {
                 takeContactsFromFrame();
             }
-            if (ground != null && phase == HANDLING)
+            // the edges do not change
+            var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
+            if (ground != null && holds && !held)
             {
                 ground.grid.hold();
             }
-            if (ground != null && areHandlersRunning)
+            if (ground != null && held && !holds)
             {
                 ground.grid.release();
             }

@@ -89,13 +89,13 @@ package starlogo.collision
         public var filter:AgentPredicate = null;
 
         // The collision system as the game has given it.
-        private var _given:CollisionSystem;
+        private var _givenSystem:CollisionSystem;
 
         // The same as a BaseCollider.
         private var _system:BaseCollider;
 
         // The one of the frame under way, or null.
-        private var _updating:BaseCollider = null;
+        private var _frameSystem:BaseCollider = null;
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:HandlerTable = new HandlerTable();
@@ -126,7 +126,7 @@ package starlogo.collision
          */
         public function get collisionSystem():CollisionSystem
         {
-            return _given;
+            return _givenSystem;
         }
 
         public function set collisionSystem(value:CollisionSystem):void
@@ -137,7 +137,7 @@ package starlogo.collision
             {
                 next.ownedCollider.giveTo(this);
             }
-            _given = value;
+            _givenSystem = value;
             _system = next;
         }
 
@@ -285,7 +285,7 @@ package starlogo.collision
             var start:Number = getTimer();
             _handlerErrors.length = 0;
             var system:BaseCollider = _system;
-            _updating = system;
+            _frameSystem = system;
             try
             {
                 runFrame(agents, system);
@@ -293,7 +293,7 @@ package starlogo.collision
             finally
             {
                 _calls.end();
-                _updating = null;
+                _frameSystem = null;
                 system.enterPhase(Collider.IDLE);
             }
             _statistics.handlerCalls = _calls.count;
@@ -348,13 +348,13 @@ package starlogo.collision
         /** @private The system of the frame under way, which a handler may have exchanged for the next one; or else the collision system. */
         engine function get systemInUse():BaseCollider
         {
-            return _updating || _system;
+            return _frameSystem || _system;
         }
 
         /** @private Whether a collider is in the collision system, or in the one of the frame under way. It is then no other Collision's. */
         engine function uses(collider:Collider):Boolean
         {
-            return _system.ownedCollider === collider || _updating != null && _updating.ownedCollider === collider;
+            return _system.ownedCollider === collider || _frameSystem != null && _frameSystem.ownedCollider === collider;
         }
 
         /** @private */
@@ -396,7 +396,7 @@ package starlogo.collision
 
         private function requireIdle(what:String):void
         {
-            if (_updating != null)
+            if (_frameSystem != null)
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }
@@ -409,7 +409,7 @@ package starlogo.collision
             var collider:Collider = _system.equivalentCollider;
             if (collider == null)
             {
-                throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_given, "a Collider"));
+                throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_givenSystem, "a Collider"));
             }
             return collider;
         }

@@ -22,7 +22,7 @@ package starlogo.collision
         // The contact passed to handlers, which may change it.
         private var _given:Contact = new Contact();
 
-        /** Begins a frame with pairs that the collision system has found. */
+        /** Begins a frame. @param system computes its contacts */
         public function begin(system:BaseCollider):void
         {
             _system = system;

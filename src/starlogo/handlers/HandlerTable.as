@@ -54,6 +54,12 @@ package starlogo.handlers
         // How often they had changed when the frame began. The frame calls handlers with lower serial numbers than this.
         private var _changesBefore:int = 0;
 
+        /** Whether a handler is for starts or ends, so that touches have to be tracked. */
+        public function get tracksTouches():Boolean
+        {
+            return (kinds & ~CollisionHandler.COLLISION) != 0;
+        }
+
         /**
          * Adds a handler of a kind.
          *

@@ -35,7 +35,7 @@ package starlogo.search
         /** The shape's place, rotation and size in the world. */
         public var placement:Placement = new Placement();
 
-        /** The agent's rank: see ListedAgents.rankOf. It is 0 if the body belongs to no agent. */
+        /** The agent's rank: see ListedAgents.rankOf. It is 0 if the body belongs to no agent. The rank of the ground or the edges is not kept. */
         public var rank:int = 0;
 
         /** The agent's own limit for the levels of its tree, or 0. */

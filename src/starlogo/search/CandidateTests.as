@@ -27,6 +27,9 @@ package starlogo.search
         // The input of the search under way.
         private var _input:FrameInput = null;
 
+        // Whether an agent of this search sweeps.
+        private var _isSwept:Boolean = false;
+
         // Takes the pairs of this search.
         private var _out:FoundPairs = null;
 
@@ -58,6 +61,7 @@ package starlogo.search
         {
             out.begin(isSwept);
             _input = input;
+            _isSwept = isSwept;
             _out = out;
         }
 
@@ -70,7 +74,7 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             _narrowPhase.counts.candidatePairs += count;
-            count = _out.haveTimes ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
+            count = _isSwept ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
             _out.addPairs(row, others, count, _times);
         }
 
@@ -89,7 +93,7 @@ package starlogo.search
             _input.listMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.numbers;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            count = _out.haveTimes ? _sweptTests.keepTouching(worldRow, others, count, SweptTests.NO_EXTENTS, _times)
+            count = _isSwept ? _sweptTests.keepTouching(worldRow, others, count, SweptTests.NO_EXTENTS, _times)
                 : keepTouchingWorld(worldRow, others, count);
             _out.addPairs(worldRow, others, count, _times);
         }

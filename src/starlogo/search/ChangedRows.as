@@ -23,7 +23,7 @@ package starlogo.search
         public var rows:IntList = new IntList();
 
         /** The same rows, and those of the ground and the edges of the world if these have changed: all pairs of these rows are found anew. Read only. */
-        public var all:IntSet = new IntSet();
+        public var rowsAndWorld:IntSet = new IntSet();
 
         private var _table:AgentTable;
         private var _motions:RowMotions;
@@ -56,7 +56,7 @@ package starlogo.search
          */
         public function begin(members:IntList):void
         {
-            _cells.begin(_motions.areSwept ? _motions.extents : _table.extents, members, _table.list.agents.length);
+            _cells.begin(_motions.isSwept ? _motions.extents : _table.extents, members, _table.list.agents.length);
         }
 
         /** Finds the rows that have changed. The table has read the agents, the ground and the edges. */
@@ -64,11 +64,11 @@ package starlogo.search
         {
             var length:int = _table.list.agents.length;
             rows.count = 0;
-            all.clear(length);
+            rowsAndWorld.clear(length);
             _cells.makeRoom(length);
             addAll(_table.changed);
             addAll(_table.leftOrReordered);
-            if (_motions.areSwept)
+            if (_motions.isSwept)
             {
                 addAll(_motions.previouslyChanged);
             }
@@ -79,7 +79,7 @@ package starlogo.search
             // the ground and the edges are no members, but their pairs change with them
             for (var i:int = 0; i < _table.changedOfWorld.count; i++)
             {
-                all.add(_table.changedOfWorld.numbers[i]);
+                rowsAndWorld.add(_table.changedOfWorld.numbers[i]);
             }
         }
 
@@ -90,7 +90,7 @@ package starlogo.search
          */
         public function moveToCells(input:FrameInput):Boolean
         {
-            if (_motions.areSwept)
+            if (_motions.isSwept)
             {
                 _motions.findExtents(rows);
             }
@@ -104,7 +104,7 @@ package starlogo.search
             {
                 if (_cells.has(rows.numbers[i]))
                 {
-                    _cells.findNear(rows.numbers[i], all, sink);
+                    _cells.findNear(rows.numbers[i], rowsAndWorld, sink);
                 }
             }
         }
@@ -112,7 +112,7 @@ package starlogo.search
         /** The rows whose pairs with the ground or the edges may have changed: all rows if the ground or the edges have. */
         public function rowsToTestWith(worldRow:int):IntList
         {
-            return all.has(worldRow) ? _table.list.rows : rows;
+            return rowsAndWorld.has(worldRow) ? _table.list.rows : rows;
         }
 
         private function addAll(added:IntList):void
@@ -125,7 +125,7 @@ package starlogo.search
 
         private function add(row:int):void
         {
-            if (all.add(row))
+            if (rowsAndWorld.add(row))
             {
                 rows.add(row);
             }

@@ -5,6 +5,8 @@
 // 3. CandidateTests keeps the pairs that touch, or SweptTests those that touch on their motions. The NarrowPhase has a PairTests for each kind of
 // pairs (pairs/).
 // 4. PairOrder puts the FoundPairs into the order of the list. PairUpdate puts the pairs of changed rows between those of the last search.
+// A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, FrameInput who takes part, BreedInterests which breeds
+// count.
 // Read this file first, then AgentTable, CandidateTests and NarrowPhase. TwoAgents answers about two agents, with ExitSearch (penetration/) for depths.
 package starlogo.search
 {
@@ -57,8 +59,8 @@ package starlogo.search
         // What the pairs of the last search depend on, besides agents, ground and edges.
         private var _conditions:SearchConditions = new SearchConditions();
 
-        // Whether the next search may begin with these pairs.
-        private var _mayBeKept:Boolean = false;
+        // Whether the cells are prepared, so that the next search may begin with these pairs.
+        private var _isPrepared:Boolean = false;
 
         // The members of a search in which some rows are no members.
         private var _members:IntList = new IntList();
@@ -92,18 +94,19 @@ package starlogo.search
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
-            // if this search is like the last one, the next is probably like it too
-            var mayBeKept:Boolean = isLikeLast(input) && mayKeep;
-            _conditions.setTo(input, _motions.areSwept, narrowPhase.treeLimits);
-            var mayFollow:Boolean = mayBeKept && _mayBeKept;
+            // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
+            // searches is the first that begins with the pairs of the last one.
+            var prepares:Boolean = mayKeep && isLikeLast(input);
+            var beginsWithLast:Boolean = prepares && _isPrepared;
+            _conditions.setTo(input, _motions.isSwept, narrowPhase.treeLimits);
             // if the search throws, the next one is of all rows, because the table has been read
-            _mayBeKept = false;
-            var memberCount:int = mayFollow && findChangedRows(input) ? findOfChanged(input) : findOfAll(input, mayBeKept);
-            _mayBeKept = mayBeKept;
+            _isPrepared = false;
+            var memberCount:int = beginsWithLast && findChangedRows(input) ? findOfChanged(input) : findOfAll(input, prepares);
+            _isPrepared = prepares;
             counts.copyTests(narrowPhase.counts);
             counts.agents = table.list.rows.count;
-            counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
+            counts.agentsSkipped = counts.agents - memberCount - counts.agentsLoading;
             counts.collisions = _pairs.count;
             return _pairs;
         }
@@ -111,8 +114,8 @@ package starlogo.search
         /** The table was read without a search: the next search is one of all rows. */
         public function forgetSearch():void
         {
-            _mayBeKept = false;
-            _motions.areSwept = false;
+            _isPrepared = false;
+            _motions.begin(false);
         }
 
         // Reads the input into the table. The motions are read before the table reads the places, because they begin at
@@ -122,9 +125,9 @@ package starlogo.search
             table.acceptList(input.agents);
             if (Agent.haveSwept)
             {
+                _motions.begin(isAnySweeping(input.agents));
                 _motions.readChanges();
             }
-            _motions.areSwept = Agent.haveSwept && isAnySweeping(input.agents);
             table.readChanges();
             table.readWorld(input.ground, input.edges);
         }
@@ -133,11 +136,11 @@ package starlogo.search
         private function isLikeLast(input:FrameInput):Boolean
         {
             var readCount:int = table.changed.count + table.leftOrReordered.count;
-            if (_motions.areSwept)
+            if (_motions.isSwept)
             {
                 readCount += _motions.previouslyChanged.count;
             }
-            return _conditions.areThoseOf(input, _motions.areSwept, narrowPhase.treeLimits) && areFew(readCount, input);
+            return _conditions.areThoseOf(input, _motions.isSwept, narrowPhase.treeLimits) && areFew(readCount, input);
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
@@ -154,20 +157,20 @@ package starlogo.search
             return areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
         }
 
-        // Finds the pairs of all members. Returns the number of members.
-        private function findOfAll(input:FrameInput, mayBeKept:Boolean):int
+        // Finds the pairs of all members, and prepares the cells if the next search may begin with these pairs. Returns the number of members.
+        private function findOfAll(input:FrameInput, prepares:Boolean):int
         {
             var members:IntList = input.findMembers(table, _members);
-            if (_motions.areSwept)
+            if (_motions.isSwept)
             {
                 _motions.findExtents(table.list.rows);
             }
-            _tests.begin(input, _motions.areSwept, _pairs);
-            _bins.findPairs(_motions.areSwept ? _motions.extents : table.extents, members, _tests);
+            _tests.begin(input, _motions.isSwept, _pairs);
+            _bins.findPairs(_motions.isSwept ? _motions.extents : table.extents, members, _tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, members);
             _order.putInOrder(_pairs);
-            if (mayBeKept)
+            if (prepares)
             {
                 _changedRows.begin(members);
             }
@@ -179,12 +182,12 @@ package starlogo.search
         // members.
         private function findOfChanged(input:FrameInput):int
         {
-            _tests.begin(input, _motions.areSwept, _pairsOfChanged);
+            _tests.begin(input, _motions.isSwept, _pairsOfChanged);
             _changedRows.findPairs(_tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
             var earlyCount:int = _order.putInOrder(_pairsOfChanged);
-            _update.update(_pairs, _changedRows.all, _pairsOfChanged, earlyCount);
+            _update.replacePairsOf(_changedRows.rowsAndWorld, _pairs, _pairsOfChanged, earlyCount);
             return _changedRows.memberCount;
         }
 

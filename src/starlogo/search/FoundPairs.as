@@ -60,6 +60,42 @@ package starlogo.search
             areKept = false;
         }
 
+        /** Begins to change the pairs to those of the next search, with <code>dropped</code> and <code>added</code>, which are empty now. */
+        internal function beginKept():void
+        {
+            searches++;
+            areKept = true;
+            dropped.count = added.count = 0;
+        }
+
+        /**
+         * Ends this.
+         *
+         * @param spare has the rows of the changed pairs
+         * @return the list of the earlier ones, which is spare now
+         */
+        internal function endKept(spare:Vector.<int>):Vector.<int>
+        {
+            count += added.count - dropped.count;
+            return exchangeRows(spare);
+        }
+
+        /** Exchanges the list of the rows for another one, and returns the earlier one. */
+        internal function exchangeRows(spare:Vector.<int>):Vector.<int>
+        {
+            var before:Vector.<int> = rows;
+            rows = spare;
+            return before;
+        }
+
+        /** Exchanges the list of the times for another one, and returns the earlier one. */
+        internal function exchangeTimes(spare:Vector.<Number>):Vector.<Number>
+        {
+            var before:Vector.<Number> = times;
+            times = spare;
+            return before;
+        }
+
         /** Adds a pair of two rows. */
         internal function add(a:int, b:int):void
         {

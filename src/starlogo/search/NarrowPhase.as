@@ -15,8 +15,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tests two bodies by their forms: whether they touch, when they touch, and how. Each collider and each LevelShapes has one such object,
-     * with its settings.
+     * Tests two bodies by their forms: whether they touch, when they touch, and how. Each collider and each LevelShapes has one such object. It
+     * also has the settings of that collider: the choice of shapes, and how far trees are tested.
      *
      * <p>The tests of each kind of pairs add themselves (<code>addTo()</code>), so a game loads only what it needs: the choice of shapes adds those of
      * its shapes, the ground and the edges of the world those of pairs with them, and questions those that the collider lacks.</p>
@@ -115,6 +115,7 @@ package starlogo.search
          *
          * @param a a body of an agent or a structure
          * @param b any body
+         * @return the tests. They are null if nothing has added them: see sphereTests, structureTests and treeTests
          * @throws flash.errors.IllegalOperationError if the first body is of the world. Tests take it as the second one: see PairTests
          */
         public function pairTestsFor(a:Body, b:Body):PairTests

@@ -205,12 +205,8 @@ package starlogo.search
 
         private function exchangeLists(pairs:FoundPairs):void
         {
-            var rows:Vector.<int> = pairs.rows;
-            pairs.rows = _spareRows;
-            _spareRows = rows;
-            var times:Vector.<Number> = pairs.times;
-            pairs.times = _spareTimes;
-            _spareTimes = times;
+            _spareRows = pairs.exchangeRows(_spareRows);
+            _spareTimes = pairs.exchangeTimes(_spareTimes);
         }
     }
 }

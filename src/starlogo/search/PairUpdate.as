@@ -9,18 +9,16 @@ package starlogo.search
         private var _spareRows:Vector.<int> = new Vector.<int>();
 
         /**
-         * Changes pairs to those of the next frame.
+         * Replaces the pairs of changed rows.
          *
-         * @param pairs the pairs of the last frame, in order
-         * @param changed the rows whose pairs are dropped
+         * @param changed these rows
+         * @param pairs the pairs of the last frame, in order. They become those of the next
          * @param found the pairs of these rows, in order
          * @param earlyCount how many of the found pairs touch before the end of their motions. All others touch at the end
          */
-        public function update(pairs:FoundPairs, changed:IntSet, found:FoundPairs, earlyCount:int):void
+        public function replacePairsOf(changed:IntSet, pairs:FoundPairs, found:FoundPairs, earlyCount:int):void
         {
-            pairs.searches++;
-            pairs.areKept = true;
-            pairs.dropped.count = pairs.added.count = 0;
+            pairs.beginKept();
             var mostPairs:int = pairs.count + found.count;
             if (_spareRows.length < 2 * mostPairs)
             {
@@ -43,10 +41,7 @@ package starlogo.search
                 pairs.added.add(to);
             }
             keepBefore(int.MAX_VALUE, 0, pairs, next, changed);
-            pairs.count += found.count - pairs.dropped.count;
-            var rows:Vector.<int> = pairs.rows;
-            pairs.rows = _spareRows;
-            _spareRows = rows;
+            _spareRows = pairs.endKept(_spareRows);
         }
 
         // Copies the pairs from an index on up to a pair of two ranks, behind those that are copied or added already. Drops the pairs of changed rows.

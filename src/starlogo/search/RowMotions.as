@@ -17,8 +17,8 @@ package starlogo.search
      */
     internal final class RowMotions
     {
-        /** Whether an agent of the search sweeps. If none does, the motions do not count. */
-        internal var areSwept:Boolean = false;
+        /** Whether an agent of the search sweeps. If none does, the motions do not count. Read only. */
+        internal var isSwept:Boolean = false;
 
         /** By row: the way from the place in the search before. It is 0 for an agent that has not moved, or has come without a motion. */
         internal var ways:Points = new Points();
@@ -46,37 +46,46 @@ package starlogo.search
             _table = table;
         }
 
+        /** Begins a search in which an agent sweeps, or none does. Before an agent has ever swept, no search needs to. */
+        public function begin(isSwept:Boolean):void
+        {
+            this.isSwept = isSwept;
+        }
+
         /**
          * Reads the motions of the rows that have changed. Call it in each search once an agent has swept, after the table has found the rows, and
          * before it reads their places.
          */
         public function readChanges():void
         {
-            if (_table.list.agents.length > _sweeps.length)
+            var length:int = _table.list.agents.length;
+            if (length > _sweeps.length)
             {
-                _sweeps.length = haveJumped.length = _table.list.agents.length;
-                ways.grow(_sweeps.length);
-                extents.grow(_sweeps.length);
+                _sweeps.length = haveJumped.length = length;
+                ways.grow(length);
+                extents.grow(length);
             }
             var before:IntList = previouslyChanged;
             previouslyChanged = _changed;
             _changed = before;
-            _changed.copyFrom(_table.changed);
+            before.copyFrom(_table.changed);
             // rows that have not changed since have no motion any more
             for (var i:int = 0; i < previouslyChanged.count; i++)
             {
-                setMotion(previouslyChanged.numbers[i], 0, 0, 0);
-                haveJumped[previouslyChanged.numbers[i]] = false;
+                var row:int = previouslyChanged.numbers[i];
+                setMotion(row, 0, 0, 0);
+                haveJumped[row] = false;
             }
             for (i = 0; i < _changed.count; i++)
             {
-                var row:int = _changed.numbers[i];
+                row = _changed.numbers[i];
                 var agent:Agent = _table.list.agents[row];
                 haveJumped[row] = !_table.isMotionStart(row, agent);
                 if (!haveJumped[row])
                 {
                     var at:Placement = agent.placement;
-                    setMotion(row, at.x - _table.places.x[row], at.y - _table.places.y[row], at.z - _table.places.z[row]);
+                    var from:Points = _table.places;
+                    setMotion(row, at.x - from.x[row], at.y - from.y[row], at.z - from.z[row]);
                 }
             }
         }
@@ -110,20 +119,21 @@ package starlogo.search
         private function findExtentsOf(row:int):void
         {
             var standing:Extents = _table.extents;
+            var swept:Extents = extents;
             var motionX:Number = ways.x[row];
             var motionY:Number = ways.y[row];
             var motionZ:Number = ways.z[row];
             var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
             var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-            extents.x[row] = standing.x[row] - motionX / 2;
-            extents.y[row] = standing.y[row] - motionY / 2;
-            extents.z[row] = standing.z[row] - motionZ / 2;
-            extents.halfX[row] = halfX;
-            extents.halfY[row] = halfY;
-            extents.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
-            extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
-            extents.offset[row] = standing.offset[row];
-            extents.assignLevel(row);
+            swept.x[row] = standing.x[row] - motionX / 2;
+            swept.y[row] = standing.y[row] - motionY / 2;
+            swept.z[row] = standing.z[row] - motionZ / 2;
+            swept.halfX[row] = halfX;
+            swept.halfY[row] = halfY;
+            swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
+            swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+            swept.offset[row] = standing.offset[row];
+            swept.assignLevel(row);
         }
 
         /**
@@ -133,7 +143,8 @@ package starlogo.search
          */
         public function relate(a:int, b:int, motion:RelativeMotion):void
         {
-            motion.endAfter(ways.x[a] - ways.x[b], ways.y[a] - ways.y[b], ways.z[a] - ways.z[b]);
+            var all:Points = ways;
+            motion.endAfter(all.x[a] - all.x[b], all.y[a] - all.y[b], all.z[a] - all.z[b]);
             motion.time = RelativeMotion.NEVER;
         }
 

@@ -4,37 +4,37 @@ package starlogo.search
 
     use namespace engine;
 
-    /** What the pairs of a search depend on, besides the agents, the ground and the edges of the world. A record. */
+    /** What the pairs of a search depend on, besides the agents, the ground and the edges of the world. */
     internal final class SearchConditions
     {
         // In place of a depth: the triangles decide.
         private static const EXACT:int = 0;
 
-        /** The pairs of breeds that count. A Collision adds no pairs to these later. */
-        public var interests:BreedInterests = null;
+        // The pairs of breeds that count. A Collision adds no pairs to these later.
+        private var _interests:BreedInterests = null;
 
-        /** Whether an agent sweeps. */
-        public var isSwept:Boolean = false;
+        // Whether an agent sweeps.
+        private var _isSwept:Boolean = false;
 
-        /** Whether a filter decides which agents take part. */
-        public var isFiltered:Boolean = false;
+        // Whether a filter decides which agents take part.
+        private var _isFiltered:Boolean = false;
 
-        /** The depth to which trees are tested, or EXACT. */
-        public var maxDepth:int = EXACT;
+        // The depth to which trees are tested, or EXACT.
+        private var _maxDepth:int = EXACT;
 
         /** Sets all. */
         public function setTo(input:FrameInput, isSwept:Boolean, limits:TreeLimits):void
         {
-            interests = input.interests;
-            this.isSwept = isSwept;
-            isFiltered = input.admitted != null;
-            maxDepth = depthIn(limits);
+            _interests = input.interests;
+            _isSwept = isSwept;
+            _isFiltered = input.admitted != null;
+            _maxDepth = depthIn(limits);
         }
 
         /** Whether the pairs of another search depend on the same. */
         public function areThoseOf(input:FrameInput, isSwept:Boolean, limits:TreeLimits):Boolean
         {
-            return interests === input.interests && this.isSwept == isSwept && isFiltered == (input.admitted != null) && maxDepth == depthIn(limits);
+            return _interests === input.interests && _isSwept == isSwept && _isFiltered == (input.admitted != null) && _maxDepth == depthIn(limits);
         }
 
         private static function depthIn(limits:TreeLimits):int

@@ -47,10 +47,10 @@ package starlogo.search
             _motions = motions;
         }
 
-        /** Whether rows are to be tested on their motions, because an agent sweeps. */
-        public function get areNeeded():Boolean
+        /** Whether an agent of the search sweeps. If none does, rows are tested where they are. */
+        public function get isSwept():Boolean
         {
-            return _motions.areSwept;
+            return _motions.isSwept;
         }
 
         /**
@@ -101,7 +101,7 @@ package starlogo.search
             {
                 if (!motion.isStill)
                 {
-                    tests.findFirst(bodyA, bodyB, motion, out);
+                    tests.findFirstTouch(bodyA, bodyB, motion, out);
                 }
                 else if (tests.areTouching(bodyA, bodyB))
                 {
@@ -171,7 +171,7 @@ package starlogo.search
             }
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
-            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirst(bodyA, bodyB, motion, null);
+            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, motion, null);
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.

@@ -9,8 +9,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tells whether and how two agents touch. It takes the bodies of their rows if the agents have not changed since the last search, and otherwise makes
-     * bodies of them as they are now. It changes no place and no motion of the search.
+     * Tells whether and how two agents touch. <code>areColliding()</code> takes the two as they are now, <code>findContact()</code> as the last
+     * search saw them, if it saw both. It changes no place and no motion of the search.
      *
      * @private
      */
@@ -69,7 +69,7 @@ package starlogo.search
                 return;
             }
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && _table.shapes[rowA] != null && _table.shapes[rowB] != null;
-            if (areSeen && _sweptTests.areNeeded)
+            if (areSeen && _sweptTests.isSwept)
             {
                 _sweptTests.findContact(rowA, rowB, motion, out);
                 return;

@@ -22,7 +22,7 @@ package starlogo.solid
          * @param motion of the model; receives the time
          * @param out receives the contact, in the world; null if only the time is needed
          */
-        public final function findFirst(motion:RelativeMotion, out:ContactPoint):void
+        public final function findFirstTouch(motion:RelativeMotion, out:ContactPoint):void
         {
             var time:Number = 0;
             if (!areTouchingAt(motion, 0))
@@ -48,7 +48,7 @@ package starlogo.solid
         }
 
         /**
-         * Finds when and where the surfaces of the two first touch. The parameters are those of <code>findFirst()</code>. If one of the two begins
+         * Finds when and where the surfaces of the two first touch. The parameters are those of <code>findFirstTouch()</code>. If one of the two begins
          * wholly inside of the other, that is no touch of surfaces.
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void

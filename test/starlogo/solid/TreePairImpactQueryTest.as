@@ -61,7 +61,7 @@ package starlogo.solid
             motion.endAfter(-0.6, 0, 0);
             for each (var latest:Number in [0.1, 0.5, 0.66, 0.67, 0.9, 1])
             {
-                for each (var find:Function in [_query.findImpact, _query.findFirst])
+                for each (var find:Function in [_query.findImpact, _query.findFirstTouch])
                 {
                     var ends:Placement = new Placement();
                     ends.x = -0.6;
@@ -90,7 +90,7 @@ package starlogo.solid
                 motion.endAfter(-travel, 0, 0);
                 _query.findImpact(motion, null);
                 var isMissed:Boolean = motion.time == RelativeMotion.NEVER;
-                _query.findFirst(motion, contact);
+                _query.findFirstTouch(motion, contact);
                 if (motion.time == RelativeMotion.NEVER)
                 {
                     continue;

@@ -83,9 +83,9 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            queryOf(a, b).findFirst(motion, out);
+            queryOf(a, b).findFirstTouch(motion, out);
         }
 
         /** @inheritDoc */

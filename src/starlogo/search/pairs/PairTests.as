@@ -1,6 +1,10 @@
 // This folder tests two bodies, by a class for each kind of pairs, all with the same methods: SpherePairTests, StructurePairTests and TreePairTests
 // for agents, GroundPairTests and EdgePairTests for an agent and the ground or the edges of the world. SupportSearch finds how far a body reaches.
-// Read this file first, then StructurePairTests, the shortest one.
+// Read this file first, then StructurePairTests, the shortest one. Its methods for motions differ if the two touch where the motion begins:
+// - findFirstTouch: the time 0, and the contact there.
+// - findImpact: the time 0, or the first moment at which their surfaces touch.
+// - findImpactAndInside: the same, and whether one is inside of the other at the beginning.
+// Otherwise all find the first touch. Only findFirstTouch finds one that rounding hides at the end of the motion.
 package starlogo.search.pairs
 {
     import flash.errors.IllegalOperationError;
@@ -51,7 +55,7 @@ package starlogo.search.pairs
          *     receives the time
          * @param out receives the contact if they touch, as in findContactOfParts; null if only the time is needed
          */
-        public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             findTime(a, b, motion);
             if (out != null && motion.time != RelativeMotion.NEVER)
@@ -60,7 +64,7 @@ package starlogo.search.pairs
             }
         }
 
-        /** Finds the time for <code>findFirst()</code>. A subclass overrides this method, or <code>findFirst()</code> if it finds both at once. */
+        /** Finds the time for <code>findFirstTouch()</code>. A subclass overrides this method, or <code>findFirstTouch()</code> if it finds both at once. */
         protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
             throw new IllegalOperationError(this + " does not implement findTime");
@@ -127,7 +131,7 @@ package starlogo.search.pairs
          * Finds the contact of two parts of two bodies, such as two triangles. The two bodies may still touch after the first one moves along the
          * normal by the depth.
          *
-         * @param motion as in findFirst, with the time of the first touch
+         * @param motion as in findFirstTouch, with the time of the first touch
          * @param out receives the contact. Its normal points from b to a, and b is where it is now
          */
         public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
@@ -139,12 +143,12 @@ package starlogo.search.pairs
          * Finds the time and the contact of the first touch of two bodies that do not touch at the beginning of the motion. If they do, it is either
          * the beginning, or the first moment at which their surfaces touch.
          *
-         * @param motion as in findFirst. But a touch that rounding errors hide at its end may be missing
+         * @param motion as in findFirstTouch. But a touch that rounding errors hide at its end may be missing
          * @param out receives the contact, as in findContactOfParts; null if only the time is needed
          */
         public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            findFirst(a, b, motion, out);
+            findFirstTouch(a, b, motion, out);
         }
 
         /**
@@ -198,7 +202,7 @@ package starlogo.search.pairs
          * Changes a contact of parts so that it separates two bodies: if the first one moves along the normal by the depth, the two just
          * touch. Most contacts of parts do this already, and only the point moves, to the middle of the overlap.
          *
-         * @param motion as in findFirst, with the time at which the two touch
+         * @param motion as in findFirstTouch, with the time at which the two touch
          * @param out the contact of two parts that touch at that time
          */
         public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void

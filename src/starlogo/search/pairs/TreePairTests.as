@@ -81,18 +81,18 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b));
             _counts.pairTests++;
-            _impacts.findFirst(own, out);
+            _impacts.findFirstTouch(own, out);
             finish(own, motion, out);
         }
 
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
+            // Two trees stay in this order. TwoAgents.findContact puts two agents into the order of the list before, so a contact is the same in either order.
             var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE);
             _impacts.findContact(own, out);
             finish(own, motion, out);

@@ -108,13 +108,13 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             leftOrReordered.count = 0;
-            // compareRows finds out on the way whether the list is the same
-            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && compareRows(agents, list.rows);
+            // findChanged finds out on the way whether the list is the same
+            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && findChanged(agents, list.rows);
             if (!isSame)
             {
                 list.propose(agents);
                 makeRoom();
-                compareRows(agents, list.proposed);
+                findChanged(agents, list.proposed);
             }
             findShapes(_reshaped, _newShapes);
             // nothing below throws
@@ -271,9 +271,9 @@ package starlogo.search.table
             return shapes[row] != null && !shapes[row].isVoid && list.agents[row].bodyRevision == _bodyRevisions[row];
         }
 
-        // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). Returns false if the rows do not
-        // belong to the agents.
-        private function compareRows(agents:Vector.<Agent>, listed:IntList):Boolean
+        // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). Returns whether the rows are those of
+        // the agents. If not, it has not found all.
+        private function findChanged(agents:Vector.<Agent>, listed:IntList):Boolean
         {
             var rows:Vector.<int> = listed.numbers;
             var byRow:Vector.<Agent> = list.agents;

@@ -34,17 +34,20 @@ package starlogo.models.building
         private static const TRIANGLES_PER_STEP:int = 10000;
 
         private var _data:ModelData;
+        private var _reader:ModelReader;
+        private var _isComplete:Boolean = false;
 
         // the box around the vertices, as they are after the steps so far
         private var _bounds:VertexBounds;
 
         /**
          * @param data what the model is made of. The steps change it, and throw the errors of Model's constructor
-         * @param reader fills the data first; none of its steps is done yet. Null if the data are complete
+         * @param reader fills the data first; none of its steps is done yet. Null if the data have been filled
          */
-        public function ModelBuilder(data:ModelData, reader:Steps = null)
+        public function ModelBuilder(data:ModelData, reader:ModelReader = null)
         {
             _data = data;
+            _reader = reader;
             if (reader != null)
             {
                 add(reader);
@@ -103,7 +106,7 @@ package starlogo.models.building
         /** @inheritDoc */
         public function get progress():Number
         {
-            return READING * _data.readShare;
+            return _isComplete ? 1 : (_reader == null ? 0 : READING * _reader.progress);
         }
 
         /** @inheritDoc */
@@ -289,6 +292,7 @@ package starlogo.models.building
             _data.meshes.close(_data.triangles.length / 3);
             _data.vertices.fixed = _data.triangles.fixed = true;
             _data.triangles = _data.triangles.length == 0 ? null : _data.triangles;
+            _isComplete = true;
         }
 
         // as in the client: an extent of 0 counts as 1

@@ -62,6 +62,12 @@ package starlogo.models.cooked
             return _data;
         }
 
+        /** @inheritDoc */
+        public function get progress():Number
+        {
+            return _bytes == null ? 0 : _bytes.position / _bytes.length;
+        }
+
         /** The divisor for the numbers of a form. */
         internal static function divisorOf(form:int):Number
         {

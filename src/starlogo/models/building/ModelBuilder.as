@@ -35,6 +35,7 @@ package starlogo.models.building
 
         private var _data:ModelData;
         private var _reader:ModelReader;
+        private var _model:Model = null;
         private var _isComplete:Boolean = false;
 
         // the box around the vertices, as they are after the steps so far
@@ -109,12 +110,16 @@ package starlogo.models.building
             return _isComplete ? 1 : (_reader == null ? 0 : READING * _reader.progress);
         }
 
-        /** @inheritDoc */
+        /** The model, always the same one. Steps that are left are done first. */
         public function get model():Model
         {
-            var made:Model = new Model(name, Model.FROM_BUILDER);
-            made.build(this);
-            return made;
+            if (_model == null)
+            {
+                var made:Model = new Model(name, Model.FROM_BUILDER);
+                made.build(this);
+                _model = made;
+            }
+            return _model;
         }
 
         private function checkData():void

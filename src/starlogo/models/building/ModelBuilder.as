@@ -201,7 +201,7 @@ package starlogo.models.building
         // The steps that turn or scale. The factor says how much larger this makes the model.
         private function transforming(transform:AffineTransform, factor:Number):Steps
         {
-            _data.frame.addTransform(transform, factor);
+            _data.source.addTransform(transform, factor);
             return new StepSequence().add(transform.transformingPoints(_data.vertices)).begin(measuring);
         }
 
@@ -240,7 +240,7 @@ package starlogo.models.building
         private function placing(low:Vector3D, move:Vector3D, divisor:Number):StepSequence
         {
             checkExtent();
-            _data.frame.addMove(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
+            _data.source.addMove(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
             return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     place(_data.vertices, first, end, low, move, divisor);

@@ -37,9 +37,9 @@ package starlogo.models.building
         public var meshes:TriangleLabels = new TriangleLabels(new Vector.<String>());
 
         /** The model's place and scale in its source. A ModelBuilder adds what it does to the vertices. */
-        public var frame:SourceFrame = new SourceFrame();
+        public var source:SourceFrame = new SourceFrame();
 
-        /** Whether the vertices and the frame are the model's own, as in some cooked files. Otherwise a ModelBuilder brings them to their places. */
+        /** Whether the vertices and the source are the model's own, as in some cooked files. Otherwise a ModelBuilder brings them to their places. */
         public var isNormalised:Boolean = false;
 
         /** The cooked file with the results for the model; null for none. */

@@ -197,7 +197,7 @@ package starlogo.libraries
         public function hasAll(name:String):Boolean
         {
             var shape:ModelStructures = _models.entryOf(name).structures;
-            return shape != null && shape.keepsAll && shape.smallest.indexOf(null) < 0;
+            return shape != null && shape.showsAll && shape.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape by now, or a sphere in its place. */
@@ -259,7 +259,7 @@ package starlogo.libraries
         private function kept(name:String, kind:int):BoundingStructure
         {
             var shape:ModelStructures = find(name);
-            if (!shape.keepsAll || shape.smallest[kind] == null)
+            if (!shape.showsAll || shape.smallest[kind] == null)
             {
                 throw new ArgumentError("shape \"" + name + "\" has no " + BoundingStructure.NAMES[kind] + " of its own: set loadAllBoundingStructures (keepAll)"
                         + " before the model is added, and have a fitter that finds one in the list");

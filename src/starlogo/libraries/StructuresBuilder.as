@@ -70,6 +70,14 @@ package starlogo.libraries
                 });
         }
 
+        /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */
+        public static function widened(structure:BoundingStructure):BoundingStructure
+        {
+            var wider:BoundingStructure = structure.clone();
+            wider.widenForSurfaces();
+            return wider;
+        }
+
         /**
          * @inheritDoc
          *
@@ -161,14 +169,6 @@ package starlogo.libraries
             }
             // A HullFitter checks all vertices itself.
             structures = new ModelStructures(found, hullFit == null ? null : widened(hullFit.structure), showsAll);
-        }
-
-        /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */
-        public static function widened(structure:BoundingStructure):BoundingStructure
-        {
-            var wider:BoundingStructure = structure.clone();
-            wider.widenForSurfaces();
-            return wider;
         }
     }
 }

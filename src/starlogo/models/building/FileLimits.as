@@ -94,16 +94,6 @@ package starlogo.models.building
             require(_elements, FREE_ELEMENTS, ELEMENTS_PER_BYTE, MOST_ELEMENTS, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
         }
 
-        // Checks a count against the limits named above.
-        private function require(count:Number, free:Number, perByte:Number, most:Number, what:String, place:Object):void
-        {
-            var limit:Number = Math.min(most, free + perByte * _bytes);
-            if (count > limit)
-            {
-                throw new ModelError(modelName, String(place), "it has more than " + limit + " " + what);
-            }
-        }
-
         /** The tests of corners that are left for cutting polygons. If there are none, corners are cut off without a test, and holes are filled. */
         public function get cornerTestsLeft():Number
         {
@@ -114,6 +104,16 @@ package starlogo.models.building
         public function countCornerTests(more:int):void
         {
             _cornerTestsLeft -= more;
+        }
+
+        // Checks a count against the limits named above.
+        private function require(count:Number, free:Number, perByte:Number, most:Number, what:String, place:Object):void
+        {
+            var limit:Number = Math.min(most, free + perByte * _bytes);
+            if (count > limit)
+            {
+                throw new ModelError(modelName, String(place), "it has more than " + limit + " " + what);
+            }
         }
     }
 }

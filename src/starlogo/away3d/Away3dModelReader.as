@@ -38,7 +38,7 @@ package starlogo.away3d
         /** @inheritDoc */
         public function get progress():Number
         {
-            return _model == null ? _builder.progress : 1;
+            return _builder.progress;
         }
 
         /** The Away3dModel. Read it when no step is left. */

@@ -131,14 +131,14 @@ package starlogo.libraries
             _models.entryToWrite(name).setStructures(builder.structures);
         }
 
-        /** Whether the library has structures for a shape. */
+        /** Whether the library has structures for a structures. */
         public function has(name:String):Boolean
         {
             return _models.entryOf(name).structures != null;
         }
 
         /**
-         * The tightest fit of a shape. It is shared: do not change it.
+         * The tightest fit of a structures. It is shared: do not change it.
          *
          * @throws ArgumentError if the library has nothing of this name
          */
@@ -148,7 +148,7 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest sphere found for a shape. It is shared: do not change it.
+         * The smallest sphere found for a structures. It is shared: do not change it.
          *
          * @throws ArgumentError if the library has nothing of this name, or no sphere was kept for it
          */
@@ -158,7 +158,7 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest box found for a shape. It is shared: do not change it.
+         * The smallest box found for a structures. It is shared: do not change it.
          *
          * @throws ArgumentError if the library has nothing of this name, or no box was kept for it
          */
@@ -168,7 +168,7 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest capsule found for a shape. It is shared: do not change it.
+         * The smallest capsule found for a structures. It is shared: do not change it.
          *
          * @throws ArgumentError if the library has nothing of this name, or no capsule was kept for it
          */
@@ -193,22 +193,22 @@ package starlogo.libraries
             return found;
         }
 
-        /** Whether a sphere, a box and a capsule were kept for a shape. */
+        /** Whether a sphere, a box and a capsule were kept for a structures. */
         public function hasAll(name:String):Boolean
         {
-            var shape:ModelStructures = _models.entryOf(name).structures;
-            return shape != null && shape.keepsAll && shape.smallest.indexOf(null) < 0;
+            var structures:ModelStructures = _models.entryOf(name).structures;
+            return structures != null && structures.showsAll && structures.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape by now, or a sphere in its place. */
         public function hasHull(name:String):Boolean
         {
-            var shape:ModelStructures = _models.entryOf(name).structures;
-            return shape != null && shape.hullOrSphere != null;
+            var structures:ModelStructures = _models.entryOf(name).structures;
+            return structures != null && structures.hullOrSphere != null;
         }
 
         /**
-         * The smallest structure of a kind for a shape. A hull that was not found with the others is found now. From then on clients may read
+         * The smallest structure of a kind for a structures. A hull that was not found with the others is found now. From then on clients may read
          * it.
          *
          * @param name the shape's name
@@ -219,24 +219,24 @@ package starlogo.libraries
          */
         engine function findOrFit(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
         {
-            var shape:ModelStructures = find(name);
+            var structures:ModelStructures = find(name);
             if (kind == BoundingStructure.HULL)
             {
-                if (shape.hullOrSphere == null)
+                if (structures.hullOrSphere == null)
                 {
-                    shape.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)));
+                    structures.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)));
                 }
-                return shape.hullOrSphere;
+                return structures.hullOrSphere;
             }
-            if (shape.smallest[kind] == null)
+            if (structures.smallest[kind] == null)
             {
                 throw new ArgumentError("shape \"" + name + "\" cannot be a " + BoundingStructure.NAMES[kind] + ": no fitter found one when its model was added");
             }
-            return shape.smallest[kind];
+            return structures.smallest[kind];
         }
 
         /**
-         * The work that finds the structures of a shape. None of its steps is done yet.
+         * The work that finds the structures of a structures. None of its steps is done yet.
          *
          * @private
          */
@@ -248,23 +248,23 @@ package starlogo.libraries
 
         private function find(name:String):ModelStructures
         {
-            var shape:ModelStructures = _models.entryOf(name).structures;
-            if (shape == null)
+            var structures:ModelStructures = _models.entryOf(name).structures;
+            if (structures == null)
             {
                 throw _models.missing("bounding structure", name, "loadTightestFit");
             }
-            return shape;
+            return structures;
         }
 
         private function kept(name:String, kind:int):BoundingStructure
         {
-            var shape:ModelStructures = find(name);
-            if (!shape.keepsAll || shape.smallest[kind] == null)
+            var structures:ModelStructures = find(name);
+            if (!structures.showsAll || structures.smallest[kind] == null)
             {
                 throw new ArgumentError("shape \"" + name + "\" has no " + BoundingStructure.NAMES[kind] + " of its own: set loadAllBoundingStructures (keepAll)"
                         + " before the model is added, and have a fitter that finds one in the list");
             }
-            return shape.smallest[kind];
+            return structures.smallest[kind];
         }
     }
 }

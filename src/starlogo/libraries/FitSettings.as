@@ -10,7 +10,7 @@ package starlogo.libraries
 
     /**
      * The settings that decide the results that libraries compute for a model. They are copied when this object is made. Fits that were
-     * computed with other settings are not used. Fits with another keepsAll are used, because that only says which results a client may read.
+     * computed with other settings are not used. Fits with another showsAll are used, because that only says which results a client may read.
      */
     public final class FitSettings
     {
@@ -24,7 +24,7 @@ package starlogo.libraries
         engine var wantsSurface:Boolean = false;
 
         /** @private Whether clients may read the smallest structure of each kind. */
-        engine var keepsAll:Boolean = false;
+        engine var showsAll:Boolean = false;
 
         /** @private The deepest level of hierarchies. */
         engine var maxDepth:int = 0;
@@ -39,7 +39,7 @@ package starlogo.libraries
         {
             if (structures != null)
             {
-                keepsAll = structures.keepAll;
+                showsAll = structures.keepAll;
                 var signatures:String = signaturesOf(structures.fitters);
                 _texts[CookedFile.STRUCTURES] = signatures == null ? null : "structures, " + signatures;
                 // The smallest sphere may take the hull's place.

@@ -100,7 +100,7 @@ package starlogo.libraries
             requireGiven("the bytes", bytes);
             requireGiven("the settings", settings);
             var geometry:Fingerprint = geometryOf(model);
-            return isEntryOf(geometry, bytes) && keep(geometry, settings, bytes);
+            return isEntryOf(geometry, bytes) && store(geometry, settings, bytes);
         }
 
         /** Removes all entries. */
@@ -145,7 +145,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function keep(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
+        engine function store(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
             var name:String = nameOf(geometry, settings);
             var lines:Array = linesBut(name);

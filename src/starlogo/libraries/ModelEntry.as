@@ -110,14 +110,14 @@ package starlogo.libraries
         }
 
         /** Counts one more model of this name that is loading. */
-        public function beginLoading():void
+        public function expect():void
         {
             _loadingCount++;
             _loadProblem = null;
         }
 
         /** Counts one less, if one is loading. @param problem why its load failed; null if it did not */
-        public function endLoading(problem:String):void
+        public function expectNoMore(problem:String):void
         {
             _loadingCount = Math.max(0, _loadingCount - 1);
             _loadProblem = problem || _loadProblem;

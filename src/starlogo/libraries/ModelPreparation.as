@@ -105,7 +105,7 @@ package starlogo.libraries
                     }
                     return isComplete || !store.hasRoomFor(_model, modelTree != null) ? computing(false) : computing(true).call(function():void
                         {
-                            store.keep(geometry, _settings, fileOf(geometry, null));
+                            store.store(geometry, _settings, fileOf(geometry, null));
                         });
                 });
         }
@@ -158,7 +158,7 @@ package starlogo.libraries
             var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
             var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, size);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
-            return found == null || hulls == null && _settings.wantsHull ? null : new ModelStructures(found, hull, _settings.keepsAll);
+            return found == null || hulls == null && _settings.wantsHull ? null : new ModelStructures(found, hull, _settings.showsAll);
         }
 
         // The bytes of a file with the results. It has the surface if that is prepared. @param model the bytes of the model; null for none

@@ -32,16 +32,16 @@ package starlogo.libraries
         public var tightest:BoundingStructure = null;
 
         /** Whether the client may read the smallest structure of each kind. */
-        public var keepsAll:Boolean;
+        public var showsAll:Boolean;
 
         /**
          * @param found the spheres, capsules and boxes that were found; null entries are ignored
          * @param hull the hull that was found; null if none was wanted
-         * @param keepsAll whether the client may read the smallest structure of each kind
+         * @param showsAll whether the client may read the smallest structure of each kind
          */
-        public function ModelStructures(found:Vector.<BoundingStructure>, hull:BoundingStructure, keepsAll:Boolean)
+        public function ModelStructures(found:Vector.<BoundingStructure>, hull:BoundingStructure, showsAll:Boolean)
         {
-            this.keepsAll = keepsAll;
+            this.showsAll = showsAll;
             var least:Number = Infinity;
             for each (var structure:BoundingStructure in found)
             {

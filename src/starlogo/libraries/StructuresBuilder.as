@@ -37,10 +37,10 @@ package starlogo.libraries
          * @param vertices x, y, z each; must not change until the last step is done
          * @param fitters the fitters to compare; copied
          * @param hullFitter finds the hull; null if none is wanted
-         * @param keepsAll whether clients may read the smallest structure of each kind
+         * @param showsAll whether clients may read the smallest structure of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
-        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsAll:Boolean)
+        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, showsAll:Boolean)
         {
             _name = name;
             if (fitters.length == 0)
@@ -66,8 +66,16 @@ package starlogo.libraries
             }
             begin(checking).call(function():void
                 {
-                    choose(hullFit, keepsAll);
+                    choose(hullFit, showsAll);
                 });
+        }
+
+        /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */
+        public static function widened(structure:BoundingStructure):BoundingStructure
+        {
+            var wider:BoundingStructure = structure.clone();
+            wider.widenForSurfaces();
+            return wider;
         }
 
         /**
@@ -152,7 +160,7 @@ package starlogo.libraries
             return -1;
         }
 
-        private function choose(hullFit:Fit, keepsAll:Boolean):void
+        private function choose(hullFit:Fit, showsAll:Boolean):void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for each (var fit:Fit in _fits)
@@ -160,15 +168,7 @@ package starlogo.libraries
                 found.push(widened(fit.structure));
             }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(found, hullFit == null ? null : widened(hullFit.structure), keepsAll);
-        }
-
-        /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */
-        public static function widened(structure:BoundingStructure):BoundingStructure
-        {
-            var wider:BoundingStructure = structure.clone();
-            wider.widenForSurfaces();
-            return wider;
+            structures = new ModelStructures(found, hullFit == null ? null : widened(hullFit.structure), showsAll);
         }
     }
 }

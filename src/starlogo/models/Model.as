@@ -103,7 +103,7 @@ package starlogo.models
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */
         public function get source():SourceFrame
         {
-            return _data.frame;
+            return _data.source;
         }
 
         /** The name by which agents select the shape. */

@@ -243,10 +243,10 @@ package starlogo.models
                 return;
             }
             load.cancel();
-            tell(load, null, null);
+            callWhenOver(load, null, null);
             if (_loads.length == 0)
             {
-                rest();
+                stopListening();
                 dispatchEvent(new Event(Event.CANCEL));
             }
         }
@@ -272,7 +272,7 @@ package starlogo.models
             return added;
         }
 
-        private function rest():void
+        private function stopListening():void
         {
             sFrames.removeEventListener(Event.ENTER_FRAME, onFrame);
             _doneCount = 0;
@@ -286,13 +286,14 @@ package starlogo.models
             while (next != null)
             {
                 var before:int = time;
-                work(next);
+                stepLoad(next);
                 time = now();
                 _longestStep = Math.max(_longestStep, time - before);
                 next = time - start < _budget ? nextReady() : null;
             }
             _longestFrame = Math.max(_longestFrame, time - start);
-            report();
+            reportProgress();
+            finishIfDone();
         }
 
         private function nextReady():ModelLoad
@@ -308,7 +309,7 @@ package starlogo.models
         }
 
         // Does one step. An error ends this load only.
-        private function work(load:ModelLoad):void
+        private function stepLoad(load:ModelLoad):void
         {
             var hasMore:Boolean = false;
             var problem:Error = null;
@@ -323,7 +324,7 @@ package starlogo.models
             if (!hasMore && remove(load, problem)) // the step may have cancelled its own load
             {
                 _doneCount++;
-                var isTold:Boolean = tell(load, problem == null ? load.model : null, problem);
+                var isTold:Boolean = callWhenOver(load, problem == null ? load.model : null, problem);
                 if (problem == null)
                 {
                     dispatchEvent(new ModelEvent(ModelEvent.LOADED, load.model));
@@ -336,7 +337,7 @@ package starlogo.models
         }
 
         // Tells the load's callback. Returns whether it has one.
-        private static function tell(load:ModelLoad, model:Model, problem:Error):Boolean
+        private static function callWhenOver(load:ModelLoad, model:Model, problem:Error):Boolean
         {
             if (load.whenOver != null)
             {
@@ -357,7 +358,7 @@ package starlogo.models
             return index >= 0;
         }
 
-        private function report():void
+        private function reportProgress():void
         {
             if (_loads.length + _doneCount == 0)
             {
@@ -370,9 +371,14 @@ package starlogo.models
             }
             var total:Number = 100 * (_doneCount + _loads.length);
             dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, Math.floor(100 * done), total));
+        }
+
+        // Says that the work is over, unless all of it was cancelled.
+        private function finishIfDone():void
+        {
             if (_loads.length == 0 && _doneCount > 0)
             {
-                rest();
+                stopListening();
                 dispatchEvent(new Event(Event.COMPLETE));
             }
         }

@@ -14,12 +14,12 @@ package starlogo.models.building
         function get duration():Number;
 
         /**
-         * The numbers of a thing in the file at a time. Null if it does not move.
+         * The numbers of a target at a time: a thing in the file that an animation may move. Null if it does not move.
          *
-         * @param key the thing. The class that reads a format's animations says which key a thing has
+         * @param target names the thing, as the class that reads the format's animations says
          * @param time seconds in the animation's own time, which need not begin at 0
          */
-        function numbersAt(key:Object, time:Number):Vector.<Number>;
+        function numbersAt(target:Object, time:Number):Vector.<Number>;
 
         /** The vertices of the file's model at a time in seconds, as <code>ModelAnimations.verticesAt()</code> gives them. */
         function verticesAt(time:Number):Vector.<Number>;

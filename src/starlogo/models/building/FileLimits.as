@@ -29,9 +29,9 @@ package starlogo.models.building
         private static const MOST_ELEMENTS:int = 500000;
         private static const ZEROS_PER_BYTE:int = 1;
 
-        // The most tests of corners while polygons are cut: CORNER_TESTS, and TESTS_PER_BYTE more for each byte.
-        private static const TESTS_PER_BYTE:Number = 40;
-        private static const CORNER_TESTS:Number = 100000;
+        // The most tests of corners while polygons are cut: FREE_CORNER_TESTS, and CORNER_TESTS_PER_BYTE more for each byte.
+        private static const CORNER_TESTS_PER_BYTE:Number = 40;
+        private static const FREE_CORNER_TESTS:Number = 100000;
 
         /** The model's name. */
         public var modelName:String;
@@ -57,7 +57,7 @@ package starlogo.models.building
         public function restart():void
         {
             _numbers = _zeros = _elements = 0;
-            _cornerTestsLeft = CORNER_TESTS + TESTS_PER_BYTE * _bytes;
+            _cornerTestsLeft = FREE_CORNER_TESTS + CORNER_TESTS_PER_BYTE * _bytes;
         }
 
         /** Adds bytes that have come. */
@@ -94,16 +94,6 @@ package starlogo.models.building
             require(_elements, FREE_ELEMENTS, ELEMENTS_PER_BYTE, MOST_ELEMENTS, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
         }
 
-        // Checks a count against the limits named above.
-        private function require(count:Number, free:Number, perByte:Number, most:Number, what:String, place:Object):void
-        {
-            var limit:Number = Math.min(most, free + perByte * _bytes);
-            if (count > limit)
-            {
-                throw new ModelError(modelName, String(place), "it has more than " + limit + " " + what);
-            }
-        }
-
         /** The tests of corners that are left for cutting polygons. If there are none, corners are cut off without a test, and holes are filled. */
         public function get cornerTestsLeft():Number
         {
@@ -114,6 +104,16 @@ package starlogo.models.building
         public function countCornerTests(more:int):void
         {
             _cornerTestsLeft -= more;
+        }
+
+        // Checks a count against the limits named above.
+        private function require(count:Number, free:Number, perByte:Number, most:Number, what:String, place:Object):void
+        {
+            var limit:Number = Math.min(most, free + perByte * _bytes);
+            if (count > limit)
+            {
+                throw new ModelError(modelName, String(place), "it has more than " + limit + " " + what);
+            }
         }
     }
 }

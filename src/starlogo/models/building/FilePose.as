@@ -10,7 +10,7 @@ package starlogo.models.building
         private var _animation:FileAnimation;
         private var _time:Number;
 
-        // The numbers that were asked for, by key. A scene may ask for the same numbers often, because it may place a thing often.
+        // The numbers that were asked for, by target. A scene may ask for the same numbers often, because it may place a thing often.
         private var _numbers:Object = {};
 
         /**
@@ -29,14 +29,14 @@ package starlogo.models.building
             return _animation == null;
         }
 
-        /** The numbers of a thing in the file; null if they are those in the file. @param key the thing: see <code>FileAnimation.numbersAt()</code> */
-        public function numbersOf(key:Object):Vector.<Number>
+        /** The numbers of a target; null if they are those in the file. @param target see <code>FileAnimation.numbersAt()</code> */
+        public function numbersOf(target:Object):Vector.<Number>
         {
-            if (!isAtRest && !(key in _numbers))
+            if (!isAtRest && !(target in _numbers))
             {
-                _numbers[key] = _animation.numbersAt(key, _time);
+                _numbers[target] = _animation.numbersAt(target, _time);
             }
-            return _numbers[key];
+            return _numbers[target];
         }
     }
 }

@@ -34,17 +34,21 @@ package starlogo.models.building
         private static const TRIANGLES_PER_STEP:int = 10000;
 
         private var _data:ModelData;
+        private var _reader:ModelReader;
+        private var _model:Model = null;
+        private var _isComplete:Boolean = false;
 
         // the box around the vertices, as they are after the steps so far
         private var _bounds:VertexBounds;
 
         /**
          * @param data what the model is made of. The steps change it, and throw the errors of Model's constructor
-         * @param reader fills the data first; none of its steps is done yet. Null if the data are complete
+         * @param reader fills the data first; none of its steps is done yet. Null if the data have been filled
          */
-        public function ModelBuilder(data:ModelData, reader:Steps = null)
+        public function ModelBuilder(data:ModelData, reader:ModelReader = null)
         {
             _data = data;
+            _reader = reader;
             if (reader != null)
             {
                 add(reader);
@@ -103,15 +107,19 @@ package starlogo.models.building
         /** @inheritDoc */
         public function get progress():Number
         {
-            return READING * _data.readShare;
+            return _isComplete ? 1 : (_reader == null ? 0 : READING * _reader.progress);
         }
 
-        /** @inheritDoc */
+        /** The model, always the same one. Steps that are left are done first. */
         public function get model():Model
         {
-            var made:Model = new Model(name, Model.FROM_BUILDER);
-            made.build(this);
-            return made;
+            if (_model == null)
+            {
+                var made:Model = new Model(name, Model.FROM_BUILDER);
+                made.build(this);
+                _model = made;
+            }
+            return _model;
         }
 
         private function checkData():void
@@ -193,7 +201,7 @@ package starlogo.models.building
         // The steps that turn or scale. The factor says how much larger this makes the model.
         private function transforming(transform:AffineTransform, factor:Number):Steps
         {
-            _data.frame.addTransform(transform, factor);
+            _data.source.addTransform(transform, factor);
             return new StepSequence().add(transform.transformingPoints(_data.vertices)).begin(measuring);
         }
 
@@ -232,7 +240,7 @@ package starlogo.models.building
         private function placing(low:Vector3D, move:Vector3D, divisor:Number):StepSequence
         {
             checkExtent();
-            _data.frame.addMove(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
+            _data.source.addMove(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
             return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     place(_data.vertices, first, end, low, move, divisor);
@@ -289,6 +297,7 @@ package starlogo.models.building
             _data.meshes.close(_data.triangles.length / 3);
             _data.vertices.fixed = _data.triangles.fixed = true;
             _data.triangles = _data.triangles.length == 0 ? null : _data.triangles;
+            _isComplete = true;
         }
 
         // as in the client: an extent of 0 counts as 1

@@ -24,9 +24,6 @@ package starlogo.models.building
         /** The axis that points up in the vertices: "x", "y" or "z". They are turned to z up before the transform. */
         public var upAxis:String = "z";
 
-        /** How much of the file is read, from 0 to 1. */
-        public var readShare:Number = 0;
-
         /** x, y, z of each vertex: as in the file, and then as in the model. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
@@ -40,9 +37,9 @@ package starlogo.models.building
         public var meshes:TriangleLabels = new TriangleLabels(new Vector.<String>());
 
         /** The model's place and scale in its source. A ModelBuilder adds what it does to the vertices. */
-        public var frame:SourceFrame = new SourceFrame();
+        public var source:SourceFrame = new SourceFrame();
 
-        /** Whether the vertices and the frame are the model's own, as in some cooked files. Otherwise a ModelBuilder brings them to their places. */
+        /** Whether the vertices and the source are the model's own, as in some cooked files. Otherwise a ModelBuilder brings them to their places. */
         public var isNormalised:Boolean = false;
 
         /** The cooked file with the results for the model; null for none. */
@@ -70,19 +67,6 @@ package starlogo.models.building
             data.transform = upAxis as ModelTransform;
             data.upAxis = data.transform == null ? String(upAxis) : "z";
             return data;
-        }
-
-        /**
-         * Makes points without a surface the vertices, if there are no others.
-         *
-         * @param points x, y, z of each; kept
-         * @param expected for the error: what the file must have
-         * @throws ModelError if there are no such points either
-         */
-        public function takeLoosePoints(points:Vector.<Number>, expected:String):void
-        {
-            vertices = vertices.length == 0 ? points : vertices;
-            refuseIf(vertices.length == 0, name, "no vertices: expected " + expected);
         }
     }
 }

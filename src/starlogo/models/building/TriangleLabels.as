@@ -72,16 +72,6 @@ package starlogo.models.building
             names = numbersOfRuns.length == 1 ? null : names;
         }
 
-        // Ends the last run before a triangle. If it has no triangle, it is removed, unless it is the first.
-        private function endRun(end:int):void
-        {
-            var last:int = numbersOfRuns.length - 1;
-            if (last > 0 && starts[last] == end)
-            {
-                starts.length = numbersOfRuns.length = last;
-            }
-        }
-
         /** The number of each triangle, -1 for none, after <code>close()</code>. Always the same list. Null if no triangle has a number. */
         public function get numbers():Vector.<int>
         {
@@ -109,6 +99,16 @@ package starlogo.models.building
         public function nameOf(number:int):String
         {
             return names == null || number < 0 || number >= names.length ? null : names[number];
+        }
+
+        // Ends the last run before a triangle. If it has no triangle, it is removed, unless it is the first.
+        private function endRun(end:int):void
+        {
+            var last:int = numbersOfRuns.length - 1;
+            if (last > 0 && starts[last] == end)
+            {
+                starts.length = numbersOfRuns.length = last;
+            }
         }
     }
 }

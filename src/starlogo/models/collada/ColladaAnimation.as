@@ -6,7 +6,7 @@ package starlogo.models.collada
     import starlogo.steps.finish;
 
     /**
-     * An animation of a COLLADA document. At each time its channels give numbers to elements. The key of an element's numbers is
+     * An animation of a COLLADA document. At each time its channels give numbers to elements. The target is an element:
      * <code>ColladaElement.index</code>.
      *
      * @private
@@ -142,9 +142,9 @@ package starlogo.models.collada
         }
 
         /** @inheritDoc */
-        public function numbersAt(key:Object, time:Number):Vector.<Number>
+        public function numbersAt(target:Object, time:Number):Vector.<Number>
         {
-            var channels:Vector.<ColladaChannel> = _channels[key];
+            var channels:Vector.<ColladaChannel> = _channels[target];
             if (channels == null)
             {
                 return null;

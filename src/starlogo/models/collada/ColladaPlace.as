@@ -74,6 +74,19 @@ package starlogo.models.collada
             return places[0];
         }
 
+        /** Whether a node is at this place, or at one around it. */
+        public function isWithin(node:ColladaElement):Boolean
+        {
+            for (var place:ColladaPlace = this; place != null; place = place.around)
+            {
+                if (place._node == node)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
         // The index of the first place that was entered when there were at least so many.
         private static function indexFrom(places:Array, first:int):int
         {
@@ -92,19 +105,6 @@ package starlogo.models.collada
                 }
             }
             return low;
-        }
-
-        /** Whether a node is at this place, or at one around it. */
-        public function isWithin(node:ColladaElement):Boolean
-        {
-            for (var place:ColladaPlace = this; place != null; place = place.around)
-            {
-                if (place._node == node)
-                {
-                    return true;
-                }
-            }
-            return false;
         }
     }
 }

@@ -62,6 +62,12 @@ package starlogo.models.cooked
             return _data;
         }
 
+        /** @inheritDoc */
+        public function get progress():Number
+        {
+            return _bytes == null ? 0 : _bytes.position / _bytes.length;
+        }
+
         /** The divisor for the numbers of a form. */
         internal static function divisorOf(form:int):Number
         {
@@ -101,9 +107,9 @@ package starlogo.models.cooked
             _data.transform = hasTransform ? readTransform() : null;
             if (form == DOUBLE)
             {
-                _data.frame = readFrame();
+                _data.source = readSource();
                 _data.isNormalised = true;
-                refuseIf(_data.frame == null, _data.name, "the cooked file does not have the model's place in its source");
+                refuseIf(_data.source == null, _data.name, "the cooked file does not have the model's place in its source");
             }
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
             refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), _data.name, "the cooked file has fewer bytes than it says");
@@ -185,7 +191,7 @@ package starlogo.models.cooked
             return transform;
         }
 
-        private function readFrame():SourceFrame
+        private function readSource():SourceFrame
         {
             var numbers:Vector.<Number> = new Vector.<Number>(13);
             for (var i:int = 0; i < numbers.length; i++)

@@ -47,7 +47,7 @@ package starlogo.models.cooked
         private static function areSourceOf(points:Vector.<Number>, model:Model, transform:ModelTransform):Boolean
         {
             var made:ModelData = ModelBuilder.dataOf(model.name, points, model.triangles, model.data.scaling, transform);
-            return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.frame.numbers, model.source.numbers);
+            return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.source.numbers, model.source.numbers);
         }
 
         private static function multiples(source:Vector.<Number>, divisor:Number):Vector.<Number>

@@ -6,7 +6,8 @@ package starlogo.models.gltf
     import starlogo.steps.StepSequence;
 
     /**
-     * An animation of a glTF file. At each time it gives numbers to properties of nodes. The key of a property is what <code>GltfScene.keyOf()</code> returns.
+     * An animation of a glTF file. At each time it gives numbers to properties of nodes. <code>GltfScene.targetOf()</code> returns a
+     * property's target.
      *
      * @private
      */
@@ -18,7 +19,7 @@ package starlogo.models.gltf
         private var _file:GltfFile;
         private var _upAxis:Object;
 
-        // The samplers, by the property's key.
+        // The samplers, by target.
         private var _samplers:Object = {};
 
         /**
@@ -50,7 +51,7 @@ package starlogo.models.gltf
                 target.refuseIf(target.fileEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
                 var sampler:GltfJson = animation.element("samplers", channel.requiredWhole("sampler", samplerCount - 1));
                 var reader:GltfSampler = new GltfSampler(file, sampler, path);
-                _samplers[GltfScene.keyOf(node, path)] = reader;
+                _samplers[GltfScene.targetOf(node, path)] = reader;
                 add(reader);
             }
         }
@@ -80,9 +81,9 @@ package starlogo.models.gltf
         }
 
         /** @inheritDoc */
-        public function numbersAt(key:Object, time:Number):Vector.<Number>
+        public function numbersAt(target:Object, time:Number):Vector.<Number>
         {
-            var sampler:GltfSampler = _samplers[key];
+            var sampler:GltfSampler = _samplers[target];
             return sampler == null ? null : sampler.valueAt(time);
         }
     }

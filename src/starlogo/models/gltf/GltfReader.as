@@ -4,6 +4,7 @@ package starlogo.models.gltf
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.VertexFilter;
+    import starlogo.models.building.takeLoosePoints;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -21,6 +22,7 @@ package starlogo.models.gltf
     public final class GltfReader extends StepSequence implements ModelReader
     {
         private var _data:ModelData;
+        private var _progress:Number = 0;
         private var _file:GltfFile;
         private var _scene:GltfScene;
 
@@ -41,13 +43,19 @@ package starlogo.models.gltf
                 {
                     _scene = new GltfScene(file, pose || new FilePose());
                     return _scene;
-                }).begin(readingNodes).call(takeLoosePoints).add(new VertexFilter(_data.vertices, _data.triangles));
+                }).begin(readingNodes).call(endReading).add(new VertexFilter(_data.vertices, _data.triangles));
         }
 
         /** @inheritDoc */
         public function get data():ModelData
         {
             return _data;
+        }
+
+        /** @inheritDoc */
+        public function get progress():Number
+        {
+            return _progress;
         }
 
         private function readingNodes():Steps
@@ -69,7 +77,7 @@ package starlogo.models.gltf
             var label:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
-            _data.readShare = index / _scene.nodes.length;
+            _progress = index / _scene.nodes.length;
             // each primitive may have a target for each weight
             _file.limits.countElements((1 + _scene.weightsOf(nodeIndex).length) * (1 + mesh.count("primitives")), mesh.place);
             return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
@@ -105,9 +113,10 @@ package starlogo.models.gltf
             return work;
         }
 
-        private function takeLoosePoints():void
+        private function endReading():void
         {
-            _data.takeLoosePoints(_loosePoints, "a mesh in the scene");
+            _progress = 1;
+            takeLoosePoints(_data, _loosePoints, "a mesh in the scene");
         }
     }
 }

@@ -56,7 +56,7 @@ package starlogo.models.gltf
             var next:int = low < last ? low + 1 : last;
             var length:Number = times[next] - times[low];
             var share:Number = time > times[low] && length > 0 ? (time - times[low]) / length : 0;
-            var value:Vector.<Number> = _interpolation == CUBIC ? cubic(low, next, share, length) : (_interpolation == LINEAR ? linear(low, next, share) : keyOf(low, 0));
+            var value:Vector.<Number> = _interpolation == CUBIC ? cubic(low, next, share, length) : (_interpolation == LINEAR ? linear(low, next, share) : partOfKey(low, 0));
             var differences:Number = 0;
             for each (var number:Number in value)
             {
@@ -71,7 +71,7 @@ package starlogo.models.gltf
         }
 
         // A part of a key: 0 the value; of a cubic spline 0 the tangent before it, 1 the value, 2 the tangent after it.
-        private function keyOf(key:int, part:int):Vector.<Number>
+        private function partOfKey(key:int, part:int):Vector.<Number>
         {
             var width:int = _values.numbers.length / _times.count;
             var length:int = _interpolation == CUBIC ? width / 3 : width;
@@ -81,8 +81,8 @@ package starlogo.models.gltf
 
         private function linear(low:int, high:int, share:Number):Vector.<Number>
         {
-            var a:Vector.<Number> = keyOf(low, 0);
-            var b:Vector.<Number> = keyOf(high, 0);
+            var a:Vector.<Number> = partOfKey(low, 0);
+            var b:Vector.<Number> = partOfKey(high, 0);
             var ofA:Number = 1 - share;
             var ofB:Number = share;
             if (_isRotation)
@@ -111,10 +111,10 @@ package starlogo.models.gltf
         // The Hermite spline of the glTF specification, appendix C.
         private function cubic(low:int, high:int, share:Number, length:Number):Vector.<Number>
         {
-            var a:Vector.<Number> = keyOf(low, 1);
-            var b:Vector.<Number> = keyOf(high, 1);
-            var out:Vector.<Number> = keyOf(low, 2);
-            var into:Vector.<Number> = keyOf(high, 0);
+            var a:Vector.<Number> = partOfKey(low, 1);
+            var b:Vector.<Number> = partOfKey(high, 1);
+            var out:Vector.<Number> = partOfKey(low, 2);
+            var into:Vector.<Number> = partOfKey(high, 0);
             var square:Number = share * share;
             var cube:Number = square * share;
             for (var i:int = 0; i < a.length; i++)

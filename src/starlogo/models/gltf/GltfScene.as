@@ -163,11 +163,11 @@ package starlogo.models.gltf
         // The numbers of a node's property in the pose; null if they are those in the file.
         private function moved(node:int, path:String):Vector.<Number>
         {
-            return _pose.numbersOf(keyOf(node, path));
+            return _pose.numbersOf(targetOf(node, path));
         }
 
-        /** The key of a node's property in a FilePose. @param path "translation", "rotation", "scale" or "weights" */
-        internal static function keyOf(node:int, path:String):String
+        /** The target in a FilePose that is a property of a node. @param path "translation", "rotation", "scale" or "weights" */
+        internal static function targetOf(node:int, path:String):String
         {
             return node + " " + path;
         }

@@ -37,25 +37,6 @@ package starlogo.models.loading
             return CookedFile.isCookedFile(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
         }
 
-        private static function ofText(text:String, url:String):String
-        {
-            text = TextWords.withoutByteOrderMark(text);
-            if (TAG.test(text.substr(0, 1000)))
-            {
-                return COLLADA;
-            }
-            if (GltfFile.isText(text))
-            {
-                return GLTF;
-            }
-            if (StlReader.isText(text))
-            {
-                return STL;
-            }
-            var named:Array = url == null || VERTEX.test("\n" + text.substr(0, HEAD_LENGTH)) ? null : url.match(EXTENSION);
-            return named == null ? OBJ : named[1].toLowerCase();
-        }
-
         /**
          * The reader of a file.
          *
@@ -82,6 +63,25 @@ package starlogo.models.loading
                 default:
                     return new ObjReader(name, text, upAxis, scaling);
             }
+        }
+
+        private static function ofText(text:String, url:String):String
+        {
+            text = TextWords.withoutByteOrderMark(text);
+            if (TAG.test(text.substr(0, 1000)))
+            {
+                return COLLADA;
+            }
+            if (GltfFile.isText(text))
+            {
+                return GLTF;
+            }
+            if (StlReader.isText(text))
+            {
+                return STL;
+            }
+            var named:Array = url == null || VERTEX.test("\n" + text.substr(0, HEAD_LENGTH)) ? null : url.match(EXTENSION);
+            return named == null ? OBJ : named[1].toLowerCase();
         }
     }
 }

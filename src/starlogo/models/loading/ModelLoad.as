@@ -129,13 +129,12 @@ package starlogo.models.loading
         {
             call(function():void
                 {
-                    if (text == null && (bytes == null || ModelFormat.ofBytes(bytes) == null))
-                    {
-                        text = FileText.decode(name, bytes);
-                    }
-                }).call(function():void
-                {
-                    addMaking(ModelBuilder.reading(ModelFormat.newReader(name, bytes, text, _url, _upAxis, _scaling, fetchBeside)));
+                    var isText:Boolean = text != null || bytes == null || ModelFormat.ofBytes(bytes) == null;
+                    var decoded:String = isText && text == null ? FileText.decode(name, bytes) : text;
+                    call(function():void
+                        {
+                            addMaking(ModelBuilder.reading(ModelFormat.newReader(name, bytes, decoded, _url, _upAxis, _scaling, fetchBeside)));
+                        });
                 });
         }
 

@@ -22,6 +22,7 @@ package starlogo.models.obj
     public final class ObjReader extends StepSequence implements ModelReader
     {
         private var _data:ModelData;
+        private var _progress:Number = 0;
         private var _lines:LineReader;
         private var _limits:FileLimits;
 
@@ -55,6 +56,12 @@ package starlogo.models.obj
             return _data;
         }
 
+        /** @inheritDoc */
+        public function get progress():Number
+        {
+            return _progress;
+        }
+
         // Throws if the text begins with a tag. A server may answer with a web page if it has no such file.
         private static function refuseMarkup(name:String, text:String):void
         {
@@ -68,7 +75,7 @@ package starlogo.models.obj
 
         private function readSome():Boolean
         {
-            _data.readShare = _lines.readStatements(readStatement);
+            _progress = _lines.readStatements(readStatement);
             _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }

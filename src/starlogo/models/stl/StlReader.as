@@ -26,6 +26,7 @@ package starlogo.models.stl
         private static const FACETS_PER_STEP:int = 300;
 
         private var _data:ModelData;
+        private var _progress:Number = 0;
         private var _limits:FileLimits;
         private var _points:PointTable;
 
@@ -63,6 +64,12 @@ package starlogo.models.stl
             return _data;
         }
 
+        /** @inheritDoc */
+        public function get progress():Number
+        {
+            return _progress;
+        }
+
         private function addText(text:String):void
         {
             _limits = new FileLimits(_data.name, text.length);
@@ -83,7 +90,7 @@ package starlogo.models.stl
                 {
                     readFacets(bytes, first, end);
                     _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
-                    _data.readShare = end / Math.max(1, count);
+                    _progress = end / Math.max(1, count);
                 });
         }
 
@@ -132,7 +139,7 @@ package starlogo.models.stl
 
         private function readSome():Boolean
         {
-            _data.readShare = _lines.readStatements(readStatement);
+            _progress = _lines.readStatements(readStatement);
             _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }

@@ -100,7 +100,7 @@ package starlogo.models.text
                     read(word);
                 }
             }
-            return (_start + (_end - _start) * _next / _words.length) / Math.max(1, _text.length);
+            return hasMore ? (_start + (_end - _start) * _next / _words.length) / _text.length : 1;
         }
 
         /**

@@ -131,14 +131,14 @@ package starlogo.libraries
             _models.entryToWrite(name).setStructures(builder.structures);
         }
 
-        /** Whether the library has structures for a structures. */
+        /** Whether the library has structures for a shape. */
         public function has(name:String):Boolean
         {
             return _models.entryOf(name).structures != null;
         }
 
         /**
-         * The tightest fit of a structures. It is shared: do not change it.
+         * The tightest fit of a shape. It is shared: do not change it.
          *
          * @throws ArgumentError if the library has nothing of this name
          */
@@ -148,7 +148,7 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest sphere found for a structures. It is shared: do not change it.
+         * The smallest sphere found for a shape. It is shared: do not change it.
          *
          * @throws ArgumentError if the library has nothing of this name, or no sphere was kept for it
          */
@@ -158,7 +158,7 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest box found for a structures. It is shared: do not change it.
+         * The smallest box found for a shape. It is shared: do not change it.
          *
          * @throws ArgumentError if the library has nothing of this name, or no box was kept for it
          */
@@ -168,7 +168,7 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest capsule found for a structures. It is shared: do not change it.
+         * The smallest capsule found for a shape. It is shared: do not change it.
          *
          * @throws ArgumentError if the library has nothing of this name, or no capsule was kept for it
          */
@@ -193,7 +193,7 @@ package starlogo.libraries
             return found;
         }
 
-        /** Whether a sphere, a box and a capsule were kept for a structures. */
+        /** Whether a sphere, a box and a capsule were kept for a shape. */
         public function hasAll(name:String):Boolean
         {
             var structures:ModelStructures = _models.entryOf(name).structures;
@@ -208,7 +208,7 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest structure of a kind for a structures. A hull that was not found with the others is found now. From then on clients may read
+         * The smallest structure of a kind for a shape. A hull that was not found with the others is found now. From then on clients may read
          * it.
          *
          * @param name the shape's name
@@ -236,7 +236,7 @@ package starlogo.libraries
         }
 
         /**
-         * The work that finds the structures of a structures. None of its steps is done yet.
+         * The work that finds the structures of a shape. None of its steps is done yet.
          *
          * @private
          */

@@ -45,6 +45,9 @@ package starlogo.search
         /** If they are: the indices of the added pairs among these pairs, in ascending order. */
         public var added:IntList = new IntList();
 
+        // The list to which changed pairs are written: see spareRowsFor().
+        private var _spareRows:Vector.<int> = new Vector.<int>();
+
         /** @param list has the agent of each row */
         public function FoundPairs(list:ListedAgents)
         {
@@ -68,24 +71,34 @@ package starlogo.search
             dropped.count = added.count = 0;
         }
 
-        /**
-         * Ends this.
-         *
-         * @param spare has the rows of the changed pairs
-         * @return the list of the earlier ones, which is spare now
-         */
-        internal function endKept(spare:Vector.<int>):Vector.<int>
+        /** Ends this: the pairs are those that were written to <code>spareRowsFor()</code>. */
+        internal function endKept():void
         {
             count += added.count - dropped.count;
-            return exchangeRows(spare);
+            takeSpareRows();
         }
 
-        /** Exchanges the list of the rows for another one, and returns the earlier one. */
-        internal function exchangeRows(spare:Vector.<int>):Vector.<int>
+        /**
+         * Returns the list to which pairs are written when they or their order change. Then it takes the place of <code>rows</code>.
+         *
+         * @param pairCount it has room for so many
+         */
+        internal function spareRowsFor(pairCount:int):Vector.<int>
+        {
+            if (_spareRows.length < 2 * pairCount)
+            {
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                _spareRows.length = 2 * (pairCount + (pairCount >> 3));
+            }
+            return _spareRows;
+        }
+
+        /** Exchanges the spare list and that of the rows. */
+        internal function takeSpareRows():void
         {
             var before:Vector.<int> = rows;
-            rows = spare;
-            return before;
+            rows = _spareRows;
+            _spareRows = before;
         }
 
         /** Exchanges the list of the times for another one, and returns the earlier one. */

@@ -21,8 +21,7 @@ package starlogo.search
         // By rank: where the next pair goes whose row on a side has the rank, in a counting sort.
         private var _next:Vector.<int> = new Vector.<int>();
 
-        // Where pairs and their times go when their order changes. Then these lists are exchanged with those of the pairs.
-        private var _spareRows:Vector.<int> = new Vector.<int>();
+        // Where the times of pairs go when their order changes. Then this list is exchanged with theirs.
         private var _spareTimes:Vector.<Number> = new Vector.<Number>();
 
         /**
@@ -116,12 +115,12 @@ package starlogo.search
         private function arrange(pairs:FoundPairs):void
         {
             _indices.sortFirst(pairs.count);
-            makeRoom(pairs);
+            var to:Vector.<int> = makeRoom(pairs);
             for (var i:int = 0; i < pairs.count; i++)
             {
                 var pair:int = _indices.numbers[i];
-                _spareRows[int(2 * i)] = pairs.rows[int(2 * pair)];
-                _spareRows[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
+                to[int(2 * i)] = pairs.rows[int(2 * pair)];
+                to[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
                 if (pairs.haveTimes)
                 {
                     _spareTimes[i] = pairs.times[pair];
@@ -135,11 +134,10 @@ package starlogo.search
         private function scatter(pairs:FoundPairs, side:int):void
         {
             findStarts(pairs, side);
-            makeRoom(pairs);
+            var to:Vector.<int> = makeRoom(pairs);
             var next:Vector.<int> = _next;
             var ranks:Vector.<int> = pairs.list.ranks;
             var from:Vector.<int> = pairs.rows;
-            var to:Vector.<int> = _spareRows;
             var times:Vector.<Number> = pairs.times;
             var timesTo:Vector.<Number> = _spareTimes;
             var haveTimes:Boolean = pairs.haveTimes;
@@ -189,23 +187,19 @@ package starlogo.search
             }
         }
 
-        // Makes room in the spare lists for all that is in those of the pairs.
-        private function makeRoom(pairs:FoundPairs):void
+        // Makes room in the spare lists for all that is in those of the pairs. Returns that of the rows.
+        private function makeRoom(pairs:FoundPairs):Vector.<int>
         {
-            if (_spareRows.length < 2 * pairs.count)
-            {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _spareRows.length = 2 * (pairs.count + (pairs.count >> 3));
-            }
             if (_spareTimes.length < pairs.times.length)
             {
                 _spareTimes.length = pairs.times.length;
             }
+            return pairs.spareRowsFor(pairs.count);
         }
 
         private function exchangeLists(pairs:FoundPairs):void
         {
-            _spareRows = pairs.exchangeRows(_spareRows);
+            pairs.takeSpareRows();
             _spareTimes = pairs.exchangeTimes(_spareTimes);
         }
     }

@@ -5,9 +5,6 @@ package starlogo.search
     /** Makes the pairs of a frame from those of the last one: drops the pairs of changed rows, and puts those between the others that were found now. */
     internal final class PairUpdate
     {
-        // Where the pairs of the frame go. Then it is exchanged with the list of the pairs.
-        private var _spareRows:Vector.<int> = new Vector.<int>();
-
         /**
          * Replaces the pairs of changed rows.
          *
@@ -19,12 +16,7 @@ package starlogo.search
         public function replacePairsOf(changed:IntSet, pairs:FoundPairs, found:FoundPairs, earlyCount:int):void
         {
             pairs.beginKept();
-            var mostPairs:int = pairs.count + found.count;
-            if (_spareRows.length < 2 * mostPairs)
-            {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _spareRows.length = 2 * (mostPairs + (mostPairs >> 3));
-            }
+            var to:Vector.<int> = pairs.spareRowsFor(pairs.count + found.count);
             var ranks:Vector.<int> = pairs.list.ranks;
             var next:int = 0;
             for (var i:int = 0; i < found.count; i++)
@@ -33,23 +25,22 @@ package starlogo.search
                 var b:int = found.rows[2 * i + 1];
                 if (i >= earlyCount)
                 {
-                    next = keepBefore(ranks[a], ranks[b], pairs, next, changed);
+                    next = keepBefore(ranks[a], ranks[b], pairs, next, changed, to);
                 }
-                var to:int = next - pairs.dropped.count + i;
-                _spareRows[2 * to] = a;
-                _spareRows[2 * to + 1] = b;
-                pairs.added.add(to);
+                var pair:int = next - pairs.dropped.count + i;
+                to[2 * pair] = a;
+                to[2 * pair + 1] = b;
+                pairs.added.add(pair);
             }
-            keepBefore(int.MAX_VALUE, 0, pairs, next, changed);
-            _spareRows = pairs.endKept(_spareRows);
+            keepBefore(int.MAX_VALUE, 0, pairs, next, changed, to);
+            pairs.endKept();
         }
 
         // Copies the pairs from an index on up to a pair of two ranks, behind those that are copied or added already. Drops the pairs of changed rows.
         // Returns the index of the first pair after these two ranks.
-        private function keepBefore(firstRank:int, secondRank:int, pairs:FoundPairs, start:int, changed:IntSet):int
+        private static function keepBefore(firstRank:int, secondRank:int, pairs:FoundPairs, start:int, changed:IntSet, to:Vector.<int>):int
         {
             var from:Vector.<int> = pairs.rows;
-            var to:Vector.<int> = _spareRows;
             var ranks:Vector.<int> = pairs.list.ranks;
             var marks:Vector.<int> = changed.marks;
             var mark:int = changed.mark;

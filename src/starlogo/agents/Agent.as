@@ -417,7 +417,7 @@ package starlogo.agents
         public function getMatrix(out:Matrix3D = null):Matrix3D
         {
             out ||= new Matrix3D();
-            worldPlacement().writeMatrix(sMatrix);
+            worldPlacement().readMatrix(sMatrix);
             out.copyRawDataFrom(sMatrix);
             return out;
         }

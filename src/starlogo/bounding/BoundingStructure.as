@@ -121,7 +121,7 @@ package starlogo.bounding
             var isAffine:Boolean = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
             var isCentred:Boolean = m[12] == 0 && m[13] == 0 && m[14] == 0;
             var turning:Placement = new Placement();
-            turning.readRotation(new <Number>[m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], 0);
+            turning.setRows(new <Number>[m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], 0);
             if (!isAffine || !isCentred || !turning.isOrthonormal)
             {
                 throw new ArgumentError("a rotation must rotate about the origin and do nothing else: " + m);

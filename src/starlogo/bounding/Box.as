@@ -65,7 +65,7 @@ package starlogo.bounding
             checkVector(axisY, "a box's axisY");
             checkVector(axisZ, "a box's axisZ");
             var turning:Placement = new Placement();
-            turning.readRotation(new <Number>[axisX.x, axisY.x, axisZ.x, axisX.y, axisY.y, axisZ.y, axisX.z, axisY.z, axisZ.z], 0);
+            turning.setRows(new <Number>[axisX.x, axisY.x, axisZ.x, axisX.y, axisY.y, axisZ.y, axisX.z, axisY.z, axisZ.z], 0);
             if (!turning.isOrthonormal)
             {
                 var axes:String = [axisX, axisY, axisZ].join(", ");
@@ -231,7 +231,7 @@ package starlogo.bounding
             return along <= half && along >= -half;
         }
 
-        // The axes are nearly perpendicular unit vectors. This makes them exactly perpendicular unit vectors (Gram and Schmidt).
+        // The axes are nearly perpendicular unit vectors. This makes them so up to rounding (Gram and Schmidt).
         private function straighten():void
         {
             normalise(axisX);

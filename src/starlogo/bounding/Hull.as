@@ -51,8 +51,8 @@ package starlogo.bounding
          */
         engine var radius:Number = 0;
 
-        // A box around the hull, a little larger than it. Its axes are the coordinate axes of the space in which the hull was made. Its own
-        // centre counts only while it is tested.
+        // A box around the hull, a little larger than it. Its axes are the coordinate axes of the space in which the hull was made. A game may set
+        // the hull's centre, so the box's own is set each time that the box is asked for.
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
         // The middle of the box, relative to the centre.
@@ -144,7 +144,8 @@ package starlogo.bounding
             super.rotate(rotation);
             if (rotation.determinant < 0)
             {
-                setTopology(topology.mirrored());
+                topology = topology.mirrored();
+                forgetShape();
             }
             return this;
         }
@@ -155,7 +156,7 @@ package starlogo.bounding
             var x:Number = point.x - center.x;
             var y:Number = point.y - center.y;
             var z:Number = point.z - center.z;
-            var limit:Number = radius + slack(radiusOf(points), center);
+            var limit:Number = radius + slack(farthestCorner(points), center);
             var planes:Vector.<Number> = halfSpaces;
             for (var i:int = 0; i < planes.length; i += 4)
             {
@@ -189,7 +190,8 @@ package starlogo.bounding
             placement.place(center, placed.center);
             _box.place(placement, placed._box);
             placed.radius = radius * placement.size;
-            placed.setTopology(topology);
+            placed.topology = topology;
+            placed.forgetShape();
             return placed;
         }
 
@@ -229,7 +231,7 @@ package starlogo.bounding
         {
             // The tolerance depends on the model's radius about the middle of its extents. That radius is at most the square root of 3 times
             // the radius about any other point.
-            widen(4 * Tolerances.SURFACES * radiusOf(points));
+            widen(4 * Tolerances.SURFACES * farthestCorner(points));
         }
 
         /** @private */
@@ -327,12 +329,12 @@ package starlogo.bounding
         private function check(corners:Vector.<Number>):void
         {
             checkVector(center, "the centre of a hull");
-            checkLength(radiusOf(corners), "the radius of a hull");
+            checkLength(farthestCorner(corners), "the distance of a hull's corners from its centre");
             checkSize(VertexBounds.of(corners).extent, "a hull");
         }
 
         // The largest distance of a corner from the centre.
-        private static function radiusOf(corners:Vector.<Number>):Number
+        private static function farthestCorner(corners:Vector.<Number>):Number
         {
             var most:Number = 0;
             for (var i:int = 0; i < corners.length; i += 3)
@@ -363,20 +365,20 @@ package starlogo.bounding
                 hull = new ConvexHull(hull.points);
             }
             points = scaled(hull.points, HULL_SCALE);
-            setTopology(HullTopology.of(hull));
+            topology = HullTopology.of(hull);
+            forgetShape();
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
             boxAroundInto(Placement.IDENTITY, extents);
-            var by:Number = (Tolerances.OUTER - 1) * radiusOf(points);
+            var by:Number = (Tolerances.OUTER - 1) * farthestCorner(points);
             _boxMiddle[0] = extents[0] - center.x;
             _boxMiddle[1] = extents[1] - center.y;
             _boxMiddle[2] = extents[2] - center.z;
             _box.setNumbers(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, extents[3] + by, extents[4] + by, extents[5] + by]);
         }
 
-        // Sets which corners make the faces, after the corners have changed. The half-spaces and the extent are then void.
-        private function setTopology(value:HullTopology):void
+        // Forgets what was found of the corners, after they have changed.
+        private function forgetShape():void
         {
-            topology = value;
             _extent = -1;
             if (_halfSpaces.length > 0)
             {

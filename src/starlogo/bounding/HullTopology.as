@@ -2,6 +2,7 @@ package starlogo.bounding
 {
     import starlogo.geometry.hull.ConvexHull;
     import starlogo.geometry.hull.edgesAcross;
+    import starlogo.geometry.hull.outlineOf;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -53,21 +54,6 @@ package starlogo.bounding
                 default:
                     return new HullTopology(0, new Vector.<int>(), new Vector.<int>());
             }
-        }
-
-        /** The corners of a hull of vertices in a plane, in their order around it, as positions in the hull's <code>indices</code>. */
-        public static function outlineOf(hull:ConvexHull):Vector.<int>
-        {
-            var outline:Vector.<int> = new <int>[0];
-            var next:int = hull.neighbors[0];
-            while (next != 0)
-            {
-                outline.push(next);
-                var at:int = hull.firstNeighbor[next];
-                var before:int = outline[outline.length - 2];
-                next = hull.neighbors[at] == before ? hull.neighbors[at + 1] : hull.neighbors[at];
-            }
-            return outline;
         }
 
         /** The topology of this hull's mirror image. */

@@ -1,11 +1,11 @@
+// The room data has what all other rooms share and what knows no geometry: this table; IntList, SortableIntList and IntSet, whose memory is used again;
+// Fingerprint, which tells data apart; and functions that check lists and arguments, and write errors and warnings.
+
 package starlogo.data
 {
     /**
      * A hash table that stores a number for each pair of keys. It uses open addressing: if the own slot of the keys is taken, they are stored in the
      * next free slot. The table is at most half full. It grows, and never shrinks.
-     *
-     * <p>The package data has what all other packages share and what knows no geometry: this table; IntList and SortableIntList, whose memory is used
-     * again; Fingerprint, which tells data apart; and functions that check lists and arguments, and write errors and warnings.</p>
      *
      * @private
      */

@@ -21,6 +21,7 @@ package starlogo.data
         /** How many numbers there are. */
         public var count:int = 0;
 
+        // The other half of a merge.
         private var _otherNumbers:Vector.<int> = new Vector.<int>();
         private var _otherKeys:Vector.<Number> = new Vector.<Number>();
 
@@ -42,7 +43,7 @@ package starlogo.data
         {
             for (var low:int = 0; low < end; low += RUN)
             {
-                insert(numbers, keys, ranks, low, low + RUN < end ? low + RUN : end);
+                sortRun(numbers, keys, ranks, low, low + RUN < end ? low + RUN : end);
             }
             if (end <= RUN)
             {
@@ -77,7 +78,7 @@ package starlogo.data
             }
         }
 
-        private static function insert(numbers:Vector.<int>, keys:Vector.<Number>, ranks:Vector.<int>, low:int, high:int):void
+        private static function sortRun(numbers:Vector.<int>, keys:Vector.<Number>, ranks:Vector.<int>, low:int, high:int):void
         {
             for (var i:int = low + 1; i < high; i++)
             {

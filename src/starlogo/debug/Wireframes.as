@@ -25,7 +25,7 @@ package starlogo.debug
      * surface. Lines without length are left out, so a point has no lines.</p>
      *
      * <p>A box has its twelve edges. A sphere has three circles. A capsule has a circle and two half-circles at each end, and four lines
-     * between the ends. A cylinder has two circles and four lines.</p>
+     * between the ends. A cylinder has two circles and four lines. A hull has the edges between faces that are not in one plane.</p>
      */
     public final class Wireframes
     {
@@ -168,7 +168,7 @@ package starlogo.debug
             drawEdges(pen, box.center, box.axisZ, box.halfZ, box.axisX, box.halfX, box.axisY, box.halfY);
         }
 
-        // Draws the edges of a hull, without its margin.
+        // Draws the edges of a hull, without its radius.
         private static function drawHull(pen:LinePen, structure:BoundingStructure):void
         {
             var shape:ConvexShape = new ConvexShape();

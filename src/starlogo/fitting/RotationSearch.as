@@ -32,8 +32,8 @@ package starlogo.fitting
         // The least length that counts for a side.
         private var _shortest:Number;
 
-        private var _stepXY:Number;
-        private var _stepZ:Number;
+        private var _incrementXY:Number;
+        private var _incrementZ:Number;
 
         // The state of the search: the number of rotations about x and y that are done, and the best rotation so far.
         private var _done:int = 0;
@@ -50,8 +50,8 @@ package starlogo.fitting
          */
         public function RotationSearch(session:FitSession, stepXY:Number, stepZ:Number)
         {
-            _stepXY = stepXY;
-            _stepZ = stepZ;
+            _incrementXY = stepXY;
+            _incrementZ = stepZ;
             call(function():void
                 {
                     prepare(session.hull);
@@ -90,20 +90,20 @@ package starlogo.fitting
             _hull = hull;
             _rotated = new Vector.<Number>(hull.points.length);
             _shortest = hull.flatness;
-            var count:int = Math.ceil(90 / _stepZ);
+            var count:int = Math.ceil(90 / _incrementZ);
             for (var i:int = 0; i < count; i++)
             {
-                _cosines.push(Trigonometry.cosine(i * _stepZ));
-                _sines.push(Trigonometry.sine(i * _stepZ));
+                _cosines.push(Trigonometry.cosine(i * _incrementZ));
+                _sines.push(Trigonometry.sine(i * _incrementZ));
             }
         }
 
         // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.
         private function tryNext():Boolean
         {
-            var perAxis:int = Math.ceil(90 / _stepXY);
-            var aboutX:Number = int(_done / perAxis) * _stepXY;
-            var aboutY:Number = _done % perAxis * _stepXY;
+            var perAxis:int = Math.ceil(90 / _incrementXY);
+            var aboutX:Number = int(_done / perAxis) * _incrementXY;
+            var aboutY:Number = _done % perAxis * _incrementXY;
             rotateHull(aboutX, aboutY);
             var corners:Vector.<int> = _corners;
             corners[4] = climb(corners[4], 1, 0, 1);
@@ -117,8 +117,8 @@ package starlogo.fitting
                 var multiple:int = isForward ? i : count - 1 - i;
                 var cosine:Number = _cosines[multiple];
                 var sine:Number = _sines[multiple];
-                var width:Number = extentAlong(corners, 0, cosine, -sine);
-                var depth:Number = extentAlong(corners, 2, sine, cosine);
+                var width:Number = lengthAlong(corners, 0, cosine, -sine);
+                var depth:Number = lengthAlong(corners, 2, sine, cosine);
                 var least:Number = _least * (1 - Tolerances.FIT_TIE);
                 if (thickness * width * depth >= least)
                 {
@@ -128,7 +128,7 @@ package starlogo.fitting
                 if (volume < least)
                 {
                     _least = volume;
-                    _best.setRotation(multiple * _stepZ, aboutY, aboutX);
+                    _best.setRotation(multiple * _incrementZ, aboutY, aboutX);
                     if (volume <= _hull.volume * (1 + Tolerances.FIT_TIE))
                     {
                         return false;
@@ -143,7 +143,7 @@ package starlogo.fitting
         private function smallestBox(session:FitSession):Box
         {
             var axes:Vector.<Number> = new Vector.<Number>(9);
-            _best.writeRotation(axes, 0);
+            _best.readRows(axes, 0);
             return EnclosingStructures.box(session.vertices, axes);
         }
 
@@ -176,7 +176,7 @@ package starlogo.fitting
 
         // The extent in a direction of the plane of x and y. The entries of corners at index and index + 1 are the
         // extreme corners of the last call, and receive the new ones.
-        private function extentAlong(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
+        private function lengthAlong(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
         {
             var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
             var low:int = corners[index + 1] = climb(corners[index + 1], 0, -alongX, -alongY);

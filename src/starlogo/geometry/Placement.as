@@ -1,4 +1,4 @@
-// The package geometry has the plain maths that all others share: placements, and functions with the same results on every machine. Read Placement first,
+// The room geometry has the plain maths that all others share: placements, and functions with the same results on every machine. Read Placement first,
 // then Touching, which says when two shapes touch. Tolerances has the limits for rounding, in groups. The folder vertices is for lists of points: the box
 // around them, which of them are the same, what is wrong with them. The folder hull builds convex hulls: read ConvexHull, then QuickHull.
 
@@ -264,11 +264,11 @@ package starlogo.geometry
         }
 
         /**
-         * Writes position, rotation and size as a matrix. It is the counterpart of setMatrix.
+         * Reads position, rotation and size into a matrix. It is the counterpart of setMatrix.
          *
          * @param out sixteen numbers, column by column, as in a Matrix3D. Numbers that are the same in all placements are not written
          */
-        public function writeMatrix(out:Vector.<Number>):void
+        public function readMatrix(out:Vector.<Number>):void
         {
             out[0] = size * r00;
             out[1] = size * r10;
@@ -325,8 +325,8 @@ package starlogo.geometry
             out.z = r20 * fromX + r21 * fromY + r22 * fromZ;
         }
 
-        /** @private Writes the rotation row by row, from an index on. */
-        engine function writeRotation(out:Vector.<Number>, at:int):void
+        /** @private Reads the rotation, row by row, into a list from an index on. */
+        engine function readRows(out:Vector.<Number>, at:int):void
         {
             out[at] = r00;
             out[int(at + 1)] = r01;
@@ -339,8 +339,8 @@ package starlogo.geometry
             out[int(at + 8)] = r22;
         }
 
-        /** @private Reads a rotation that writeRotation has written. */
-        engine function readRotation(from:Vector.<Number>, at:int):void
+        /** @private Sets the rotation from nine numbers, row by row, from an index on. It may be a reflection. */
+        engine function setRows(from:Vector.<Number>, at:int):void
         {
             r00 = from[at];
             r01 = from[int(at + 1)];

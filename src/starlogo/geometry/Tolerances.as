@@ -166,7 +166,8 @@ package starlogo.geometry
         public static const CORE_POINTS:Number = 4e-16;
 
         /**
-         * The same ratio, below which a triangle between two convex cores counts as its edges. It is smaller than FLAT_TRIANGLE, because a point in
+         * The squared height of a triangle over its longest edge, as a fraction of that edge squared, below which a triangle between two convex
+         * cores counts as its edges. It is smaller than FLAT_TRIANGLE, because a point in
          * a needle has more digits than the needle's normal. Smaller: the height of a needle is a rounding error, and distances from it are wrong.
          * Larger: the nearest point of a narrow triangle is taken from its edges, and is farther by its height.
          */

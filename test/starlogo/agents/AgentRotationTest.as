@@ -288,8 +288,8 @@ package starlogo.agents
         {
             var ofA:Vector.<Number> = new Vector.<Number>(9);
             var ofB:Vector.<Number> = new Vector.<Number>(9);
-            a.writeRotation(ofA, 0);
-            b.writeRotation(ofB, 0);
+            a.readRows(ofA, 0);
+            b.readRows(ofB, 0);
             var largest:Number = 0;
             for (var i:int = 0; i < 9; i++)
             {

@@ -170,7 +170,7 @@ package starlogo.fitting
                     for (var z:Number = 0; z < 90; z += stepZ)
                     {
                         turning.setRotation(z, y, x);
-                        turning.writeRotation(axes, 0);
+                        turning.readRows(axes, 0);
                         least = Math.min(least, sizeOf(EnclosingStructures.box(points, axes), extent));
                     }
                 }

@@ -55,13 +55,13 @@ package starlogo.geometry
                 to.setQuaternion(numbers[0], numbers[1], numbers[2], numbers[3]);
                 assertIsNear(from, to);
                 numbers[3] = 0;
-                from.writeMatrix(numbers);
+                from.readMatrix(numbers);
                 to = new Placement();
                 assertTrue(to.setMatrix(numbers));
                 assertIsNear(from, to);
                 assertTrue(Math.abs(to.size / from.size - 1) < ROUNDING && to.x == from.x && to.y == from.y && to.z == from.z);
-                from.writeRotation(numbers, 2);
-                to.readRotation(numbers, 2);
+                from.readRows(numbers, 2);
+                to.setRows(numbers, 2);
                 assertTrue(to.hasRotationOf(from));
                 numbers = new <Number>[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1];
             }
@@ -79,13 +79,13 @@ package starlogo.geometry
             {
                 var from:Placement = new Placement();
                 from.setRotation(turn, 0, 0);
-                from.writeMatrix(numbers);
+                from.readMatrix(numbers);
                 placement.setMatrix(numbers);
                 assertEquals("turned by " + turn, turn == 0, placement.isUnrotated);
                 var ball:Sphere = new Sphere(new Vector3D(1, 0, 0), 0.5);
                 assertTrue("turned by " + turn, Vector3D.distance(Sphere(ball.place(from)).center, Sphere(ball.place(placement)).center) < ROUNDING);
             }
-            still.writeMatrix(numbers);
+            still.readMatrix(numbers);
             placement.setMatrix(numbers);
             assertTrue("only scaled and moved", placement.isUnrotated);
         }
@@ -95,13 +95,13 @@ package starlogo.geometry
         {
             var numbers:Vector.<Number> = new Vector.<Number>(9, true);
             var placement:Placement = new Placement();
-            placement.writeRotation(numbers, 0);
-            placement.readRotation(numbers, 0);
+            placement.readRows(numbers, 0);
+            placement.setRows(numbers, 0);
             assertTrue(placement.isUnrotated);
             for each (var at:int in [1, 2, 3, 5, 6, 7])
             {
                 numbers[at] = 1e-9;
-                placement.readRotation(numbers, 0);
+                placement.setRows(numbers, 0);
                 assertFalse("number " + at, placement.isUnrotated);
                 var far:Vector3D = new Vector3D(1e6, 1e6, 1e6);
                 placement.place(far, far);
@@ -117,11 +117,11 @@ package starlogo.geometry
             for (var i:int = 0; i < 16; i++)
             {
                 var numbers:Vector.<Number> = new <Number>[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1];
-                from.writeMatrix(numbers);
+                from.readMatrix(numbers);
                 numbers[i] += 0.1 * from.size;
                 assertEquals("number " + i, i >= 12 && i < 15, new Placement().setMatrix(numbers));
             }
-            from.writeMatrix(numbers);
+            from.readMatrix(numbers);
             numbers[15] = 1;
             for each (i in [8, 9, 10])
             {
@@ -138,7 +138,7 @@ package starlogo.geometry
                 var placement:Placement = randomPlacement(1e-9);
                 var point:Vector3D = new Vector3D(_random.between(-1, 1), _random.between(-1, 1), _random.between(-1, 1));
                 var matrix:Vector.<Number> = new <Number>[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1];
-                placement.writeMatrix(matrix);
+                placement.readMatrix(matrix);
                 var moved:Vector.<Number> = placePoints(placement, new <Number>[9, 9, 9, point.x, point.y, point.z], 3, 6, new Vector.<Number>());
                 var expected:Array = [0, 1, 2].map(function(row:int, ...rest):Number
                     {
@@ -193,8 +193,8 @@ package starlogo.geometry
         {
             var a:Vector.<Number> = new Vector.<Number>(9);
             var b:Vector.<Number> = new Vector.<Number>(9);
-            expected.writeRotation(a, 0);
-            actual.writeRotation(b, 0);
+            expected.readRows(a, 0);
+            actual.readRows(b, 0);
             for (var i:int = 0; i < 9; i++)
             {
                 assertTrue(a.join(" ") + " is not " + b.join(" "), Math.abs(a[i] - b[i]) < ROUNDING);

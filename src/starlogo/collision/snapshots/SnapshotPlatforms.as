@@ -43,7 +43,7 @@ package starlogo.collision.snapshots
                 writeNumbers(bytes, below.x, below.y, below.z);
                 bytes.writeDouble(below.size);
                 var rotation:Vector.<Number> = new Vector.<Number>(ROTATION, true);
-                below.writeRotation(rotation, 0);
+                below.readRows(rotation, 0);
                 for (var k:int = 0; k < ROTATION; k++)
                 {
                     bytes.writeDouble(rotation[k]);
@@ -117,7 +117,7 @@ package starlogo.collision.snapshots
             {
                 rotation[k] = bytes.readDouble();
             }
-            out.readRotation(rotation, 0);
+            out.setRows(rotation, 0);
             return isInWorld(out.x, out.y, out.z) && out.size >= Agent.SMALLEST_SIZE && out.size <= Agent.LARGEST_SIZE && out.isRotation;
         }
     }

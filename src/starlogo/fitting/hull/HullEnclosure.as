@@ -32,11 +32,11 @@ package starlogo.fitting.hull
 
         /**
          * @param session the vertices; their hull may not exist before the first step
-         * @param most the largest number of corners, at least 8
+         * @param maxCorners the largest number of corners, at least 8
          */
-        public function HullEnclosure(session:FitSession, most:int)
+        public function HullEnclosure(session:FitSession, maxCorners:int)
         {
-            var simplification:HullSimplification = new HullSimplification(session, most);
+            var simplification:HullSimplification = new HullSimplification(session, maxCorners);
             _session = session;
             add(simplification).call(function():void
                 {
@@ -71,13 +71,13 @@ package starlogo.fitting.hull
                 var x:Number = halfSpaces[i];
                 var y:Number = halfSpaces[i + 1];
                 var z:Number = halfSpaces[i + 2];
-                var most:Number = heights[i / 4];
+                var highest:Number = heights[i / 4];
                 for (var k:int = 3 * first; k < last; k += 3)
                 {
                     var height:Number = x * (vertices[k] - centerX) + y * (vertices[int(k + 1)] - centerY) + z * (vertices[int(k + 2)] - centerZ);
-                    most = height > most ? height : most;
+                    highest = height > highest ? height : highest;
                 }
-                heights[i / 4] = most;
+                heights[i / 4] = highest;
             }
         }
 

@@ -1,8 +1,8 @@
 package starlogo.fitting.hull
 {
-    import starlogo.bounding.HullTopology;
     import starlogo.fitting.FitSession;
     import starlogo.geometry.hull.ConvexHull;
+    import starlogo.geometry.hull.outlineOf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -30,7 +30,7 @@ package starlogo.fitting.hull
         private static const TIP:Number = 0.5;
 
         private var _session:FitSession;
-        private var _most:int;
+        private var _maxCorners:int;
         private var _space:UnitSpace;
         private var _solid:ProgressiveHull = null;
         private var _queue:EdgeQueue = new EdgeQueue();
@@ -42,12 +42,12 @@ package starlogo.fitting.hull
 
         /**
          * @param session the vertices; their hull may not exist before the first step
-         * @param most the largest number of corners, at least 8
+         * @param maxCorners the largest number of corners, at least 8
          */
-        public function HullSimplification(session:FitSession, most:int)
+        public function HullSimplification(session:FitSession, maxCorners:int)
         {
             _session = session;
-            _most = most;
+            _maxCorners = maxCorners;
             call(start);
         }
 
@@ -58,13 +58,13 @@ package starlogo.fitting.hull
             {
                 return _session.hull.points;
             }
-            return _space.fromUnit(hasMoreThan(_most) ? UnitSpace.BOX : withoutTips(_solid.listCorners()));
+            return _space.fromUnit(hasMoreThan(_maxCorners) ? UnitSpace.BOX : withoutTips(_solid.listCorners()));
         }
 
         private function start():void
         {
             var hull:ConvexHull = _session.hull;
-            if (hull.dimension < 2 || hull.indices.length <= _most)
+            if (hull.dimension < 2 || hull.indices.length <= _maxCorners)
             {
                 return;
             }
@@ -73,7 +73,7 @@ package starlogo.fitting.hull
             var triangles:Vector.<int> = hull.triangles;
             if (hull.dimension == 2)
             {
-                var outline:Vector.<int> = HullTopology.outlineOf(hull);
+                var outline:Vector.<int> = outlineOf(hull);
                 var height:Number = isCounterClockwise(outline, points) ? TIP : -TIP;
                 points.push(0, 0, height, 0, 0, -height);
                 _hasTips = true;
@@ -105,37 +105,37 @@ package starlogo.fitting.hull
 
         private function reduceToFew():Boolean
         {
-            return reduce(FEW * _most, queueShortestNew);
+            return reduce(FEW * _maxCorners, queueShortestNew);
         }
 
         private function reduceToMost():Boolean
         {
-            return reduce(_most, queueAllNew);
+            return reduce(_maxCorners, queueAllNew);
         }
 
-        // Takes some edges from the queue. Each that collapses makes faces; queueNew queues edges of these: function(firstFace:int):void.
-        // Returns whether there is more to do.
-        private function reduce(most:int, queueNew:Function):Boolean
+        // Takes some edges from the queue until so many corners are left. Each that collapses makes faces; queueNew queues edges of these:
+        // function(firstFace:int):void. Returns whether there is more to do.
+        private function reduce(corners:int, queueNew:Function):Boolean
         {
-            for (var i:int = 0; i < EDGES_PER_STEP && hasMoreThan(most) && !_queue.isEmpty; i++)
+            for (var i:int = 0; i < EDGES_PER_STEP && hasMoreThan(corners) && !_queue.isEmpty; i++)
             {
-                var face:int = takeFirst();
+                var face:int = collapseFirst();
                 if (face >= 0)
                 {
                     queueNew(face);
                 }
             }
-            return hasMoreThan(most) && !_queue.isEmpty;
+            return hasMoreThan(corners) && !_queue.isEmpty;
         }
 
-        private function hasMoreThan(most:int):Boolean
+        private function hasMoreThan(corners:int):Boolean
         {
-            return _solid.cornerCount - (_hasTips ? 2 : 0) > most;
+            return _solid.cornerCount - (_hasTips ? 2 : 0) > corners;
         }
 
-        // Collapses the first edge of the queue. Returns the first new face, or -1 if the edge cannot collapse. If its cost has increased since
-        // it was queued, it is queued again.
-        private function takeFirst():int
+        // Takes the first edge of the queue and collapses it. Returns the first new face; -1 if the edge cannot collapse, or if its cost has increased
+        // since it was queued: then it is queued again.
+        private function collapseFirst():int
         {
             var edge:int = _solid.presentEdge(_queue.pop());
             if (edge < 0 || isQueued(edge) || !_solid.findCollapse(edge, _collapse))

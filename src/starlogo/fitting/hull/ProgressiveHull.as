@@ -1,5 +1,6 @@
 package starlogo.fitting.hull
 {
+    import starlogo.data.IntSet;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.hull.edgesAcross;
 
@@ -32,11 +33,8 @@ package starlogo.fitting.hull
         // By face: 1 if it is inside of the solid by now, otherwise 0.
         private var _isInside:Vector.<int> = new Vector.<int>();
 
-        // By face: the number of the search that found it last.
-        private var _foundBy:Vector.<int> = new Vector.<int>();
-
-        // The number of the present search.
-        private var _search:int = 0;
+        // The faces that the present search has found.
+        private var _found:IntSet = new IntSet();
 
         // The number of faces that are not inside.
         private var _presentCount:int = 0;
@@ -170,7 +168,7 @@ package starlogo.fitting.hull
         public function findCollapse(edge:int, out:EdgeCollapse):Boolean
         {
             out.faceCount = 0;
-            _search++;
+            _found.clear(faceCount);
             findFaces(edge, out);
             findFaces(_across[edge], out);
             var upX:Number = 0;
@@ -229,15 +227,16 @@ package starlogo.fitting.hull
         // Adds the faces around the start of an edge to the faces that go, unless this search has found them already.
         private function findFaces(edge:int, out:EdgeCollapse):void
         {
-            var foundBy:Vector.<int> = _foundBy;
+            var marks:Vector.<int> = _found.marks;
+            var mark:int = _found.mark;
             var count:int = out.faceCount;
             var next:int = edge;
             do
             {
                 var face:int = next >> 2;
-                if (foundBy[face] != _search)
+                if (marks[face] != mark)
                 {
-                    foundBy[face] = _search;
+                    marks[face] = mark;
                     out.faces[count] = face;
                     count++;
                 }
@@ -251,8 +250,8 @@ package starlogo.fitting.hull
         private function findSeen(by:EdgeCollapse):void
         {
             var planes:Vector.<Number> = _planes;
-            var foundBy:Vector.<int> = _foundBy;
-            var search:int = _search;
+            var marks:Vector.<int> = _found.marks;
+            var mark:int = _found.mark;
             var faces:Vector.<int> = by.faces;
             var count:int = by.faceCount;
             var x:Number = by.x;
@@ -268,7 +267,7 @@ package starlogo.fitting.hull
                 for (var edge:int = first; edge < first + 3; edge++)
                 {
                     var neighbor:int = _across[edge] >> 2;
-                    if (foundBy[neighbor] == search)
+                    if (marks[neighbor] == mark)
                     {
                         continue;
                     }
@@ -276,7 +275,7 @@ package starlogo.fitting.hull
                     height = planes[at] * x + planes[int(at + 1)] * y + planes[int(at + 2)] * z - planes[int(at + 3)];
                     if (height > Tolerances.UNIT_ROUNDING)
                     {
-                        foundBy[neighbor] = search;
+                        marks[neighbor] = mark;
                         faces[count] = neighbor;
                         count++;
                     }
@@ -369,7 +368,6 @@ package starlogo.fitting.hull
             _planes[4 * face + 2] = z;
             _planes[4 * face + 3] = offset;
             _isInside[face] = 0;
-            _foundBy[face] = -1;
             _corners.push(a, b, c, -1);
             _across.push(-1, -1, -1, -1);
             _presentCount++;

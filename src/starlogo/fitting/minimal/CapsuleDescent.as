@@ -19,9 +19,9 @@ package starlogo.fitting.minimal
     public final class CapsuleDescent extends StepSequence
     {
         // The most moves, the step size at which the descent ends, and the most rounds over the multipliers in a move.
-        private static const STEPS:int = 60;
+        private static const MOST_MOVES:int = 60;
         private static const SMALLEST_STEP:Number = 1e-7;
-        private static const SWEEPS:int = 60;
+        private static const MOST_ROUNDS:int = 60;
 
         // A point cannot matter in one step if its distance is less than the radius by more than this share of the radius.
         private static const ACTIVE:Number = 0.15;
@@ -42,7 +42,7 @@ package starlogo.fitting.minimal
         private var _squares:Vector.<Number>;
 
         private var _stepSize:Number = 0.1;
-        private var _stepCount:int = 0;
+        private var _moveCount:int = 0;
 
         /**
          * @param points x, y, z of each
@@ -80,8 +80,8 @@ package starlogo.fitting.minimal
             {
                 _stepSize *= 0.3;
             }
-            _stepCount++;
-            return _stepCount < STEPS && _stepSize > SMALLEST_STEP;
+            _moveCount++;
+            return _moveCount < MOST_MOVES && _stepSize > SMALLEST_STEP;
         }
 
         private static function volumeOf(ends:Vector.<Number>, radius:Number):Number
@@ -202,7 +202,7 @@ package starlogo.fitting.minimal
             }
             var count:int = tangents.length / 8;
             var multipliers:Vector.<Number> = new Vector.<Number>(count);
-            for (var sweep:int = 0; sweep < SWEEPS; sweep++)
+            for (var round:int = 0; round < MOST_ROUNDS; round++)
             {
                 var most:Number = 0;
                 for (i = 0; i < count; i++)

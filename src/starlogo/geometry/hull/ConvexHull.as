@@ -161,7 +161,7 @@ package starlogo.geometry.hull
             }
             var grid:Vector.<Number> = new Vector.<Number>(_vertices.length);
             simplex[3] = dimension == 2 ? apex : simplex[3];
-            return rounding(grid).begin(function():Steps
+            return snapping(grid).begin(function():Steps
                 {
                     var hull:QuickHull = new QuickHull(grid, simplex);
                     return new StepSequence().add(hull).begin(function():Steps
@@ -172,7 +172,7 @@ package starlogo.geometry.hull
         }
 
         // The steps that write the vertices on the grid: whole numbers from 0 to QuickHull.GRID. Vertices in a plane are on the grid's floor.
-        private function rounding(grid:Vector.<Number>):StepSequence
+        private function snapping(grid:Vector.<Number>):StepSequence
         {
             var work:StepSequence = new StepSequence();
             var isPlane:Boolean = dimension == 2;
@@ -187,7 +187,7 @@ package starlogo.geometry.hull
             if (isPlane || _simplex.isThin)
             {
                 var turning:Placement = new Placement();
-                turning.readRotation(axes, 0);
+                turning.setRows(axes, 0);
                 bounds = new VertexBounds();
                 from = grid;
                 work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void

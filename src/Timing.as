@@ -64,7 +64,7 @@ package
             }
             catch (error:ArgumentError)
             {
-                trace(error.message);
+                trace("FAILED timing: " + error.message);
                 Host.exit(USAGE);
                 return;
             }

@@ -46,7 +46,9 @@ const crash = /unreachable|Unable to lock Ruffle core|panicked at|memory access 
 export async function play(options, on) {
 	const swfFolder = path.dirname(path.resolve(options.swf));
 	const server = await serve(page, { '/ruffle': ruffle, '/swf': swfFolder, ...options.folders });
-	const browser = await chromium.launch({ executablePath: options.chrome, args: browserArguments, timeout: PATIENCE, handleSIGINT: false });
+	// who started this hears signals, takes a picture, and closes
+	const isDeaf = { handleSIGHUP: false, handleSIGINT: false, handleSIGTERM: false };
+	const browser = await chromium.launch({ executablePath: options.chrome, args: browserArguments, timeout: PATIENCE, ...isDeaf });
 	const close = async () => {
 		await browser.close();
 		server.close();

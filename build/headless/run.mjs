@@ -17,12 +17,13 @@
  *   --parts 4               runs the SWF so many times, with the parameter part: 1/4, 2/4 and so on (default: once, without it)
  *
  * The SWF's side of it is src/headless/Host.as. Exit status: the SWF's own; 70 when it threw, crashed the player or
- * stalled; 130 at Ctrl+C; 69 when there is no browser, or no shell; 64 for wrong arguments.
+ * stalled; 130 at Ctrl+C, 143 if it was told to end, 129 if its terminal is gone; 69 when there is no browser, or no shell; 64 for wrong arguments.
  */
 import { access, mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { thereIs } from '../nearest.mjs';
+import { pairs } from './pairs.mjs';
 import { play } from './player.mjs';
 import { Pulse } from './pulse.mjs';
 import * as avmshell from './shell.mjs';
@@ -31,7 +32,8 @@ import { problemOf } from './swf.mjs';
 const USAGE = 64;
 const NO_PLAYER = 69;
 const FAILED = 70;
-const INTERRUPTED = 130;
+/** The signals that end a run, and its exit status then. */
+const SIGNALS = { SIGHUP: 129, SIGINT: 130, SIGTERM: 143 };
 
 class RunError extends Error {
 	constructor(message, status) {
@@ -54,10 +56,11 @@ const OPTIONS = {
 	parts: { type: 'string', default: '1' },
 };
 
-/** The options as they were given; a wrong one is refused, with the nearest. */
+/** The options as they were given, with what they name; a wrong one is refused, with the nearest. */
 function parsed() {
 	try {
-		return parseArgs({ allowPositionals: true, options: OPTIONS });
+		const { values, positionals } = parseArgs({ allowPositionals: true, options: OPTIONS });
+		return { values, positionals, parameters: pairs(values.param), folders: pairs(values.mount) };
 	} catch (error) {
 		const [, unknown] = /^Unknown option '--?([^']+)'/.exec(error.message) ?? [];
 		const known = Object.keys(OPTIONS);
@@ -66,7 +69,7 @@ function parsed() {
 }
 
 function readArguments() {
-	const { values, positionals } = parsed();
+	const { values, positionals, parameters, folders } = parsed();
 	if (positionals.length !== 1) {
 		throw new RunError('exactly one SWF must be given', USAGE);
 	}
@@ -82,14 +85,18 @@ function readArguments() {
 	if (!['ruffle', 'avmshell'].includes(values.player)) {
 		throw new RunError(`--player must be ruffle or avmshell: ${values.player}`, USAGE);
 	}
+	const parts = Number(values.parts);
+	if (!(Number.isInteger(parts) && parts > 0)) {
+		throw new RunError(`--parts must be a whole number from 1 on: ${values.parts}`, USAGE);
+	}
 	return {
 		swf: positionals[0],
 		player: values.player,
 		start: values.start,
 		collects: !values['no-gc'],
-		parts: Number(values.parts),
-		parameters: pairs(values.param),
-		folders: pairs(values.mount),
+		parts,
+		parameters,
+		folders,
 		out: values.out,
 		stall,
 		seconds,
@@ -97,16 +104,6 @@ function readArguments() {
 		width: Number(width),
 		height: Number(height),
 	};
-}
-
-function pairs(list) {
-	return Object.fromEntries(list.map((entry) => {
-		const [, name, value] = /^([^=]+)=([^]*)$/.exec(entry) ?? [];
-		if (!name) {
-			throw new RunError(`expected name=value, not ${entry}`, USAGE);
-		}
-		return [name, value];
-	}));
 }
 
 async function browserPath() {
@@ -144,8 +141,9 @@ async function run(options) {
 		end = { resolve, fail: (message) => reject(new RunError(message, FAILED)) };
 	});
 	ended.catch(() => {}); // reported below, after the player has started
-	const interrupt = () => end.resolve(INTERRUPTED);
-	process.once('SIGINT', interrupt);
+	const interrupt = (signal) => end.resolve(SIGNALS[signal]);
+	const signals = Object.keys(SIGNALS);
+	signals.forEach((signal) => process.once(signal, interrupt));
 	const player = await start(options, {
 		trace: (text) => {
 			pulse.sign();
@@ -155,7 +153,9 @@ async function run(options) {
 		crash: (text) => end.fail(`the player failed (${whyItCrashed(text)}): ${text}`),
 		writeFile: (file, text) => {
 			pulse.sign();
-			writes.push(save(options.out, file, text));
+			const saved = save(options.out, file, text);
+			saved.catch((error) => end.fail(error.message));
+			writes.push(saved);
 		},
 		exit: end.resolve,
 	});
@@ -170,7 +170,7 @@ async function run(options) {
 		return await ended;
 	} finally {
 		pulse.end();
-		process.off('SIGINT', interrupt);
+		signals.forEach((signal) => process.off(signal, interrupt));
 		if (options.screenshot) {
 			await mkdir(path.dirname(options.screenshot), { recursive: true });
 			await player.screenshot(options.screenshot)
@@ -192,7 +192,7 @@ async function runParts(options) {
 	for (let part = 1; part <= options.parts; part++) {
 		const parameters = options.parts > 1 ? { ...options.parameters, part: `${part}/${options.parts}` } : options.parameters;
 		status = await runPart({ ...options, parameters }) || status;
-		if (status === INTERRUPTED) {
+		if (Object.values(SIGNALS).includes(status)) {
 			break;
 		}
 	}

@@ -10,6 +10,7 @@
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
+import { pairs } from './pairs.mjs';
 import { serve } from './server.mjs';
 
 const { values, positionals: [swf] } = parseArgs({
@@ -19,7 +20,6 @@ const { values, positionals: [swf] } = parseArgs({
 		mount: { type: 'string', multiple: true, default: [] },
 	},
 });
-const pairs = (list) => Object.fromEntries(list.map((entry) => /^([^=]+)=([^]*)$/.exec(entry).slice(1)));
 const ruffle = path.dirname(createRequire(import.meta.url).resolve('@ruffle-rs/ruffle'));
 const movie = { url: `/swf/${path.basename(swf)}`, parameters: pairs(values.param), autoplay: 'on', unmuteOverlay: 'hidden', splashScreen: false };
 

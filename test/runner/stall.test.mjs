@@ -74,6 +74,18 @@ test('Ctrl+C and --seconds end a SWF that goes on, with a picture', { skip }, as
 	assert.match(looping.stderr, /^headless: ended after 4 s, in the middle of one call: no frame in the last \d+ s\n$/);
 });
 
+for (const [signal, status] of [['SIGTERM', 143], ['SIGHUP', 129]]) {
+	test(`${signal} ends a SWF that goes on`, { skip }, async () => {
+		const file = swf('going-on.swf', traced('it runs'));
+		const player = spawn(process.execPath, [path.join(root, 'build/headless/run.mjs'), file], { stdio: ['ignore', 'pipe', 'pipe'] });
+		const said = player.stderr.setEncoding('utf8').toArray();
+		await once(player.stdout, 'data');
+		player.kill(signal);
+		assert.deepEqual(await once(player, 'exit'), [status, null]);
+		assert.deepEqual(await said, []);
+	});
+}
+
 test('a part that fails does not stop the others', { skip }, () => {
 	const { status, stderr } = run(swf('parts.swf', LOOP), 3, '--parts', '2');
 	assert.equal(status, 70);
@@ -109,8 +121,24 @@ test('a file that is no SWF, or not all of one, is not played', () => {
 	assert.equal(problemOf(whole), '');
 });
 
+test('a file that must not be written ends the run, and says so', () => {
+	const shell = path.join(folder, 'shell');
+	mkdirSync(shell, { recursive: true });
+	for (const file of ['builtin.abc', 'shell_toplevel.abc']) writeFileSync(path.join(shell, file), '');
+	writeFileSync(path.join(shell, 'avmshell'), '#!/bin/sh\nprintf "\\001write ../evil.txt text\\n"\nexec sleep 60\n', { mode: 0o755 });
+	const name = Buffer.from('Main\0');
+	const symbols = [0x04 + name.length, 0x13, 1, 0, 0, 0, ...name]; // SymbolClass: the SWF itself is a Main
+	const options = [path.join(root, 'build/headless/run.mjs'), swf('writing.swf', symbols), '--player', 'avmshell', '--out', path.join(folder, 'out')];
+	const { status, stderr } = spawnSync(process.execPath, options, { encoding: 'utf8', env: { ...process.env, AVMSHELL: shell } });
+	assert.equal(status, 70);
+	assert.match(stderr, /^headless: the SWF wants to write outside .*out: \.\.\/evil\.txt\n$/);
+	assert.ok(!existsSync(path.join(folder, 'evil.txt')));
+});
+
 test('a wrong option is refused, with the nearest', () => {
 	assert.deepEqual(run('a.swf', 1, '--secnds', '3'), { status: 64, stderr: 'headless: there is no option --secnds; there is --seconds\n' });
 	assert.deepEqual(run('a.swf', 1, '--xyzzy'), { status: 64, stderr: 'headless: there is no option --xyzzy\n' });
+	assert.deepEqual(run('a.swf', 1, '--param', 'x'), { status: 64, stderr: 'headless: expected name=value, not x\n' });
+	assert.deepEqual(run('a.swf', 1, '--parts', '0'), { status: 64, stderr: 'headless: --parts must be a whole number from 1 on: 0\n' });
 	assert.match(run('a.swf', 1, '--out').stderr, /^headless: [^\n]*argument missing\n$/);
 });

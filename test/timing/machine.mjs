@@ -30,6 +30,12 @@ export function wasDisturbed({ load, machine }) {
 	return Boolean(load) && isBusy(load, machine.cores);
 }
 
+/** The greatest of the loads of two runs, at the start and at the end. */
+export function greatestLoad(one, other) {
+	const greatest = (a, b) => (a === undefined ? b : b === undefined ? a : Math.max(a, b));
+	return { start: greatest(one?.start, other.start), end: greatest(one?.end, other.end) };
+}
+
 /** The load at the start and the end of a run, in words. */
 export function loadText({ start, end }, cores) {
 	const others = isBusy({ start, end }, cores) ? '. Something else was running, so times and multiples may be too long, and many too noisy' : '';

@@ -40,7 +40,7 @@ ${FIGURES.map((figure) => section(figure, report, charts)).join('\n')}
 with it: only these can be compared across machines.</p>
 <p id="left-out">Noisy: the range of the time, or of the multiple, is wider than 30 % either way, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
 cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else; the end of the run prints the commands that measure again.</p>
-<p>${report.load ? escape(loadText(report.load, report.machine.cores)) : ''}</p>
+<p>${report.load ? escape(loadText(report.load, report.machine.cores)) : ''}${report.earlierEntries ? ` ${earlierText(report)}` : ''}</p>
 <p>${Object.entries({ ...report.machine, ...report.versions }).map(([name, value]) => `<span>${words(name)}: ${escape(value)}</span>`).join(' · ')}</p>
 </footer>
 <script>${chart.replaceAll('</script', '<\\/script')}</script>
@@ -49,6 +49,11 @@ ${draw}</script>
 </body>
 </html>
 `;
+}
+
+/** How many of a report's entries are not of its last run, in words. */
+export function earlierText({ earlierEntries, entries }) {
+	return `${earlierEntries} of the ${entries.length} entries are of earlier runs of the same commit on this machine; the load is the greatest of all runs.`;
 }
 
 /** How fast the ES module was, in words. */

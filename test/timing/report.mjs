@@ -17,8 +17,8 @@ import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { growth } from './figures.mjs';
-import { load, loadText, machine, versions, wasBusy, wasDisturbed } from './machine.mjs';
-import { moduleText, page } from './page.mjs';
+import { greatestLoad, load, loadText, machine, versions, wasBusy, wasDisturbed } from './machine.mjs';
+import { earlierText, moduleText, page } from './page.mjs';
 import { olderReportOrEnd } from './older.mjs';
 import { changes, merged, withoutContradictions } from './statistics.mjs';
 
@@ -44,12 +44,15 @@ const measured = {
 const own = withoutContradictions(results.entries);
 const taken = beside ? addBeside(own, withoutContradictions(beside.entries)) : own;
 const earlier = existsSync(file('report.json')) ? JSON.parse(await readFile(file('report.json'), 'utf8')) : undefined;
-const entries = earlier && areOfOne(earlier, measured) ? merged(earlier.entries, taken) : taken;
+const isContinued = earlier !== undefined && areOfOne(earlier, measured);
+const entries = isContinued ? merged(earlier.entries, taken) : taken;
+const ownLoad = { start: existsSync(file('load.txt')) ? Number(await readFile(file('load.txt'), 'utf8')) : undefined, end: load() };
 const report = {
 	schema: 1,
 	created: new Date().toISOString(),
 	...measured,
-	load: { start: existsSync(file('load.txt')) ? Number(await readFile(file('load.txt'), 'utf8')) : undefined, end: load() },
+	load: isContinued ? greatestLoad(earlier.load, ownLoad) : ownLoad,
+	...(entries.length > taken.length && { earlierEntries: entries.length - taken.length }),
 	...(results.isComplete === false && { isComplete: false }),
 	...(module && { module: { player: module.player, ...timesAsFast(own, module.entries) } }),
 	exponents: growth(entries.filter((entry) => entry.figure === 'scattered')),
@@ -71,8 +74,8 @@ if (older) {
 	console.log('\n' + (wasBusy(older) || wasBusy(report) ? `Nothing is compared with the report of ${date}: in ${wasBusy(older) ? 'its' : 'this'} run more programs ran than the machine has cores.`
 		: comparison(changes(older.entries, report.entries), date)));
 }
-if (entries.length > taken.length) {
-	console.log(`${entries.length - taken.length} of the report's ${entries.length} entries are of earlier runs of the same commit; their tables are in ${file('timing.txt')}.`);
+if (report.earlierEntries) {
+	console.log(`${earlierText(report)} All tables are in ${file('timing.txt')}.`);
 }
 const again = repeats(taken, report.versions.commit);
 if (again) {

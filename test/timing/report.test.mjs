@@ -10,7 +10,7 @@ import { chartsOf } from './charts.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { FIGURES, growth, holding } from './figures.mjs';
-import { loadText, wasBusy } from './machine.mjs';
+import { greatestLoad, loadText, wasBusy } from './machine.mjs';
 import { percent, quoted, ratio, significant, time } from './format.mjs';
 import { olderReport } from './older.mjs';
 import { moduleText, page } from './page.mjs';
@@ -305,6 +305,15 @@ test('a later run takes the places of its entries alone', () => {
 	assert.equal(both[0].value, 5);
 	assert.equal(both[1], entries[1]);
 	assert.equal(both.at(-1).subject, 'cube');
+});
+
+test('a report that several runs have made says so, with the greatest load', async () => {
+	assert.deepEqual(greatestLoad({ start: 0.2, end: 3 }, { start: 1, end: 2 }), { start: 1, end: 3 });
+	assert.deepEqual(greatestLoad({ end: 1 }, { start: 0.5, end: 2 }), { start: 0.5, end: 2 });
+	assert.deepEqual(greatestLoad(undefined, { start: 0.5, end: 2 }), { start: 0.5, end: 2 });
+	const at = (earlierEntries) => page({ ...EMPTY, machine: { cores: 2 }, load: { start: 0, end: 1 }, entries, earlierEntries });
+	assert.match(await at(4), new RegExp(`4 of the ${entries.length} entries are of earlier runs of the same commit on this machine; the load is the greatest of all runs\\.`));
+	assert.doesNotMatch(await at(undefined), /earlier runs/);
 });
 
 test('what is noisy is named, with a command that repeats it', () => {

@@ -48,10 +48,18 @@ package starlogo.queries
         /**
          * A filter that lets only some breeds count.
          *
-         * @param names the names of the breeds
+         * @param names the names of the breeds, one after the other
+         * @throws ArgumentError if something else is among them, for example a list of names
          */
         public static function ofBreeds(...names):AgentFilter
         {
+            for each (var name:Object in names)
+            {
+                if (!(name is String))
+                {
+                    throw new ArgumentError("ofBreeds() takes names of breeds, one after the other, not " + name);
+                }
+            }
             var filter:AgentFilter = new AgentFilter();
             filter.breeds = Vector.<String>(names);
             return filter;

@@ -146,7 +146,8 @@ package starlogo.collision
             var listed:Vector.<Agent> = input.admitted == null ? input.agents : chosen(input.agents, input.admitted);
             var pairs:FoundPairs = reader.read(findCollisionsAmong(listed, input.interests, _foundAgents));
             counts.copyFrom(statistics);
-            // the system may not count these
+            // the system does not know the agents that the filter left out, and may not count the rest
+            counts.agentsSkipped += input.agents.length - listed.length;
             counts.agents = input.agents.length;
             counts.collisions = pairs.count;
             counts.findMs = getTimer() - start;

@@ -240,7 +240,7 @@ package starlogo.collision
             {
                 takeContactsFromFrame();
             }
-            // the edges do not change
+            // only the ground is held: the edges never change
             var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
             if (ground != null && holds && !held)
             {

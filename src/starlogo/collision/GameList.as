@@ -51,7 +51,11 @@ package starlogo.collision
 
         private function copyRanks(ranks:Vector.<int>):void
         {
-            for (var row:int = 0; _isUnchanged && row < ranks.length; row++)
+            if (!_isUnchanged)
+            {
+                return;
+            }
+            for (var row:int = 0; row < ranks.length; row++)
             {
                 _indices[row] = ranks[row];
             }

@@ -10,7 +10,7 @@ package starlogo.collision
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
     import starlogo.search.FoundPairs;
-    import starlogo.search.FrameInput;
+    import starlogo.search.SearchInput;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.PairReader;
@@ -61,7 +61,7 @@ package starlogo.collision
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _motion:RelativeMotion = new RelativeMotion();
         private var _point:ContactPoint = new ContactPoint();
-        private var _input:FrameInput = new FrameInput();
+        private var _input:SearchInput = new SearchInput();
 
         /**
          * Creates a collider.
@@ -122,7 +122,7 @@ package starlogo.collision
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.setTo(agents, interests || BreedInterests.ALL, null, null, null);
-            var pairs:FoundPairs = find(by, _input, false);
+            var pairs:FoundPairs = find(by, _input);
             if (!areHandlersRunning)
             {
                 _contactSearch = by;
@@ -254,17 +254,18 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function findPairs(input:FrameInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
+        override engine function findPairs(input:SearchInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
         {
-            var pairs:FoundPairs = find(search, input, true);
+            var pairs:FoundPairs = find(search, input);
             counts.copyFrom(_statistics);
             return pairs;
         }
 
-        private function find(by:CollisionSearch, input:FrameInput, mayKeep:Boolean):FoundPairs
+        private function find(by:CollisionSearch, input:SearchInput):FoundPairs
         {
             var start:Number = getTimer();
-            var pairs:FoundPairs = by.find(input, mayKeep, _statistics);
+            var pairs:FoundPairs = by.find(input);
+            _statistics.readSearch(narrowPhase.counts);
             _statistics.findMs = getTimer() - start;
             return pairs;
         }

@@ -34,7 +34,7 @@ package starlogo.collision
         // first.
         private function findIndex(list:ListedAgents, row:int):int
         {
-            var agent:Agent = list.agents[row];
+            var agent:Agent = list.agentsByRow[row];
             var index:int = _isUnchanged ? list.ranks[row] : _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {

@@ -25,7 +25,7 @@ package starlogo.search
         private var _sweptTests:SweptTests;
 
         // The input of the search under way.
-        private var _input:FrameInput = null;
+        private var _input:SearchInput = null;
 
         // Whether an agent of this search sweeps.
         private var _isSwept:Boolean = false;
@@ -57,7 +57,7 @@ package starlogo.search
          * @param isSwept whether an agent sweeps. Then the extents of the motions are known
          * @param out receives the pairs, row by row. They are not in order then
          */
-        public function begin(input:FrameInput, isSwept:Boolean, out:FoundPairs):void
+        public function begin(input:SearchInput, isSwept:Boolean, out:FoundPairs):void
         {
             out.begin(isSwept);
             _input = input;
@@ -86,7 +86,7 @@ package starlogo.search
          */
         public function testWithWorldAgent(worldRow:int, rows:IntList):void
         {
-            if (_table.list.agents[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
+            if (_table.list.agentsByRow[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
             {
                 return;
             }
@@ -135,7 +135,7 @@ package starlogo.search
         private function keepTouchingWorld(worldRow:int, others:Vector.<int>, count:int):int
         {
             var world:Body = _table.bodyOf(worldRow);
-            var tests:PairTests = _narrowPhase.pairTestsForWorldAgent(world);
+            var tests:PairTests = _narrowPhase.findOrAddWorldTests(world);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {

@@ -56,13 +56,13 @@ package starlogo.search
          */
         public function begin(members:IntList):void
         {
-            _cells.begin(_motions.isSwept ? _motions.extents : _table.extents, members, _table.list.agents.length);
+            _cells.begin(_motions.isSwept ? _motions.extents : _table.extents, members, _table.list.rowCapacity);
         }
 
         /** Finds the rows that have changed. The table has read the agents, the ground and the edges. */
-        public function find(input:FrameInput):void
+        public function find(input:SearchInput):void
         {
-            var length:int = _table.list.agents.length;
+            var length:int = _table.list.rowCapacity;
             rows.count = 0;
             rowsAndWorld.clear(length);
             _cells.makeRoom(length);
@@ -88,7 +88,7 @@ package starlogo.search
          *
          * @return whether the cells have the right buckets. If not, all rows have to be searched
          */
-        public function moveToCells(input:FrameInput):Boolean
+        public function moveToCells(input:SearchInput):Boolean
         {
             if (_motions.isSwept)
             {
@@ -132,7 +132,7 @@ package starlogo.search
         }
 
         // Adds the rows that become members, or cease to be members. The other rows have their breeds of the last search.
-        private function addFiltered(input:FrameInput):void
+        private function addFiltered(input:SearchInput):void
         {
             var listed:IntList = _table.list.rows;
             for (var i:int = 0; i < listed.count; i++)
@@ -146,7 +146,7 @@ package starlogo.search
         }
 
         // Moves the changed rows to their cells. Returns false if one of them needs a level without buckets.
-        private function updateCells(input:FrameInput):Boolean
+        private function updateCells(input:SearchInput):Boolean
         {
             for (var i:int = 0; i < rows.count; i++)
             {

@@ -23,7 +23,7 @@ package starlogo.search
         private var _maxDepth:int = EXACT;
 
         /** Sets all. */
-        public function setTo(input:FrameInput, isSwept:Boolean, limits:TreeLimits):void
+        public function setTo(input:SearchInput, isSwept:Boolean, limits:TreeLimits):void
         {
             _interests = input.interests;
             _isSwept = isSwept;
@@ -32,7 +32,7 @@ package starlogo.search
         }
 
         /** Whether the pairs of another search depend on the same. */
-        public function areThoseOf(input:FrameInput, isSwept:Boolean, limits:TreeLimits):Boolean
+        public function areThoseOf(input:SearchInput, isSwept:Boolean, limits:TreeLimits):Boolean
         {
             return _interests === input.interests && _isSwept == isSwept && _isFiltered == (input.admitted != null) && _maxDepth == depthIn(limits);
         }

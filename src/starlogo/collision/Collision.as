@@ -372,7 +372,7 @@ package starlogo.collision
         // Finds the pairs of a frame, and calls their handlers. What the filter or a handler exchanges counts from the next frame on.
         private function runFrame(agents:Vector.<Agent>, system:BaseCollider):void
         {
-            var touches:TouchTracker = _lastFrame.touches;
+            var tracker:TouchTracker = _lastFrame.tracker;
             _handlers.begin(agents);
             _input.setTo(agents, _handlers.interests, ground, edges, filter);
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
@@ -384,7 +384,7 @@ package starlogo.collision
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;
             system.enterPhase(Collider.HANDLING);
-            _calls.make(pairs, system, _handlers, touches, agents, _handlerErrors);
+            _calls.make(pairs, system, _handlers, tracker, agents, _handlerErrors);
             lastFrame.hasFailed = false;
         }
 

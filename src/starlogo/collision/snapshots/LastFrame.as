@@ -1,6 +1,7 @@
 package starlogo.collision.snapshots
 {
     import starlogo.agents.Agent;
+    import starlogo.handlers.TouchTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
 
@@ -20,7 +21,7 @@ package starlogo.collision.snapshots
         /** The list. A game gets it, and must not change it. */
         public var agents:Vector.<Agent> = new Vector.<Agent>();
 
-        /** The pairs that touch. */
-        public var touches:TouchTracker = new TouchTracker();
+        /** Compares the next frame with the pairs that touch. */
+        public var tracker:TouchTracker = new TouchTracker(new TouchTable());
     }
 }

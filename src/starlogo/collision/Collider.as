@@ -114,16 +114,16 @@ package starlogo.collision
         {
             requireGiven("agents", agents);
             var by:CollisionSearch = search;
-            if (isOwned && !isSearchingForFrame)
+            if (isOwned && _phase != SEARCHING)
             {
-                // the game's own call must not change where the next frame's motions begin
+                // A game's own call must not change where the next frame's motions begin. In a search for a frame, a BaseCollider around this collider calls
                 _extraSearch ||= new CollisionSearch(narrowPhase);
                 by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.setTo(agents, interests || BreedInterests.ALL, null, null, null);
             var pairs:FoundPairs = find(by, _input);
-            if (!areHandlersRunning)
+            if (_phase != HANDLING)
             {
                 _contactSearch = by;
             }
@@ -161,7 +161,7 @@ package starlogo.collision
         {
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
-            if (!areHandlersRunning)
+            if (_phase != HANDLING)
             {
                 by.table.refreshWorld();
             }
@@ -210,18 +210,6 @@ package starlogo.collision
             return _owner != null && _owner.uses(this);
         }
 
-        // Whether a call of findCollisions is the search of the Collision's frame: a BaseCollider around this collider makes it. Other calls are
-        // the game's own.
-        private function get isSearchingForFrame():Boolean
-        {
-            return _phase == SEARCHING;
-        }
-
-        private function get areHandlersRunning():Boolean
-        {
-            return _phase == HANDLING;
-        }
-
         /** @private From now on contactOf sees the last frame. */
         engine function takeContactsFromFrame():void
         {
@@ -234,7 +222,7 @@ package starlogo.collision
          */
         override engine function enterPhase(phase:int):void
         {
-            var held:Boolean = areHandlersRunning;
+            var held:Boolean = _phase == HANDLING;
             var holds:Boolean = phase == HANDLING;
             if (holds)
             {
@@ -265,7 +253,7 @@ package starlogo.collision
         {
             var start:Number = getTimer();
             var pairs:FoundPairs = by.find(input);
-            _statistics.readSearch(narrowPhase.counts);
+            _statistics.readSearch(by, pairs);
             _statistics.findMs = getTimer() - start;
             return pairs;
         }

@@ -2,6 +2,8 @@ package starlogo.collision
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
+    import starlogo.search.CollisionSearch;
+    import starlogo.search.FoundPairs;
     import starlogo.search.SearchCounts;
 
     use namespace engine;
@@ -125,13 +127,14 @@ package starlogo.collision
             frameMs = other.frameMs;
         }
 
-        /** @private Takes the counts of a search. */
-        engine function readSearch(counts:SearchCounts):void
+        /** @private Takes the counts of a search that has just found some pairs. */
+        engine function readSearch(search:CollisionSearch, found:FoundPairs):void
         {
-            agents = counts.agents;
-            agentsLoading = counts.agentsLoading;
-            agentsSkipped = counts.agents - counts.agentsLoading - counts.members;
-            collisions = counts.collisions;
+            var counts:SearchCounts = search.narrowPhase.counts;
+            agents = search.table.list.rows.count;
+            agentsLoading = search.table.loadingCount;
+            agentsSkipped = agents - agentsLoading - counts.members;
+            collisions = found.count;
             candidatePairs = counts.candidatePairs;
             sweptPairs = counts.sweptPairs;
             var structures:Vector.<int> = counts.structures;

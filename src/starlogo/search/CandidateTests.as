@@ -27,10 +27,7 @@ package starlogo.search
         // The input of the search under way.
         private var _input:SearchInput = null;
 
-        // Whether an agent of this search sweeps.
-        private var _isSwept:Boolean = false;
-
-        // Takes the pairs of this search.
+        // Takes the pairs of this search. They have times if an agent sweeps.
         private var _out:FoundPairs = null;
 
         // If an agent sweeps: the times at which a row touches others.
@@ -61,7 +58,6 @@ package starlogo.search
         {
             out.begin(isSwept);
             _input = input;
-            _isSwept = isSwept;
             _out = out;
         }
 
@@ -74,7 +70,7 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             _narrowPhase.counts.candidatePairs += count;
-            count = _isSwept ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
+            count = _out.haveTimes ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
             _out.addPairs(row, others, count, _times);
         }
 
@@ -93,7 +89,7 @@ package starlogo.search
             _input.listMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.numbers;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            count = _isSwept ? _sweptTests.keepTouching(worldRow, others, count, SweptTests.NO_EXTENTS, _times)
+            count = _out.haveTimes ? _sweptTests.keepTouching(worldRow, others, count, SweptTests.NO_EXTENTS, _times)
                 : keepTouchingWorld(worldRow, others, count);
             _out.addPairs(worldRow, others, count, _times);
         }

@@ -86,7 +86,7 @@ package starlogo.search
         /**
          * Moves the rows that have changed to their cells.
          *
-         * @return whether the cells have the right buckets. If not, all rows have to be searched
+         * @return whether the cells have the right buckets. If not, or if a row needs a level without buckets, all rows have to be searched
          */
         public function moveToCells(input:SearchInput):Boolean
         {
@@ -94,7 +94,19 @@ package starlogo.search
             {
                 _motions.findExtents(rows);
             }
-            return updateCells(input) && _cells.haveRightBucketCounts();
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                var row:int = rows.numbers[i];
+                if (!input.isMember(row, _table))
+                {
+                    _cells.remove(row);
+                }
+                else if (!_cells.update(row))
+                {
+                    return false;
+                }
+            }
+            return _cells.haveRightBucketCounts();
         }
 
         /** Finds the members near the changed ones, as the bins do for all. Each pair is passed to the sink once. */
@@ -143,24 +155,6 @@ package starlogo.search
                     add(row);
                 }
             }
-        }
-
-        // Moves the changed rows to their cells. Returns false if one of them needs a level without buckets.
-        private function updateCells(input:SearchInput):Boolean
-        {
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                var row:int = rows.numbers[i];
-                if (!input.isMember(row, _table))
-                {
-                    _cells.remove(row);
-                }
-                else if (!_cells.update(row))
-                {
-                    return false;
-                }
-            }
-            return true;
         }
     }
 }

@@ -90,9 +90,8 @@ package starlogo.search
         public function find(input:SearchInput):FoundPairs
         {
             readInput(input);
-            var counts:SearchCounts = narrowPhase.counts;
             // tests since the last search, as those of questions, do not count
-            counts.clear();
+            narrowPhase.counts.clear();
             // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
             var prepares:Boolean = isLikeLast(input);
@@ -100,11 +99,8 @@ package starlogo.search
             _conditions.setTo(input, _motions.isSwept, narrowPhase.treeLimits);
             // if the search throws, the next one is of all rows, because the table has been read
             _isPrepared = false;
-            counts.members = beginsWithLast && findChangedRows(input) ? findOfChanged(input) : findOfAll(input, prepares);
+            narrowPhase.counts.members = beginsWithLast && findChangedRows(input) ? findOfChanged(input) : findOfAll(input, prepares);
             _isPrepared = prepares;
-            counts.agents = table.list.rows.count;
-            counts.agentsLoading = table.loadingCount;
-            counts.collisions = _pairs.count;
             return _pairs;
         }
 

@@ -36,7 +36,8 @@ package starlogo.search
         /** Whether the pairs of another search depend on the same. */
         public function areThoseOf(input:SearchInput, isSwept:Boolean, limits:TreeLimits):Boolean
         {
-            return _interests === input.interests && _interestCount == input.interests.pairCount && _isSwept == isSwept && _isFiltered == (input.admitted != null) && _maxDepth == depthIn(limits);
+            return _interests === input.interests && _interestCount == input.interests.pairCount && _isSwept == isSwept
+                && _isFiltered == (input.admitted != null) && _maxDepth == depthIn(limits);
         }
 
         private static function depthIn(limits:TreeLimits):int

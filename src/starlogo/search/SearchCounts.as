@@ -7,19 +7,13 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The agents, pairs and tests that a search counts, as a record. CollisionStatistics shows them to games.
+     * What a search counts while it runs, as a record: members, candidates and tests. CollisionStatistics shows them to games.
      *
      * @private
      */
     public final class SearchCounts
     {
-        /** The agents of the list. */
-        public var agents:int = 0;
-
-        /** Of these, the agents whose models are still loading. */
-        public var agentsLoading:int = 0;
-
-        /** Of these, the agents that take part: the members of the search. */
+        /** The agents that take part: the members of the search. */
         public var members:int = 0;
 
         /** Candidate pairs of a search whose breeds are of interest. */
@@ -34,13 +28,10 @@ package starlogo.search
         /** Tests of which at least one body is a tree. */
         public var trees:TreeCounts = new TreeCounts();
 
-        /** The pairs that were found. */
-        public var collisions:int = 0;
-
         /** Sets all to 0. */
         public function clear():void
         {
-            agents = agentsLoading = members = candidatePairs = sweptPairs = collisions = 0;
+            members = candidatePairs = sweptPairs = 0;
             for (var i:int = 0; i < structures.length; i++)
             {
                 structures[i] = 0;

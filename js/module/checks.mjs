@@ -20,7 +20,7 @@ const COMPACT = new Set(["flash.geom.Matrix3D"]);
 /** Classes whose fields are written by the engine's own loops, or by the engine alone. They are not checked. */
 const PLAIN = new Set([
 	"BoundingStructure", "Box", "Capsule", "CastHit", "CollisionStatistics", "Contact", "Cylinder", "ErrorEvent", "Footing", "HierarchyNode",
-	"Matrix3D", "Placement", "ProgressEvent", "RayHit", "SearchCounts", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
+	"Matrix3D", "Placement", "ProgressEvent", "RayHit", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
 ]);
 
 /** Types that the engine itself throws an error about null for, because it says more: of names, and of files. */

@@ -85,7 +85,6 @@ import {
 	RayHit,
 	type RecordedCollisions,
 	RitterSphereFitter,
-	SearchCounts,
 	ShapeChoice,
 	SharedFitStorage,
 	SourceFrame,
@@ -169,8 +168,7 @@ export function play(bearText: string): number {
 		ball.moveTo(0.4, 0, 0.5);
 		collision.update([bear, ball]);
 		const statistics: CollisionStatistics = collision.statistics;
-		const counts: SearchCounts = statistics;
-		log.push(`${statistics.agents} agents, ${counts.collisions} collisions`);
+		log.push(`${statistics.agents} agents, ${statistics.collisions} collisions`);
 		const times: FrameTimes = (observer as CollisionRecorder).frameTimes;
 		const record: CollisionRecord = (observer as CollisionRecorder).toObject();
 		const all: RecordedCollisions[] = [record, ...record.breeds];

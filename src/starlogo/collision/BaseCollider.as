@@ -8,7 +8,7 @@ package starlogo.collision
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
-    import starlogo.search.FrameInput;
+    import starlogo.search.SearchInput;
     import starlogo.search.NarrowPhase;
     import starlogo.search.PairReader;
 
@@ -134,7 +134,7 @@ package starlogo.collision
          * itself, or a pair twice
          * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
-        engine function findPairs(input:FrameInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
+        engine function findPairs(input:SearchInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
         {
             var start:Number = getTimer();
             if (input.ground != null || input.edges != null)
@@ -146,7 +146,8 @@ package starlogo.collision
             var listed:Vector.<Agent> = input.admitted == null ? input.agents : chosen(input.agents, input.admitted);
             var pairs:FoundPairs = reader.read(findCollisionsAmong(listed, input.interests, _foundAgents));
             counts.copyFrom(statistics);
-            // the system may not count these
+            // the system does not know the agents that the filter left out, and may not count the rest
+            counts.agentsSkipped += input.agents.length - listed.length;
             counts.agents = input.agents.length;
             counts.collisions = pairs.count;
             counts.findMs = getTimer() - start;

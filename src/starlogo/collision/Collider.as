@@ -10,7 +10,7 @@ package starlogo.collision
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
     import starlogo.search.FoundPairs;
-    import starlogo.search.FrameInput;
+    import starlogo.search.SearchInput;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.PairReader;
@@ -61,7 +61,7 @@ package starlogo.collision
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _motion:RelativeMotion = new RelativeMotion();
         private var _point:ContactPoint = new ContactPoint();
-        private var _input:FrameInput = new FrameInput();
+        private var _input:SearchInput = new SearchInput();
 
         /**
          * Creates a collider.
@@ -114,16 +114,16 @@ package starlogo.collision
         {
             requireGiven("agents", agents);
             var by:CollisionSearch = search;
-            if (isOwned && !isSearchingForFrame)
+            if (isOwned && _phase != SEARCHING)
             {
-                // the game's own call must not change where the next frame's motions begin
+                // A game's own call must not change where the next frame's motions begin. In a search for a frame, a BaseCollider around this collider calls
                 _extraSearch ||= new CollisionSearch(narrowPhase);
                 by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.setTo(agents, interests || BreedInterests.ALL, null, null, null);
-            var pairs:FoundPairs = find(by, _input, false);
-            if (!areHandlersRunning)
+            var pairs:FoundPairs = find(by, _input);
+            if (_phase != HANDLING)
             {
                 _contactSearch = by;
             }
@@ -161,7 +161,7 @@ package starlogo.collision
         {
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
-            if (!areHandlersRunning)
+            if (_phase != HANDLING)
             {
                 by.table.refreshWorld();
             }
@@ -210,18 +210,6 @@ package starlogo.collision
             return _owner != null && _owner.uses(this);
         }
 
-        // Whether a call of findCollisions is the search of the Collision's frame: a BaseCollider around this collider makes it. Other calls are
-        // the game's own.
-        private function get isSearchingForFrame():Boolean
-        {
-            return _phase == SEARCHING;
-        }
-
-        private function get areHandlersRunning():Boolean
-        {
-            return _phase == HANDLING;
-        }
-
         /** @private From now on contactOf sees the last frame. */
         engine function takeContactsFromFrame():void
         {
@@ -234,13 +222,13 @@ package starlogo.collision
          */
         override engine function enterPhase(phase:int):void
         {
-            var held:Boolean = areHandlersRunning;
+            var held:Boolean = _phase == HANDLING;
             var holds:Boolean = phase == HANDLING;
             if (holds)
             {
                 takeContactsFromFrame();
             }
-            // the edges do not change
+            // only the ground is held: the edges never change
             var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
             if (ground != null && holds && !held)
             {
@@ -254,17 +242,18 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function findPairs(input:FrameInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
+        override engine function findPairs(input:SearchInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
         {
-            var pairs:FoundPairs = find(search, input, true);
+            var pairs:FoundPairs = find(search, input);
             counts.copyFrom(_statistics);
             return pairs;
         }
 
-        private function find(by:CollisionSearch, input:FrameInput, mayKeep:Boolean):FoundPairs
+        private function find(by:CollisionSearch, input:SearchInput):FoundPairs
         {
             var start:Number = getTimer();
-            var pairs:FoundPairs = by.find(input, mayKeep, _statistics);
+            var pairs:FoundPairs = by.find(input);
+            _statistics.readSearch(by, pairs);
             _statistics.findMs = getTimer() - start;
             return pairs;
         }

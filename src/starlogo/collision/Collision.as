@@ -1,5 +1,5 @@
 // This room is what a game calls: a Collision finds who touches, once a frame, and calls handlers. Its runFrame() shows the steps of a frame:
-// 1. HandlerTable (in the room handlers) takes the handlers as they are now. FrameInput asks the game's filter who takes part.
+// 1. HandlerTable (in the room handlers) takes the handlers as they are now. SearchInput asks the game's filter who takes part.
 // 2. Collider, the base of the four collision systems, searches for the pairs: CollisionSearch, in the room search. In its place BaseCollider asks a
 // system of the game's own, and PairReader reads what that has found.
 // 3. HandlerCalls lets FrameContacts compute the contacts that handlers take. It calls the handlers for touches that have ended (TouchTracker), and then
@@ -24,7 +24,7 @@ package starlogo.collision
     import starlogo.handlers.TouchTracker;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
-    import starlogo.search.FrameInput;
+    import starlogo.search.SearchInput;
     import starlogo.search.NarrowPhase;
     import starlogo.search.PairReader;
     import starlogo.search.WorldAgent;
@@ -101,7 +101,7 @@ package starlogo.collision
         private var _handlers:HandlerTable = new HandlerTable();
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
         private var _calls:HandlerCalls = new HandlerCalls();
-        private var _input:FrameInput = new FrameInput();
+        private var _input:SearchInput = new SearchInput();
         private var _pairReader:PairReader = new PairReader();
         private var _snapshots:Snapshots = new Snapshots();
         private var _lastFrame:LastFrame = new LastFrame();
@@ -364,21 +364,15 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function terrainFor(own:Terrain):Terrain
+        override engine function get collisionOfGround():Collision
         {
-            return terrain;
-        }
-
-        /** @private */
-        override engine function setTerrain(value:Terrain):void
-        {
-            terrain = value;
+            return this;
         }
 
         // Finds the pairs of a frame, and calls their handlers. What the filter or a handler exchanges counts from the next frame on.
         private function runFrame(agents:Vector.<Agent>, system:BaseCollider):void
         {
-            var touches:TouchTracker = _lastFrame.touches;
+            var tracker:TouchTracker = _lastFrame.tracker;
             _handlers.begin(agents);
             _input.setTo(agents, _handlers.interests, ground, edges, filter);
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
@@ -390,7 +384,7 @@ package starlogo.collision
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;
             system.enterPhase(Collider.HANDLING);
-            _calls.make(pairs, system, _handlers, touches, agents, _handlerErrors);
+            _calls.make(pairs, system, _handlers, tracker, agents, _handlerErrors);
             lastFrame.hasFailed = false;
         }
 

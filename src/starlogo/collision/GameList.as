@@ -34,7 +34,7 @@ package starlogo.collision
         // first.
         private function findIndex(list:ListedAgents, row:int):int
         {
-            var agent:Agent = list.agents[row];
+            var agent:Agent = list.agentsByRow[row];
             var index:int = _isUnchanged ? list.ranks[row] : _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {
@@ -51,7 +51,11 @@ package starlogo.collision
 
         private function copyRanks(ranks:Vector.<int>):void
         {
-            for (var row:int = 0; _isUnchanged && row < ranks.length; row++)
+            if (!_isUnchanged)
+            {
+                return;
+            }
+            for (var row:int = 0; row < ranks.length; row++)
             {
                 _indices[row] = ranks[row];
             }

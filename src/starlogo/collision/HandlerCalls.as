@@ -63,7 +63,7 @@ package starlogo.collision
             _gameList.begin(agents);
             count = 0;
             _areTouchesComplete = true;
-            var isTracked:Boolean = tracker.count > 0 || table.tracksTouches;
+            var isTracked:Boolean = tracker.touches.count > 0 || table.tracksTouches;
             if (table.contactKinds != 0)
             {
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed

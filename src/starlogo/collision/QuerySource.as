@@ -3,7 +3,6 @@ package starlogo.collision
     import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.search.NarrowPhase;
-    import starlogo.terrain.Terrain;
 
     use namespace engine;
 
@@ -33,15 +32,10 @@ package starlogo.collision
                     + textOf(system, "a Collision or a Collider") + "; a SeenAgents may also have a LevelShapes");
         }
 
-        /** The ground that questions see: a Collision has its own. Others have the one that was set for the questions, <code>own</code>. */
-        engine function terrainFor(own:Terrain):Terrain
+        /** The Collision whose ground questions see; null if theirs is one of their own. */
+        engine function get collisionOfGround():Collision
         {
-            return own;
-        }
-
-        /** Sets the ground for questions. A Collision takes it as its own. */
-        engine function setTerrain(value:Terrain):void
-        {
+            return null;
         }
     }
 }

@@ -5,7 +5,10 @@ package starlogo.collision
 
     use namespace engine;
 
-    /** The base class of the HierarchicalCollider and the CombinationCollider, with their settings. */
+    /**
+     * The base class of the HierarchicalCollider and the CombinationCollider: a game that has either can set how far hierarchies are tested. It is
+     * there for games alone. The engine reads these settings from the NarrowPhase.
+     */
     public class TreeCollider extends Collider
     {
         /**

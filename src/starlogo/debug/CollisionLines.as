@@ -92,8 +92,8 @@ package starlogo.debug
                 choice.forgetReplaced();
             }
             var shape:ModelShape = choice.shapeOf(agent);
-            var drawn:int = shape.hierarchy == null ? STRUCTURE : drawnOfTree(shape.model, agent, collider.narrowPhase.treeLimits);
-            var key:String = drawn + " " + shape.kind + " " + shape.modelName;
+            var drawn:int = shape.tree == null ? STRUCTURE : drawnOfTree(shape.model, agent, collider.narrowPhase.treeLimits);
+            var key:String = drawn + " " + shape.variant + " " + shape.modelName;
             _lines[key] ||= draw(shape, drawn);
             return _lines[key];
         }
@@ -107,7 +107,7 @@ package starlogo.debug
                 case TRIANGLES:
                     return Wireframes.ofTriangles(shape.model.vertices, shape.model.triangles);
                 default:
-                    return Wireframes.ofLevel(shape.hierarchy.root, drawn);
+                    return Wireframes.ofLevel(shape.tree.root, drawn);
             }
         }
 

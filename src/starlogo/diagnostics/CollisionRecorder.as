@@ -11,7 +11,7 @@ package starlogo.diagnostics
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
-    import starlogo.search.FrameInput;
+    import starlogo.search.SearchInput;
     import starlogo.search.PairReader;
 
     use namespace engine;
@@ -108,7 +108,7 @@ package starlogo.diagnostics
         }
 
         /** @private */
-        override engine function findPairs(input:FrameInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
+        override engine function findPairs(input:SearchInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
         {
             var pairs:FoundPairs = _system.findPairs(input, reader, counts);
             _findTimes.add(counts.findMs);

@@ -30,7 +30,7 @@ package starlogo.handlers
         /** How many touches began before it. */
         public var serial:Number;
 
-        /** Its index among the tracker's touches. */
+        /** Its index in the TouchTable. */
         public var index:int;
 
         /** Whether handlers have been called for both agents, not only for the first. */

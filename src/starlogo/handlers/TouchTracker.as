@@ -1,7 +1,6 @@
 package starlogo.handlers
 {
     import starlogo.agents.Agent;
-    import starlogo.data.HashTable;
     import starlogo.data.IntList;
     import starlogo.data.SortableIntList;
     import starlogo.engine;
@@ -10,10 +9,9 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * Keeps the touches of a Collision from frame to frame: the touch of each pair. A frame calls <code>begin()</code> before its handlers, and
-     * <code>end()</code> after them. If its pairs are those of the last frame with few changes, only the touches of dropped and added pairs are
-     * compared. Objects of ended touches are used again, so a frame allocates nothing unless there are more touches than before. The memory is in
-     * proportion to the largest number of pairs that there were.
+     * Compares the pairs of a frame with the touches of the last one: which touches go on, and which end. A frame calls <code>begin()</code> before its
+     * handlers, and <code>end()</code> after them. If its pairs are those of the last frame with few changes, only the touches of dropped and added pairs
+     * are compared. The memory is in proportion to the largest number of pairs that there were.
      *
      * @private
      */
@@ -25,35 +23,29 @@ package starlogo.handlers
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
-        /** The number of touches that have not ended. Read only. */
-        public var count:int = 0;
-
-        // By index: all touches that there are, and objects for later ones.
-        private var _all:Vector.<Touch> = new Vector.<Touch>();
-
-        // By the ids of two agents, the lesser first: the index of their touch.
-        private var _indices:HashTable = new HashTable();
-
-        // The indices of the objects for later touches.
-        private var _free:IntList = new IntList();
+        /** The touches. Those that have ended in this frame keep their agents until <code>end()</code>. */
+        public var touches:TouchTable;
 
         // The pairs of the frame.
         private var _pairs:FoundPairs = null;
 
         // By pair of this frame: the index of its touch, or NONE.
-        private var _touches:Vector.<int> = new Vector.<int>();
+        private var _indices:Vector.<int> = new Vector.<int>();
 
         // By pair of the frame before: the index of its touch, or NONE.
-        private var _touchesBefore:Vector.<int> = new Vector.<int>();
+        private var _indicesBefore:Vector.<int> = new Vector.<int>();
 
         // The number of the search that has found the pairs, or NONE if not each pair has got its touch.
         private var _search:int = NONE;
 
-        // The number of touches that ever began.
-        private var _startedCount:Number = 0;
-
         // The indices of the touches that ended in this frame, in the order in which they began.
         private var _ended:SortableIntList = new SortableIntList();
+
+        /** @param touches those of the frames before, which have no numbers here */
+        public function TouchTracker(touches:TouchTable)
+        {
+            this.touches = touches;
+        }
 
         /**
          * Begins a frame. The touches of pairs that touched before go on. The others end.
@@ -66,13 +58,13 @@ package starlogo.handlers
             var starting:IntList = pairsThatMayStart(pairs);
             frame++;
             _pairs = pairs;
-            var before:Vector.<int> = _touches;
-            _touches = _touchesBefore;
-            _touchesBefore = before;
-            if (_touches.length < pairs.count)
+            var before:Vector.<int> = _indices;
+            _indices = _indicesBefore;
+            _indicesBefore = before;
+            if (_indices.length < pairs.count)
             {
                 // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _touches.length = pairs.count + (pairs.count >> 3);
+                _indices.length = pairs.count + (pairs.count >> 3);
             }
             if (starting == null)
             {
@@ -89,8 +81,8 @@ package starlogo.handlers
         /** The touch of a pair of the frame; null if there is none. */
         public function touchAt(pair:int):Touch
         {
-            var index:int = _touches[pair];
-            return index == NONE ? null : _all[index];
+            var index:int = _indices[pair];
+            return index == NONE ? null : touches.all[index];
         }
 
         /** Gives a pair of the frame the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
@@ -98,26 +90,8 @@ package starlogo.handlers
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            var touch:Touch = findOrStart(first, second, first.breedNumber, second.breedNumber);
-            _touches[pair] = touch.index;
-            return touch;
-        }
-
-        /** Finds the touch of two agents. If there is none, one begins, of these breeds. */
-        public function findOrStart(first:Agent, second:Agent, firstBreed:int, secondBreed:int, isCalledForBoth:Boolean = false):Touch
-        {
-            var index:int = indexOf(first, second);
-            if (index != NONE)
-            {
-                return _all[index];
-            }
-            var touch:Touch = newTouch();
-            touch.first = first;
-            touch.second = second;
-            touch.firstBreed = firstBreed;
-            touch.secondBreed = secondBreed;
-            touch.isCalledForBoth = isCalledForBoth;
-            _indices.set (Math.min(first.idNumber, second.idNumber), Math.max(first.idNumber, second.idNumber), touch.index);
+            var touch:Touch = touches.find(first, second) || touches.start(first, second, first.breedNumber, second.breedNumber, frame);
+            _indices[pair] = touch.index;
             return touch;
         }
 
@@ -130,7 +104,7 @@ package starlogo.handlers
         /** One of the touches that ended in this frame. They are in the order in which they began. */
         public function endedAt(index:int):Touch
         {
-            return _all[_ended.numbers[index]];
+            return touches.all[_ended.numbers[index]];
         }
 
         /**
@@ -142,9 +116,7 @@ package starlogo.handlers
         {
             for (var i:int = 0; i < _ended.count; i++)
             {
-                var touch:Touch = endedAt(i);
-                touch.first = touch.second = null;
-                _free.add(touch.index);
+                touches.release(endedAt(i));
             }
             _ended.count = 0;
             _search = areComplete ? _pairs.searches : NONE;
@@ -165,30 +137,9 @@ package starlogo.handlers
          */
         public function touchToContinue(pairs:FoundPairs, pair:int):Touch
         {
-            var index:int = indexOf(pairs.firstOf(pair), pairs.secondOf(pair));
-            var touch:Touch = index == NONE ? null : _all[index];
+            var touch:Touch = touches.find(pairs.firstOf(pair), pairs.secondOf(pair));
             return touch != null && touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber
                 ? touch : null;
-        }
-
-        /** Returns all touches, in the order in which they began. Call it between two frames. */
-        public function inOrder():Vector.<Touch>
-        {
-            var order:SortableIntList = new SortableIntList();
-            for (var i:int = 0; i < _all.length; i++)
-            {
-                if (_all[i].first != null)
-                {
-                    order.add(i, _all[i].serial);
-                }
-            }
-            order.sortFirst(order.count);
-            var ordered:Vector.<Touch> = new Vector.<Touch>();
-            for (i = 0; i < order.count; i++)
-            {
-                ordered.push(_all[order.numbers[i]]);
-            }
-            return ordered;
         }
 
         private function compareAll(table:HandlerTable):void
@@ -197,9 +148,9 @@ package starlogo.handlers
             {
                 continueTouch(pair, table);
             }
-            for (var index:int = 0; index < _all.length; index++)
+            for (var index:int = 0; index < touches.all.length; index++)
             {
-                endUnlessContinued(_all[index]);
+                endUnlessContinued(touches.all[index]);
             }
         }
 
@@ -214,10 +165,10 @@ package starlogo.handlers
             var dropped:IntList = _pairs.dropped;
             for (i = 0; i < dropped.count; i++)
             {
-                var index:int = _touchesBefore[dropped.numbers[i]];
+                var index:int = _indicesBefore[dropped.numbers[i]];
                 if (index != NONE)
                 {
-                    endUnlessContinued(_all[index]);
+                    endUnlessContinued(touches.all[index]);
                 }
             }
         }
@@ -242,29 +193,9 @@ package starlogo.handlers
                     nextDropped++;
                     before++;
                 }
-                _touches[pair] = _touchesBefore[before];
+                _indices[pair] = _indicesBefore[before];
                 before++;
             }
-        }
-
-        private function newTouch():Touch
-        {
-            var touch:Touch;
-            if (_free.count > 0)
-            {
-                _free.count--;
-                touch = _all[_free.numbers[_free.count]];
-            }
-            else
-            {
-                touch = new Touch();
-                touch.index = _all.push(touch) - 1;
-            }
-            touch.firstFrame = touch.lastFrame = frame;
-            touch.serial = _startedCount;
-            _startedCount++;
-            count++;
-            return touch;
         }
 
         // Lets the touch of a pair go on, if there is one and the two still have handlers for starts or ends.
@@ -272,7 +203,7 @@ package starlogo.handlers
         {
             var isTracked:Boolean = table.handlersOfPair(_pairs, pair).tracksTouches;
             var touch:Touch = isTracked ? touchToContinue(_pairs, pair) : null;
-            _touches[pair] = touch == null ? NONE : touch.index;
+            _indices[pair] = touch == null ? NONE : touch.index;
             if (touch != null)
             {
                 touch.lastFrame = frame;
@@ -284,16 +215,9 @@ package starlogo.handlers
         {
             if (touch.first != null && touch.lastFrame != frame)
             {
-                _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
+                touches.end(touch);
                 _ended.add(touch.index, touch.serial);
-                count--;
             }
-        }
-
-        // The index of the touch of two agents, in either order; NONE if there is none.
-        private function indexOf(a:Agent, b:Agent):int
-        {
-            return a.idNumber < b.idNumber ? _indices.find(a.idNumber, b.idNumber) : _indices.find(b.idNumber, a.idNumber);
         }
     }
 }

@@ -11,6 +11,7 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
+    import starlogo.collision.Collision;
     import starlogo.collision.QuerySource;
     import starlogo.data.requireGiven;
     import starlogo.engine;
@@ -87,12 +88,16 @@ package starlogo.queries
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
         public function get terrain():Terrain
         {
-            return _source.terrainFor(_terrain);
+            var collision:Collision = _source.collisionOfGround;
+            return collision == null ? _terrain : collision.terrain;
         }
 
         public function set terrain(value:Terrain):void
         {
-            _source.setTerrain(value);
+            if (_source.collisionOfGround != null)
+            {
+                _source.collisionOfGround.terrain = value;
+            }
             _terrain = value;
         }
 
@@ -278,7 +283,7 @@ package starlogo.queries
             {
                 tree.build(table.list.rows.numbers, table.list.rows.count, points, sizes);
             }
-            tree.learnBreeds(table.list.agents);
+            tree.learnBreeds(table.list.agentsByRow);
             return tree;
         }
 

@@ -79,7 +79,7 @@ package starlogo.queries
             agent.platformLink ||= new PlatformLink(agent);
             var footing:Footing = walk.footing;
             footing.stands = _walkMover.go(agent.platformLink, walk);
-            footing.on = footing.stands ? _seen.table.list.agents[walk.floorRow] : null;
+            footing.on = footing.stands ? _seen.table.list.agentsByRow[walk.floorRow] : null;
             copyVector(footing.stands ? walk.floorNormal : UP, footing.normal);
             return walk;
         }

@@ -1,6 +1,6 @@
 // A choice decides what agents collide as: the shape of each model, in each collider. SphereChoice, TightestFitChoice and TreeChoice are those of the
 // engine's colliders, LevelChoice (in the room queries) that of a level, and games extend ShapeChoice. Each says in bind() which shape a model gets,
-// and in kindOf() which of a model's shapes an agent gets. What all have is here: the shapes that were bound, until their models change.
+// and in variantOf() which of a model's shapes an agent gets. What all have is here: the shapes that were bound, until their models change.
 package starlogo.search
 {
     import flash.errors.IllegalOperationError;
@@ -49,7 +49,7 @@ package starlogo.search
         // The shapes that are not void.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        // By the number of the model's name and the kind: the index of the shape.
+        // By the number of the model's name and the variant: the index of the shape.
         private var _indices:HashTable = new HashTable();
 
         // The revision of all models at which void shapes were forgotten.
@@ -117,15 +117,15 @@ package starlogo.search
          *
          * @param agent not null
          */
-        public function kindOf(agent:Agent):int
+        public function variantOf(agent:Agent):int
         {
-            return Agent.ANY_KIND;
+            return ModelShape.ONLY_VARIANT;
         }
 
         /**
-         * Sets the shape of a model. All agents with the same model and kind use it.
+         * Sets the shape of a model. All agents with the same model and variant use it.
          *
-         * @param shape has the model's name and the kind. Call its setStructure()
+         * @param shape has the model's name and the variant. Call its setStructure()
          * @param agent an agent with the model; the model is in the GreatLand
          * @throws ArgumentError if the shape needs something that was not loaded
          */
@@ -135,7 +135,7 @@ package starlogo.search
         }
 
         /**
-         * @private The shape of an agent's model. All agents with the model and of the same kind share it.
+         * @private The shape of an agent's model. All agents with the model and the same variant share it.
          *
          * @return null while the model is loading
          * @throws ArgumentError if the model is unknown or lacks data that is needed, or if <code>bind()</code> gives it no shape
@@ -143,18 +143,18 @@ package starlogo.search
          */
         engine function shapeOf(agent:Agent):ModelShape
         {
-            var kind:int = kindOf(agent);
-            var index:int = _indices.find(agent.modelNumber, kind);
-            return index < 0 ? newShape(agent, kind) : _shapes[index];
+            var variant:int = variantOf(agent);
+            var index:int = _indices.find(agent.modelNumber, variant);
+            return index < 0 ? newShape(agent, variant) : _shapes[index];
         }
 
-        private function newShape(agent:Agent, kind:int):ModelShape
+        private function newShape(agent:Agent, variant:int):ModelShape
         {
             if (isLoading(agent))
             {
                 return null;
             }
-            var shape:ModelShape = new ModelShape(agent.shape, kind, revisionOf(agent.shape));
+            var shape:ModelShape = new ModelShape(agent.shape, variant, revisionOf(agent.shape));
             shape.model = modelOf(agent.shape);
             bind(shape, agent);
             if (shape.form < 0)
@@ -163,7 +163,7 @@ package starlogo.search
             }
             requireExtents(shape, agent);
             areSpheres = areSpheres && shape.form == BoundingStructure.SPHERE;
-            _indices.set (agent.modelNumber, kind, _shapes.push(shape) - 1);
+            _indices.set (agent.modelNumber, variant, _shapes.push(shape) - 1);
             return shape;
         }
 
@@ -192,7 +192,7 @@ package starlogo.search
                 shape.isVoid = shape.revision != revisionOf(shape.modelName);
                 if (!shape.isVoid)
                 {
-                    _indices.set (Agent.MODELS.numberOf(shape.modelName), shape.kind, kept);
+                    _indices.set (Agent.MODELS.numberOf(shape.modelName), shape.variant, kept);
                     _shapes[kept] = shape;
                     kept++;
                 }

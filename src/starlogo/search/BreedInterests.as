@@ -26,6 +26,9 @@ package starlogo.search
         /** @private Whether all pairs of two breeds of agents that have numbers here are of interest. The ground and the edges do not count. */
         engine var includesAllOfAgents:Boolean = true;
 
+        /** @private The number of pairs. It grows with each pair that is added, because none is ever removed. */
+        engine var pairCount:int = 0;
+
         // The pairs, in both orders. ANY is a breed like the others, so a breed with ANY_BREED costs no more than a breed with one other.
         private var _pairs:HashTable = new HashTable();
 
@@ -63,6 +66,7 @@ package starlogo.search
             markNamed(other);
             if (!has(number, other))
             {
+                pairCount++;
                 _pairs.set (number, other, 0);
                 _pairs.set (other, number, 0);
                 _agentPairCount += number > Breeds.ANY && other > Breeds.ANY ? 1 : 0;

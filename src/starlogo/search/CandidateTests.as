@@ -25,12 +25,9 @@ package starlogo.search
         private var _sweptTests:SweptTests;
 
         // The input of the search under way.
-        private var _input:FrameInput = null;
+        private var _input:SearchInput = null;
 
-        // Whether an agent of this search sweeps.
-        private var _isSwept:Boolean = false;
-
-        // Takes the pairs of this search.
+        // Takes the pairs of this search. They have times if an agent sweeps.
         private var _out:FoundPairs = null;
 
         // If an agent sweeps: the times at which a row touches others.
@@ -57,11 +54,10 @@ package starlogo.search
          * @param isSwept whether an agent sweeps. Then the extents of the motions are known
          * @param out receives the pairs, row by row. They are not in order then
          */
-        public function begin(input:FrameInput, isSwept:Boolean, out:FoundPairs):void
+        public function begin(input:SearchInput, isSwept:Boolean, out:FoundPairs):void
         {
             out.begin(isSwept);
             _input = input;
-            _isSwept = isSwept;
             _out = out;
         }
 
@@ -74,7 +70,7 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             _narrowPhase.counts.candidatePairs += count;
-            count = _isSwept ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
+            count = _out.haveTimes ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
             _out.addPairs(row, others, count, _times);
         }
 
@@ -86,14 +82,14 @@ package starlogo.search
          */
         public function testWithWorldAgent(worldRow:int, rows:IntList):void
         {
-            if (_table.list.agents[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
+            if (_table.list.agentsByRow[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
             {
                 return;
             }
             _input.listMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.numbers;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            count = _isSwept ? _sweptTests.keepTouching(worldRow, others, count, SweptTests.NO_EXTENTS, _times)
+            count = _out.haveTimes ? _sweptTests.keepTouching(worldRow, others, count, SweptTests.NO_EXTENTS, _times)
                 : keepTouchingWorld(worldRow, others, count);
             _out.addPairs(worldRow, others, count, _times);
         }
@@ -135,7 +131,7 @@ package starlogo.search
         private function keepTouchingWorld(worldRow:int, others:Vector.<int>, count:int):int
         {
             var world:Body = _table.bodyOf(worldRow);
-            var tests:PairTests = _narrowPhase.pairTestsForWorldAgent(world);
+            var tests:PairTests = _narrowPhase.findOrAddWorldTests(world);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {

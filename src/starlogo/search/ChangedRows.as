@@ -56,13 +56,13 @@ package starlogo.search
          */
         public function begin(members:IntList):void
         {
-            _cells.begin(_motions.isSwept ? _motions.extents : _table.extents, members, _table.list.agents.length);
+            _cells.begin(_motions.isSwept ? _motions.extents : _table.extents, members, _table.list.rowCapacity);
         }
 
         /** Finds the rows that have changed. The table has read the agents, the ground and the edges. */
-        public function find(input:FrameInput):void
+        public function find(input:SearchInput):void
         {
-            var length:int = _table.list.agents.length;
+            var length:int = _table.list.rowCapacity;
             rows.count = 0;
             rowsAndWorld.clear(length);
             _cells.makeRoom(length);
@@ -86,15 +86,27 @@ package starlogo.search
         /**
          * Moves the rows that have changed to their cells.
          *
-         * @return whether the cells have the right buckets. If not, all rows have to be searched
+         * @return whether the cells have the right buckets. If not, or if a row needs a level without buckets, all rows have to be searched
          */
-        public function moveToCells(input:FrameInput):Boolean
+        public function moveToCells(input:SearchInput):Boolean
         {
             if (_motions.isSwept)
             {
                 _motions.findExtents(rows);
             }
-            return updateCells(input) && _cells.haveRightBucketCounts();
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                var row:int = rows.numbers[i];
+                if (!input.isMember(row, _table))
+                {
+                    _cells.remove(row);
+                }
+                else if (!_cells.update(row))
+                {
+                    return false;
+                }
+            }
+            return _cells.haveRightBucketCounts();
         }
 
         /** Finds the members near the changed ones, as the bins do for all. Each pair is passed to the sink once. */
@@ -132,7 +144,7 @@ package starlogo.search
         }
 
         // Adds the rows that become members, or cease to be members. The other rows have their breeds of the last search.
-        private function addFiltered(input:FrameInput):void
+        private function addFiltered(input:SearchInput):void
         {
             var listed:IntList = _table.list.rows;
             for (var i:int = 0; i < listed.count; i++)
@@ -143,24 +155,6 @@ package starlogo.search
                     add(row);
                 }
             }
-        }
-
-        // Moves the changed rows to their cells. Returns false if one of them needs a level without buckets.
-        private function updateCells(input:FrameInput):Boolean
-        {
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                var row:int = rows.numbers[i];
-                if (!input.isMember(row, _table))
-                {
-                    _cells.remove(row);
-                }
-                else if (!_cells.update(row))
-                {
-                    return false;
-                }
-            }
-            return true;
         }
     }
 }

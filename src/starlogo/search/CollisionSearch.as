@@ -5,7 +5,7 @@
 // 3. CandidateTests keeps the pairs that touch, or SweptTests those that touch on their motions. The NarrowPhase has a PairTests for each kind of
 // pairs (pairs/).
 // 4. PairOrder puts the FoundPairs into the order of the list. PairUpdate puts the pairs of changed rows between those of the last search.
-// A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, FrameInput who takes part, BreedInterests which breeds
+// A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
 // Read this file first, then AgentTable, CandidateTests and NarrowPhase. TwoAgents answers about two agents, with ExitSearch (penetration/) for depths.
 package starlogo.search
@@ -83,31 +83,24 @@ package starlogo.search
          * Finds the pairs of agents that touch and whose breeds are of interest.
          *
          * @param input the agents, and which of them take part
-         * @param mayKeep whether the search may begin with the pairs of the last one
-         * @param counts takes the counts of this search
-         * @return the pairs. The next search overwrites them
+         * @return the pairs. The next search overwrites them, and the counts of the narrow phase
          * @throws ArgumentError as CollisionSystem.findCollisions does
          * @throws RangeError as CollisionSystem.findCollisions does
          */
-        public function find(input:FrameInput, mayKeep:Boolean, counts:SearchCounts):FoundPairs
+        public function find(input:SearchInput):FoundPairs
         {
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
             // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var prepares:Boolean = mayKeep && isLikeLast(input);
+            var prepares:Boolean = isLikeLast(input);
             var beginsWithLast:Boolean = prepares && _isPrepared;
             _conditions.setTo(input, _motions.isSwept, narrowPhase.treeLimits);
             // if the search throws, the next one is of all rows, because the table has been read
             _isPrepared = false;
-            var memberCount:int = beginsWithLast && findChangedRows(input) ? findOfChanged(input) : findOfAll(input, prepares);
+            narrowPhase.counts.members = beginsWithLast && findChangedRows(input) ? findOfChanged(input) : findOfAll(input, prepares);
             _isPrepared = prepares;
-            counts.copyTests(narrowPhase.counts);
-            counts.agents = table.list.rows.count;
-            counts.agentsLoading = table.loadingCount;
-            counts.agentsSkipped = counts.agents - memberCount - counts.agentsLoading;
-            counts.collisions = _pairs.count;
             return _pairs;
         }
 
@@ -120,7 +113,7 @@ package starlogo.search
 
         // Reads the input into the table. The motions are read before the table reads the places, because they begin at
         // those of the last search.
-        private function readInput(input:FrameInput):void
+        private function readInput(input:SearchInput):void
         {
             table.acceptList(input.agents);
             if (Agent.haveSwept)
@@ -133,7 +126,7 @@ package starlogo.search
         }
 
         // Whether the search depends on the same as the last one, and few rows were read again.
-        private function isLikeLast(input:FrameInput):Boolean
+        private function isLikeLast(input:SearchInput):Boolean
         {
             var readCount:int = table.changed.count + table.leftOrReordered.count;
             if (_motions.isSwept)
@@ -144,21 +137,21 @@ package starlogo.search
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
-        private function areFew(changes:int, input:FrameInput):Boolean
+        private function areFew(changes:int, input:SearchInput):Boolean
         {
             var rowsPerChange:int = narrowPhase.choice.areSpheres || !input.interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
             return rowsPerChange * changes <= table.list.rows.count;
         }
 
         // Finds the rows that have changed. Returns false if all rows have to be searched, because they are too many, or the cells need other buckets.
-        private function findChangedRows(input:FrameInput):Boolean
+        private function findChangedRows(input:SearchInput):Boolean
         {
             _changedRows.find(input);
             return areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
         }
 
         // Finds the pairs of all members, and prepares the cells if the next search may begin with these pairs. Returns the number of members.
-        private function findOfAll(input:FrameInput, prepares:Boolean):int
+        private function findOfAll(input:SearchInput, prepares:Boolean):int
         {
             var members:IntList = input.findMembers(table, _members);
             if (_motions.isSwept)
@@ -180,7 +173,7 @@ package starlogo.search
         // Finds the pairs of the changed rows, and puts them between those of the last search. The pairs and their order are the same as in a search of
         // all members: a test gives the same answer in either order of the two, because the row that has changed comes first here. Returns the number of
         // members.
-        private function findOfChanged(input:FrameInput):int
+        private function findOfChanged(input:SearchInput):int
         {
             _tests.begin(input, _motions.isSwept, _pairsOfChanged);
             _changedRows.findPairs(_tests);

@@ -8,11 +8,11 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The pairs of a frame: two rows of agents each. After a search they are in the order of the list, by the first agent's index and then by the
+     * The pairs of a search: two rows of agents each. After the search they are in the order of the list, by the first agent's index and then by the
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs come by their times, and pairs of the same
      * time in the order of the list. The pairs of a collision system that is not the engine's come in its own order.
      *
-     * <p>Tests add pairs row by row, and PairOrder puts them into order. PairUpdate makes the pairs of a frame from those of the last one.</p>
+     * <p>Tests add pairs row by row, and PairOrder puts them into order. PairUpdate makes the pairs of a search from those of the last one.</p>
      *
      * @private
      */
@@ -21,7 +21,7 @@ package starlogo.search
         /** The number of pairs. */
         public var count:int = 0;
 
-        /** The rows: a0, b0, a1, b1, ... The list may be longer: rows after the last pair are left over from earlier frames. */
+        /** The rows: a0, b0, a1, b1, ... The list may be longer: rows after the last pair are left over from earlier searches. */
         public var rows:Vector.<int> = new Vector.<int>();
 
         /** Whether the pairs have times, because an agent sweeps. */
@@ -30,7 +30,7 @@ package starlogo.search
         /** By pair, if they have times: the time of the touch. It is valid until the pairs are in order. */
         internal var times:Vector.<Number> = new Vector.<Number>();
 
-        /** Has the agent of each row, and its rank in the list of the frame. */
+        /** Has the agent of each row, and its rank in the list of the search. */
         public var list:ListedAgents;
 
         /** How many searches have written their pairs here. */
@@ -45,8 +45,11 @@ package starlogo.search
         /** If they are: the indices of the added pairs among these pairs, in ascending order. */
         public var added:IntList = new IntList();
 
-        // The list to which changed pairs are written: see spareRowsFor().
-        private var _spareRows:Vector.<int> = new Vector.<int>();
+        /** The list to which pairs are written when they or their order change: see <code>exchangeLists()</code>. */
+        internal var spareRows:Vector.<int> = new Vector.<int>();
+
+        /** The same for their times, if they have any. */
+        internal var spareTimes:Vector.<Number> = new Vector.<Number>();
 
         /** @param list has the agent of each row */
         public function FoundPairs(list:ListedAgents)
@@ -71,42 +74,36 @@ package starlogo.search
             dropped.count = added.count = 0;
         }
 
-        /** Ends this: the pairs are those that were written to <code>spareRowsFor()</code>. */
+        /** Ends this: the pairs are those that were written to <code>spareRows</code>. */
         internal function endKept():void
         {
             count += added.count - dropped.count;
-            takeSpareRows();
+            exchangeLists();
         }
 
-        /**
-         * Returns the list to which pairs are written when they or their order change. Then it takes the place of <code>rows</code>.
-         *
-         * @param pairCount it has room for so many
-         */
-        internal function spareRowsFor(pairCount:int):Vector.<int>
+        /** Makes room for a number of pairs in the spare lists. */
+        internal function makeRoom(pairCount:int):void
         {
-            if (_spareRows.length < 2 * pairCount)
+            // they grow by an eighth, because a vector that grows a little in each frame is copied each time
+            if (spareRows.length < 2 * pairCount)
             {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _spareRows.length = 2 * (pairCount + (pairCount >> 3));
+                spareRows.length = 2 * (pairCount + (pairCount >> 3));
             }
-            return _spareRows;
+            if (haveTimes && spareTimes.length < pairCount)
+            {
+                spareTimes.length = pairCount + (pairCount >> 3);
+            }
         }
 
-        /** Exchanges the spare list and that of the rows. */
-        internal function takeSpareRows():void
+        /** Exchanges the lists of the pairs and the spare ones. */
+        internal function exchangeLists():void
         {
-            var before:Vector.<int> = rows;
-            rows = _spareRows;
-            _spareRows = before;
-        }
-
-        /** Exchanges the list of the times for another one, and returns the earlier one. */
-        internal function exchangeTimes(spare:Vector.<Number>):Vector.<Number>
-        {
-            var before:Vector.<Number> = times;
-            times = spare;
-            return before;
+            var rowsBefore:Vector.<int> = rows;
+            rows = spareRows;
+            spareRows = rowsBefore;
+            var timesBefore:Vector.<Number> = times;
+            times = spareTimes;
+            spareTimes = timesBefore;
         }
 
         /** Adds a pair of two rows. */
@@ -151,19 +148,19 @@ package starlogo.search
         /** The first agent of a pair. */
         public function firstOf(pair:int):Agent
         {
-            return list.agents[rows[2 * pair]];
+            return list.agentsByRow[rows[2 * pair]];
         }
 
         /** The second agent of a pair. */
         public function secondOf(pair:int):Agent
         {
-            return list.agents[rows[2 * pair + 1]];
+            return list.agentsByRow[rows[2 * pair + 1]];
         }
 
         /** Writes the pairs as agents: a0, b0, a1, b1, ... */
         public function write(out:Vector.<Agent>):void
         {
-            var byRow:Vector.<Agent> = list.agents;
+            var byRow:Vector.<Agent> = list.agentsByRow;
             var all:Vector.<int> = rows;
             var end:int = 2 * count;
             var row:int = -1;

@@ -1,7 +1,6 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
-    import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
@@ -14,12 +13,12 @@ package starlogo.search
 
     /**
      * The shape that a Collider uses for a model, in the model's space. Agents with the same model and the same
-     * kind (<code>BaseShapeChoice.kindOf()</code>) share it. A BaseShapeChoice sets it.
+     * variant (<code>BaseShapeChoice.variantOf()</code>) share it. A BaseShapeChoice sets it.
      */
     public final class ModelShape
     {
         /**
-         * @private The form of a hierarchy. The forms of structures are lower: BoundingStructure.SPHERE to HULL.
+         * @private The form of a tree. The forms of structures are lower: BoundingStructure.SPHERE to HULL.
          */
         engine static const TREE:int = 16;
 
@@ -29,11 +28,14 @@ package starlogo.search
         /** @private @copy #GROUND */
         engine static const EDGES:int = 18;
 
+        /** @private The variant of a shape that is the only one of its model. */
+        engine static const ONLY_VARIANT:int = 0;
+
         /** The model's name. */
         public var modelName:String;
 
-        /** The number that BaseShapeChoice.kindOf() has returned. It is not the kind of the structure. */
-        public var kind:int;
+        /** Which of the model's shapes it is: the number that BaseShapeChoice.variantOf() has returned. */
+        public var variant:int;
 
         /** @private The revision of the model in the GreatLand. */
         internal var revision:int;
@@ -44,11 +46,11 @@ package starlogo.search
         /** @private The kind of the structure, or TREE, GROUND or EDGES. */
         engine var form:int = -1;
 
-        /** @private The structure, or the structure around the hierarchy. */
+        /** @private The structure, or the structure around the tree. */
         engine var structure:BoundingStructure = null;
 
-        /** @private The hierarchy, or null. */
-        engine var hierarchy:ModelTree = null;
+        /** @private The tree, or null. */
+        engine var tree:ModelTree = null;
 
         /** @private Whether the shape stays upright and faces along the x axis, however its agent is turned. */
         engine var isUpright:Boolean = false;
@@ -72,13 +74,13 @@ package starlogo.search
          * For colliders only.
          *
          * @param modelName the model's name
-         * @param kind the number that BaseShapeChoice.kindOf() has returned
+         * @param variant the number that BaseShapeChoice.variantOf() has returned
          * @param revision the revision of the model in the GreatLand
          */
-        public function ModelShape(modelName:String, kind:int, revision:int)
+        public function ModelShape(modelName:String, variant:int, revision:int)
         {
             this.modelName = modelName;
-            this.kind = kind;
+            this.variant = variant;
             this.revision = revision;
         }
 
@@ -92,7 +94,7 @@ package starlogo.search
         engine static function ofWorld(grid:HeightGrid, edges:Vector.<Number>, addTests:Function):ModelShape
         {
             var isGround:Boolean = grid != null;
-            var shape:ModelShape = new ModelShape(isGround ? Breeds.TERRAIN : Breeds.EDGE, Agent.ANY_KIND, 0);
+            var shape:ModelShape = new ModelShape(isGround ? Breeds.TERRAIN : Breeds.EDGE, ONLY_VARIANT, 0);
             shape.structure = new Sphere(new Vector3D(), 0);
             shape.form = isGround ? GROUND : EDGES;
             shape.isUpright = true;
@@ -124,11 +126,11 @@ package starlogo.search
             }
         }
 
-        /** @private Uses the model's hierarchy as its shape. */
-        engine function setTree(hierarchy:ModelTree):void
+        /** @private Uses the model's tree as its shape. */
+        engine function setTree(tree:ModelTree):void
         {
-            this.hierarchy = hierarchy;
-            structure = hierarchy.root.bounds;
+            this.tree = tree;
+            structure = tree.root.bounds;
             form = TREE;
         }
     }

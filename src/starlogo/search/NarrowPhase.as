@@ -47,7 +47,7 @@ package starlogo.search
         public var treeLimits:TreeLimits = new TreeLimits();
 
         /** Counts the tests. */
-        public var counts:TestCounts = new TestCounts();
+        public var counts:SearchCounts = new SearchCounts();
 
         /** Says which shape each agent has. */
         public var choice:BaseShapeChoice;
@@ -124,7 +124,7 @@ package starlogo.search
             if (last >= ModelShape.GROUND)
             {
                 requireSecond(a);
-                return pairTestsForWorldAgent(b);
+                return findOrAddWorldTests(b);
             }
             if (last == ModelShape.TREE)
             {
@@ -144,11 +144,11 @@ package starlogo.search
         /** The tests with the ground. */
         public function groundTestsOf(ground:Body):GroundPairTests
         {
-            return GroundPairTests(pairTestsForWorldAgent(ground));
+            return GroundPairTests(findOrAddWorldTests(ground));
         }
 
-        /** The tests with the ground or the edges of the world. Its shape adds them. */
-        public function pairTestsForWorldAgent(body:Body):PairTests
+        /** The tests with the ground or the edges of the world. If this is the first such pair, the shape of the ground or the edges adds them. */
+        public function findOrAddWorldTests(body:Body):PairTests
         {
             var isGround:Boolean = body.form == ModelShape.GROUND;
             if (isGround ? groundTests == null : edgeTests == null)

@@ -21,9 +21,6 @@ package starlogo.search
         // By rank: where the next pair goes whose row on a side has the rank, in a counting sort.
         private var _next:Vector.<int> = new Vector.<int>();
 
-        // Where the times of pairs go when their order changes. Then this list is exchanged with theirs.
-        private var _spareTimes:Vector.<Number> = new Vector.<Number>();
-
         /**
          * Puts pairs into order.
          *
@@ -115,7 +112,8 @@ package starlogo.search
         private function arrange(pairs:FoundPairs):void
         {
             _indices.sortFirst(pairs.count);
-            var to:Vector.<int> = makeRoom(pairs);
+            pairs.makeRoom(pairs.count);
+            var to:Vector.<int> = pairs.spareRows;
             for (var i:int = 0; i < pairs.count; i++)
             {
                 var pair:int = _indices.numbers[i];
@@ -123,10 +121,10 @@ package starlogo.search
                 to[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
                 if (pairs.haveTimes)
                 {
-                    _spareTimes[i] = pairs.times[pair];
+                    pairs.spareTimes[i] = pairs.times[pair];
                 }
             }
-            exchangeLists(pairs);
+            pairs.exchangeLists();
         }
 
         // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). The times, if there
@@ -134,12 +132,13 @@ package starlogo.search
         private function scatter(pairs:FoundPairs, side:int):void
         {
             findStarts(pairs, side);
-            var to:Vector.<int> = makeRoom(pairs);
+            pairs.makeRoom(pairs.count);
+            var to:Vector.<int> = pairs.spareRows;
             var next:Vector.<int> = _next;
             var ranks:Vector.<int> = pairs.list.ranks;
             var from:Vector.<int> = pairs.rows;
             var times:Vector.<Number> = pairs.times;
-            var timesTo:Vector.<Number> = _spareTimes;
+            var timesTo:Vector.<Number> = pairs.spareTimes;
             var haveTimes:Boolean = pairs.haveTimes;
             var end:int = 2 * pairs.count;
             for (var i:int = 0; i < end; i += 2)
@@ -154,7 +153,7 @@ package starlogo.search
                     timesTo[at >> 1] = times[i >> 1];
                 }
             }
-            exchangeLists(pairs);
+            pairs.exchangeLists();
         }
 
         // Finds by rank where the pairs begin whose rows on a side have it.
@@ -185,22 +184,6 @@ package starlogo.search
                 next[rank] = start;
                 start += ofRank;
             }
-        }
-
-        // Makes room in the spare lists for all that is in those of the pairs. Returns that of the rows.
-        private function makeRoom(pairs:FoundPairs):Vector.<int>
-        {
-            if (_spareTimes.length < pairs.times.length)
-            {
-                _spareTimes.length = pairs.times.length;
-            }
-            return pairs.spareRowsFor(pairs.count);
-        }
-
-        private function exchangeLists(pairs:FoundPairs):void
-        {
-            pairs.takeSpareRows();
-            _spareTimes = pairs.exchangeTimes(_spareTimes);
         }
     }
 }

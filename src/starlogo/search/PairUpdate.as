@@ -2,21 +2,22 @@ package starlogo.search
 {
     import starlogo.data.IntSet;
 
-    /** Makes the pairs of a frame from those of the last one: drops the pairs of changed rows, and puts those between the others that were found now. */
+    /** Makes the pairs of a search from those of the last one: drops the pairs of changed rows, and puts those between the others that were found now. */
     internal final class PairUpdate
     {
         /**
          * Replaces the pairs of changed rows.
          *
          * @param changed these rows
-         * @param pairs the pairs of the last frame, in order. They become those of the next
+         * @param pairs the pairs of the last search, in order. They become those of the next
          * @param found the pairs of these rows, in order
          * @param earlyCount how many of the found pairs touch before the end of their motions. All others touch at the end
          */
         public function replacePairsOf(changed:IntSet, pairs:FoundPairs, found:FoundPairs, earlyCount:int):void
         {
             pairs.beginKept();
-            var to:Vector.<int> = pairs.spareRowsFor(pairs.count + found.count);
+            pairs.makeRoom(pairs.count + found.count);
+            var to:Vector.<int> = pairs.spareRows;
             var ranks:Vector.<int> = pairs.list.ranks;
             var next:int = 0;
             for (var i:int = 0; i < found.count; i++)

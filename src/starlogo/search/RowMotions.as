@@ -58,7 +58,7 @@ package starlogo.search
          */
         public function readChanges():void
         {
-            var length:int = _table.list.agents.length;
+            var length:int = _table.list.rowCapacity;
             if (length > _sweeps.length)
             {
                 _sweeps.length = haveJumped.length = length;
@@ -79,7 +79,7 @@ package starlogo.search
             for (i = 0; i < _changed.count; i++)
             {
                 row = _changed.numbers[i];
-                var agent:Agent = _table.list.agents[row];
+                var agent:Agent = _table.list.agentsByRow[row];
                 haveJumped[row] = !_table.isMotionStart(row, agent);
                 if (!haveJumped[row])
                 {
@@ -109,7 +109,7 @@ package starlogo.search
                 var row:int = rows.numbers[i];
                 if (_table.shapes[row] != null)
                 {
-                    _sweeps[row] = !haveJumped[row] && _table.list.agents[row].isSweeping;
+                    _sweeps[row] = !haveJumped[row] && _table.list.agentsByRow[row].isSweeping;
                     findExtentsOf(row);
                 }
             }

@@ -10,8 +10,9 @@ package starlogo.search
         // In place of a depth: the triangles decide.
         private static const EXACT:int = 0;
 
-        // The pairs of breeds that count. A Collision adds no pairs to these later.
+        // The pairs of breeds that count, and their number. A game that calls findCollisionsAmong() may add some.
         private var _interests:BreedInterests = null;
+        private var _interestCount:int = 0;
 
         // Whether an agent sweeps.
         private var _isSwept:Boolean = false;
@@ -23,18 +24,20 @@ package starlogo.search
         private var _maxDepth:int = EXACT;
 
         /** Sets all. */
-        public function setTo(input:FrameInput, isSwept:Boolean, limits:TreeLimits):void
+        public function setTo(input:SearchInput, isSwept:Boolean, limits:TreeLimits):void
         {
             _interests = input.interests;
+            _interestCount = input.interests.pairCount;
             _isSwept = isSwept;
             _isFiltered = input.admitted != null;
             _maxDepth = depthIn(limits);
         }
 
         /** Whether the pairs of another search depend on the same. */
-        public function areThoseOf(input:FrameInput, isSwept:Boolean, limits:TreeLimits):Boolean
+        public function areThoseOf(input:SearchInput, isSwept:Boolean, limits:TreeLimits):Boolean
         {
-            return _interests === input.interests && _isSwept == isSwept && _isFiltered == (input.admitted != null) && _maxDepth == depthIn(limits);
+            return _interests === input.interests && _interestCount == input.interests.pairCount && _isSwept == isSwept
+                && _isFiltered == (input.admitted != null) && _maxDepth == depthIn(limits);
         }
 
         private static function depthIn(limits:TreeLimits):int

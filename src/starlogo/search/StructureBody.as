@@ -1,6 +1,5 @@
 package starlogo.search
 {
-    import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -64,7 +63,7 @@ package starlogo.search
         {
             if (_shapes[kind] == null)
             {
-                _shapes[kind] = new ModelShape("structure", Agent.ANY_KIND, 0);
+                _shapes[kind] = new ModelShape("structure", ModelShape.ONLY_VARIANT, 0);
                 _shapes[kind].isUpright = true;
             }
             return _shapes[kind];

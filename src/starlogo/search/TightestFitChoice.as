@@ -34,8 +34,8 @@ package starlogo.search
             StructurePairTests.addTo(narrowPhase);
         }
 
-        /** @inheritDoc */
-        override public function kindOf(agent:Agent):int
+        /** The kind of structure that the agent has chosen, or Agent.ANY_KIND. @inheritDoc */
+        override public function variantOf(agent:Agent):int
         {
             return agent.structureKind;
         }
@@ -50,9 +50,9 @@ package starlogo.search
                 throw new ArgumentError(agent + ": its model was added while loadTightestFit was false; set hierarchical of the agent in a CombinationCollider, or "
                         + "loadTightestFit to true and add the model again");
             }
-            if (shape.kind != Agent.ANY_KIND)
+            if (shape.variant != Agent.ANY_KIND)
             {
-                shape.setStructure(greatLand.structureOfKind(model, shape.kind));
+                shape.setStructure(greatLand.structureOfKind(model, shape.variant));
                 return;
             }
             shape.setStructure(library.tightestFit(model));

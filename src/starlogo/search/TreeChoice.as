@@ -18,8 +18,8 @@ package starlogo.search
      */
     public final class TreeChoice extends BaseShapeChoice
     {
-        // The kind of a model's shape that is its tree. The shapes of TightestFitChoice have lower kinds.
-        private static const TREE_KIND:int = BoundingStructure.KIND_COUNT;
+        // The variant of a model's shape that is its tree. TightestFitChoice has lower variants, the kinds of structures.
+        private static const TREE_VARIANT:int = BoundingStructure.KIND_COUNT;
 
         private var _fits:TightestFitChoice;
 
@@ -42,15 +42,15 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function kindOf(agent:Agent):int
+        override public function variantOf(agent:Agent):int
         {
-            return _fits == null || agent.hierarchical ? TREE_KIND : _fits.kindOf(agent);
+            return _fits == null || agent.hierarchical ? TREE_VARIANT : _fits.variantOf(agent);
         }
 
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
-            if (shape.kind != TREE_KIND)
+            if (shape.variant != TREE_VARIANT)
             {
                 _fits.bind(shape, agent);
                 return;

@@ -65,11 +65,8 @@ package starlogo.collision
                     plain.update(left);
                     assertEquals(name + ", " + kind, _calls.join(), found);
                     assertTrue("agents were left out", left.length < agents.length - 5);
-                    if (name != "own")
-                    {
-                        assertEquals("candidates", plain.statistics.candidatePairs, filtered.statistics.candidatePairs);
-                        assertEquals("skipped", agents.length - left.length, filtered.statistics.agentsSkipped);
-                    }
+                    assertEquals(name + ", candidates", plain.statistics.candidatePairs, filtered.statistics.candidatePairs);
+                    assertEquals(name + ", skipped", agents.length - left.length, filtered.statistics.agentsSkipped);
                 }
             }
             assertTrue(called + " calls", called > 100);

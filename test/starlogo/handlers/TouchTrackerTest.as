@@ -16,7 +16,7 @@ package starlogo.handlers
     {
         private static const FRAMES:int = 300;
 
-        private var _tracker:TouchTracker = new TouchTracker();
+        private var _tracker:TouchTracker = new TouchTracker(new TouchTable());
         private var _found:FoundPairs = new FoundPairs(new ListedAgents());
         private var _agents:Array = [];
         private var _handlers:HandlerTable = new HandlerTable();
@@ -27,7 +27,7 @@ package starlogo.handlers
             for (var i:int = 0; i < 40; i++)
             {
                 _agents.push(new Agent("cube", i % 3 == 0 ? "sheep" : "wolves"));
-                _found.list.agents.push(_agents[i]);
+                _found.list.agentsByRow.push(_agents[i]);
             }
             _handlers.add(CollisionHandler.START, "*", "*", function(a:Agent, b:Agent):void
                 {
@@ -79,7 +79,7 @@ package starlogo.handlers
                     {
                         known = _tracker.findOrStartAt(i);
                         known.isCalledForBoth = true;
-                        assertStrictlyEquals("either way round it is the same", known, _tracker.findOrStart(b, a, b.breedNumber, a.breedNumber, true));
+                        assertStrictlyEquals("either way round it is the same", known, _tracker.touches.find(b, a));
                         assertStrictlyEquals(known, _tracker.touchAt(i));
                         assertEquals(frame, known.firstFrame);
                         if (left.indexOf(name) < 0)
@@ -90,8 +90,8 @@ package starlogo.handlers
                 }
                 _tracker.end(false);
                 most = Math.max(most, left.length);
-                assertEquals(left.join(), namesOf(_tracker.inOrder()));
-                assertEquals(left.length, _tracker.count);
+                assertEquals(left.join(), namesOf(_tracker.touches.inOrder()));
+                assertEquals(left.length, _tracker.touches.count);
                 pairs = left;
             }
             assertTrue("there were many", most > 150);
@@ -183,8 +183,8 @@ package starlogo.handlers
                     assertEquals(pairs[i], nameOf(touch.first, touch.second));
                 }
                 _tracker.end(true);
-                assertEquals(begun.join(), namesOf(_tracker.inOrder()));
-                assertEquals(begun.length, _tracker.count);
+                assertEquals(begun.join(), namesOf(_tracker.touches.inOrder()));
+                assertEquals(begun.length, _tracker.touches.count);
                 numbers = pairs.concat();
             }
             assertTrue("some remained", begun.length > 5);
@@ -203,7 +203,7 @@ package starlogo.handlers
             var b:Agent = _agents[1];
             addPair(b, a);
             assertNull(next());
-            _tracker.findOrStart(a, b, a.breedNumber, b.breedNumber);
+            _tracker.touches.start(a, b, a.breedNumber, b.breedNumber, _tracker.frame);
             assertNull("handlers of one way only", next());
             var touch:Touch = startBothWays(a, b);
             assertStrictlyEquals(touch, next());
@@ -216,7 +216,9 @@ package starlogo.handlers
 
         private function startBothWays(a:Agent, b:Agent):Touch
         {
-            return _tracker.findOrStart(a, b, a.breedNumber, b.breedNumber, true);
+            var touch:Touch = _tracker.touches.start(a, b, a.breedNumber, b.breedNumber, _tracker.frame);
+            touch.isCalledForBoth = true;
+            return touch;
         }
 
         // The touch of the first pair that goes on in the next frame.
@@ -236,8 +238,8 @@ package starlogo.handlers
 
         private function addPair(a:Agent, b:Agent):void
         {
-            _found.rows[2 * _found.count] = _found.list.agents.indexOf(a);
-            _found.rows[2 * _found.count + 1] = _found.list.agents.indexOf(b);
+            _found.rows[2 * _found.count] = _found.list.agentsByRow.indexOf(a);
+            _found.rows[2 * _found.count + 1] = _found.list.agentsByRow.indexOf(b);
             _found.count++;
         }
 

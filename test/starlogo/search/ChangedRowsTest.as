@@ -101,6 +101,43 @@ package starlogo.search
             }
         }
 
+        [Test]
+        public function aGameThatAsksAgainHasThePairsOfASearchOfAll():void
+        {
+            for (var kind:int = 0; kind < 2; kind++)
+            {
+                var system:CollisionSystem = newSystem(kind);
+                var agents:Vector.<Agent> = scattered(120, 9);
+                system.findCollisions(agents);
+                system.findCollisions(agents);
+                for (var i:int = 0; i < 25; i++)
+                {
+                    var agent:Agent = agents[_random.integer(0, agents.length - 1)];
+                    agent.moveTo(agent.x + _random.between(-0.7, 0.7), agent.y + _random.between(-0.7, 0.7), 0);
+                    assertEquals("system " + kind + ", call " + i, pairsOf(newSystem(kind), agents), pairsOf(system, agents));
+                }
+                assertTrue("few are tested", system.statistics.candidatePairs < agents.length);
+            }
+        }
+
+        [Test]
+        public function interestsThatGrowMakeTheSearchAnew():void
+        {
+            var collider:TightestFitCollider = new TightestFitCollider(_greatLand);
+            var agents:Vector.<Agent> = scattered(200, 12);
+            var interests:BreedInterests = new BreedInterests();
+            for each (var breed:String in BREEDS)
+            {
+                interests.add("walls", breed);
+                for (var i:int = 0; i < 3; i++)
+                {
+                    var expected:Vector.<Agent> = new TightestFitCollider(_greatLand).findCollisionsAmong(agents, interests);
+                    assertTrue(expected.length > 0);
+                    assertEquals(breed + ", call " + i, expected.join(), collider.findCollisionsAmong(agents, interests).join());
+                }
+            }
+        }
+
         /** A Collision that goes back to its own snapshot after each frame tests all agents in the next one. A filter leaves out other agents now and then. */
         [Test]
         public function framesWithSweepingAgentsMakeTheCallsOfASearchOfAll():void

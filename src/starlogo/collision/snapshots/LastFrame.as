@@ -1,6 +1,7 @@
 package starlogo.collision.snapshots
 {
     import starlogo.agents.Agent;
+    import starlogo.handlers.TouchTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
 
@@ -17,10 +18,10 @@ package starlogo.collision.snapshots
         /** True while a frame runs, and after a frame that has refused its list or could not compute a contact. Errors of handlers do not count. */
         public var hasFailed:Boolean = false;
 
-        /** The list. A game gets it, and may change it. */
+        /** The list. A game gets it, and must not change it. */
         public var agents:Vector.<Agent> = new Vector.<Agent>();
 
-        /** The pairs that touch. */
-        public var touches:TouchTracker = new TouchTracker();
+        /** Compares the next frame with the pairs that touch. */
+        public var tracker:TouchTracker = new TouchTracker(new TouchTable());
     }
 }

@@ -8,6 +8,7 @@ package starlogo.collision.snapshots
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.handlers.Touch;
+    import starlogo.handlers.TouchTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
     import starlogo.search.table.AgentTable;
@@ -76,7 +77,7 @@ package starlogo.collision.snapshots
             var names:SnapshotNames = new SnapshotNames();
             var rest:ByteArray = newBytes();
             SnapshotPlaces.write(rest, agents, table, frame.search === search);
-            var formerWorld:Vector.<Agent> = writeTouches(rest, names, frame.touches, table, ground, edges);
+            var formerWorld:Vector.<Agent> = writeTouches(rest, names, frame.tracker.touches.inOrder(), table, ground, edges);
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
@@ -134,7 +135,7 @@ package starlogo.collision.snapshots
             {
                 ground.restoreGrid(parts.ground);
             }
-            frame.touches = parts.touches;
+            frame.tracker = new TouchTracker(parts.touches);
             frame.agents = copyAgents(agents, frame.agents);
             frame.search = search;
             frame.hasFailed = false;
@@ -181,11 +182,10 @@ package starlogo.collision.snapshots
         }
 
         // Returns the ground and the edges of touches that were exchanged, for restore(); null if none were.
-        private function writeTouches(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, ground:WorldAgent,
+        private function writeTouches(bytes:ByteArray, names:SnapshotNames, touches:Vector.<Touch>, table:AgentTable, ground:WorldAgent,
                 edges:WorldAgent):Vector.<Agent>
         {
             var formerWorld:Vector.<Agent> = null;
-            var touches:Vector.<Touch> = tracker.inOrder();
             bytes.writeInt(touches.length);
             for (var i:int = 0; i < touches.length; i++)
             {
@@ -251,10 +251,10 @@ package starlogo.collision.snapshots
         }
 
         // What stands for the world: the ground and the edges, or null, and those that were exchanged.
-        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<Agent>, names:SnapshotNames):TouchTracker
+        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<Agent>, names:SnapshotNames):TouchTable
         {
             var partners:Vector.<Agent> = agents.concat(world);
-            var touches:TouchTracker = new TouchTracker();
+            var touches:TouchTable = new TouchTable();
             var pairs:uint = bytes.readUnsignedInt();
             for (var left:uint = pairs; left > 0; left--)
             {
@@ -272,10 +272,10 @@ package starlogo.collision.snapshots
                 // the ground and the edges keep their breeds, which no other agent ever has
                 var partner:Agent = partners[second];
                 check(firstBreed > Breeds.ANY && (partner.isOfWorld ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY));
-                touches.findOrStart(agents[first], partner, firstBreed, secondBreed, flag == 1);
+                // each pair is there once
+                check(touches.find(agents[first], partner) == null);
+                touches.start(agents[first], partner, firstBreed, secondBreed, 0).isCalledForBoth = flag == 1;
             }
-            // each pair is there once
-            check(touches.count == pairs);
             return touches;
         }
 

@@ -139,7 +139,7 @@ package starlogo.queries.rays
         public function write(index:int, hit:CastHit):void
         {
             var from:ContactPoint = contactOf(index);
-            hit.agent = _seen.table.list.agents[rowOf(index)];
+            hit.agent = _seen.table.list.agentsByRow[rowOf(index)];
             // not setTo, because a game in JavaScript may have given a hit any objects with x, y and z
             hit.point.x = from.x;
             hit.point.y = from.y;

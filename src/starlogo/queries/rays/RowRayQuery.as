@@ -101,10 +101,10 @@ package starlogo.queries.rays
         private function findHitOfShape(body:Body, line:Ray, out:RayEntry):Boolean
         {
             var shape:ModelShape = body.shape;
-            if (shape.hierarchy != null)
+            if (shape.tree != null)
             {
                 var limits:TreeLimits = _seen.narrowPhase.treeLimits;
-                return _solid.find(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
+                return _solid.find(shape.tree, limits.depthOf(body), limits.exact, line, out);
             }
             return SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span) && out.enter(line, _span);
         }

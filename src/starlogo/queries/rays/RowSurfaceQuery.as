@@ -77,10 +77,10 @@ package starlogo.queries.rays
         private function addCrossings(body:Body, line:Ray, out:RayCrossings):Boolean
         {
             var shape:ModelShape = body.shape;
-            if (shape.hierarchy != null)
+            if (shape.tree != null)
             {
                 var limits:TreeLimits = _seen.narrowPhase.treeLimits;
-                return _trees.findAll(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
+                return _trees.findAll(shape.tree, limits.depthOf(body), limits.exact, line, out);
             }
             if (SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span))
             {

@@ -48,7 +48,7 @@ package starlogo.queries.rays
                     hit.material = materials.numberOf(hit.triangle);
                     hit.materialName = materials.nameOf(hit.material);
                 }
-                readCorners(body.shape.hierarchy.boxTree, 3 * hit.triangle, body.placement, hit.point);
+                readCorners(body.shape.tree.boxTree, 3 * hit.triangle, body.placement, hit.point);
                 weigh(_weights);
             }
             copyVector(_weights, hit.weights);

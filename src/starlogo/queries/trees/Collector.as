@@ -234,7 +234,7 @@ package starlogo.queries.trees
         // The agent of a row of the answer.
         private function agentAt(index:int):Agent
         {
-            return _seen.table.list.agents[rowAt(index)];
+            return _seen.table.list.agentsByRow[rowAt(index)];
         }
 
         /** Ends the search. Returns the agent of the first row of the answer, or null. */

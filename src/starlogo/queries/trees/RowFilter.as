@@ -57,7 +57,7 @@ package starlogo.queries.trees
             {
                 return;
             }
-            filter.checkNames(_listed.agents);
+            filter.checkNames(_listed.agentsByRow);
             accepts = filter.accepts;
             if (_question == int.MAX_VALUE)
             {
@@ -95,7 +95,7 @@ package starlogo.queries.trees
         /** Whether the filter may admit a row: by its breed and the filter's <code>except</code>. <code>accepts</code> is not called. */
         public function mayAdmit(row:int):Boolean
         {
-            return !excludes || (_exceptMarks[row] != _question && admitsBreedOf(_listed.agents[row]));
+            return !excludes || (_exceptMarks[row] != _question && admitsBreedOf(_listed.agentsByRow[row]));
         }
 
         private function admitsBreedOf(agent:Agent):Boolean
@@ -118,9 +118,9 @@ package starlogo.queries.trees
         // Marks the rows of agents that are excepted.
         private function markExcepted(agents:Vector.<Agent>):void
         {
-            if (_exceptMarks.length < _listed.agents.length)
+            if (_exceptMarks.length < _listed.rowCapacity)
             {
-                _exceptMarks.length = _listed.agents.length;
+                _exceptMarks.length = _listed.rowCapacity;
             }
             if (agents == null)
             {

@@ -182,8 +182,8 @@ package starlogo.search.pairs
         private function queryOf(a:Body, b:Body):GroundModelQuery
         {
             var shape:ModelShape = a.shape;
-            var depth:int = shape.hierarchy == null ? 1 : _limits.depthOf(a);
-            _query.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, _limits.exact);
+            var depth:int = shape.tree == null ? 1 : _limits.depthOf(a);
+            _query.setTo(gridOf(b), shape.tree, shape.structure, a.placement, depth, _limits.exact);
             return _query;
         }
     }

@@ -17,7 +17,7 @@ package starlogo.search.pairs
     import starlogo.intersection.SphereSphereKernel;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.TestCounts;
+    import starlogo.search.SearchCounts;
     import starlogo.search.table.AgentTable;
 
     use namespace engine;
@@ -29,10 +29,10 @@ package starlogo.search.pairs
      */
     public final class SpherePairTests extends PairTests
     {
-        // In TestCounts.structures: the index of two spheres.
+        // In SearchCounts.structures: the index of two spheres.
         private static const TWO_SPHERES:int = BoundingStructure.KIND_COUNT * BoundingStructure.SPHERE + BoundingStructure.SPHERE;
 
-        private var _counts:TestCounts;
+        private var _counts:SearchCounts;
 
         // The spheres of two bodies, for their contact. A structure in the world would take memory for each row, and it is wider than its body.
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
@@ -46,7 +46,7 @@ package starlogo.search.pairs
         private var _kernel:SphereSphereKernel = new SphereSphereKernel();
 
         /** @param counts counts the tests */
-        public function SpherePairTests(counts:TestCounts)
+        public function SpherePairTests(counts:SearchCounts)
         {
             _counts = counts;
         }

@@ -9,7 +9,7 @@ package starlogo.search.pairs
     import starlogo.intersection.ray.ConvexSpanFinder;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.TestCounts;
+    import starlogo.search.SearchCounts;
 
     use namespace engine;
 
@@ -20,10 +20,10 @@ package starlogo.search.pairs
      */
     public final class StructurePairTests extends PairTests
     {
-        private var _counts:TestCounts;
+        private var _counts:SearchCounts;
 
         /** @param counts counts the tests */
-        public function StructurePairTests(counts:TestCounts)
+        public function StructurePairTests(counts:SearchCounts)
         {
             _counts = counts;
         }

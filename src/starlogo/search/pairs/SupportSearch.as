@@ -72,7 +72,7 @@ package starlogo.search.pairs
             var at:Placement = body.placement;
             turnIntoModel(direction, at, _direction);
             findInModel(body, _direction, out);
-            if (body.shape.hierarchy == null)
+            if (body.shape.tree == null)
             {
                 takeFarthestOfStructure(_direction, out.support - Tolerances.SEPARATION * body.largestHalf / at.size, out);
             }
@@ -111,7 +111,7 @@ package starlogo.search.pairs
         // A body's triangles if they decide; otherwise null.
         private function trianglesOf(body:Body):TriangleMesh
         {
-            var tree:ModelTree = body.shape.hierarchy;
+            var tree:ModelTree = body.shape.tree;
             return _limits.exact && tree.hasTriangles ? tree.mesh : null;
         }
 
@@ -124,12 +124,12 @@ package starlogo.search.pairs
         // Finds how far a body's shape reaches in the model's space.
         private function findInModel(body:Body, direction:Vector3D, out:SupportPoint):void
         {
-            if (body.shape.hierarchy == null)
+            if (body.shape.tree == null)
             {
                 findOfStructure(body.shape.structure, direction, out);
                 return;
             }
-            var tree:BoxTree = body.shape.hierarchy.boxTree;
+            var tree:BoxTree = body.shape.tree.boxTree;
             var mesh:TriangleMesh = trianglesOf(body);
             var depth:int = depthOf(body, mesh);
             out.support = -Infinity;
@@ -213,7 +213,7 @@ package starlogo.search.pairs
         // Finds the point of the parts of a tree that reach as far as a support in the model's space.
         private function takeFarthestOfTree(body:Body, direction:Vector3D, least:Number, out:SupportPoint):void
         {
-            var tree:BoxTree = body.shape.hierarchy.boxTree;
+            var tree:BoxTree = body.shape.tree.boxTree;
             var mesh:TriangleMesh = trianglesOf(body);
             var depth:int = depthOf(body, mesh);
             // any point is nearer

@@ -162,7 +162,7 @@ package starlogo.search.pairs
             _at.x = point.x;
             _at.y = point.y;
             _at.z = point.z;
-            _treeAndStructure.setTo(body.shape.hierarchy, body.placement, _limits.depthOf(body), POINT, _at, _limits.exact);
+            _treeAndStructure.setTo(body.shape.tree, body.placement, _limits.depthOf(body), POINT, _at, _limits.exact);
             return _treeAndStructure.findNearestTriangle();
         }
 
@@ -197,10 +197,10 @@ package starlogo.search.pairs
         // Returns two bodies as a pair that the next call overwrites. The first one is a tree.
         private function pairOf(a:Body, b:Body):TreePair
         {
-            var tree:ModelTree = a.shape.hierarchy;
-            if (b.shape.hierarchy != null)
+            var tree:ModelTree = a.shape.tree;
+            if (b.shape.tree != null)
             {
-                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.hierarchy, b.placement, _limits.depthOf(b), _limits.exact);
+                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.tree, b.placement, _limits.depthOf(b), _limits.exact);
             }
             return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, _limits.exact);
         }

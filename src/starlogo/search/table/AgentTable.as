@@ -108,13 +108,16 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             leftOrReordered.count = 0;
-            // findChanged finds out on the way whether the list is the same
-            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count && findChanged(agents, list.rows);
+            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
+            if (isSame)
+            {
+                isSame = findChangedIfListed(agents, list.rows);
+            }
             if (!isSame)
             {
                 list.propose(agents);
                 makeRoom();
-                findChanged(agents, list.proposed);
+                findChangedIfListed(agents, list.proposed);
             }
             findShapes(_reshaped, _newShapes);
             // nothing below throws
@@ -143,7 +146,7 @@ package starlogo.search.table
         public function readRow(row:int):void
         {
             _choice.forgetReplaced();
-            var agent:Agent = list.agents[row];
+            var agent:Agent = list.agentsByRow[row];
             if (!isBodyCurrent(row))
             {
                 takeShape(row, _choice.shapeOf(agent));
@@ -204,14 +207,14 @@ package starlogo.search.table
 
         private function readWorldAgent(row:int, agent:WorldAgent):void
         {
-            var isOther:Boolean = list.agents[row] !== agent;
+            var isOther:Boolean = list.agentsByRow[row] !== agent;
             if (isOther || agent != null && agent.revision != revisions[row])
             {
                 changedOfWorld.add(row);
             }
             if (isOther)
             {
-                list.agents[row] = agent;
+                list.agentsByRow[row] = agent;
                 shapes[row] = null;
             }
             if (agent != null)
@@ -231,7 +234,7 @@ package starlogo.search.table
 
         private function readSurface(row:int):void
         {
-            var agent:WorldAgent = WorldAgent(list.agents[row]);
+            var agent:WorldAgent = WorldAgent(list.agentsByRow[row]);
             if (agent != null && shapes[row] !== agent.surface)
             {
                 takeShape(row, agent.surface);
@@ -268,15 +271,15 @@ package starlogo.search.table
         // Whether a row's body is as its agent is now, except for the place.
         private function isBodyCurrent(row:int):Boolean
         {
-            return shapes[row] != null && !shapes[row].isVoid && list.agents[row].bodyRevision == _bodyRevisions[row];
+            return shapes[row] != null && !shapes[row].isVoid && list.agentsByRow[row].bodyRevision == _bodyRevisions[row];
         }
 
-        // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). Returns whether the rows are those of
-        // the agents. If not, it has not found all.
-        private function findChanged(agents:Vector.<Agent>, listed:IntList):Boolean
+        // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). If a row is another agent's, it stops
+        // and returns false. It compares agents and rows on the way, because a second loop would read all of them again.
+        private function findChangedIfListed(agents:Vector.<Agent>, listed:IntList):Boolean
         {
             var rows:Vector.<int> = listed.numbers;
-            var byRow:Vector.<Agent> = list.agents;
+            var byRow:Vector.<Agent> = list.agentsByRow;
             var seen:Vector.<int> = revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var shapesSeen:Vector.<ModelShape> = shapes;
@@ -313,7 +316,7 @@ package starlogo.search.table
             for (var i:int = 0; i < leftOrReordered.count; i++)
             {
                 var row:int = leftOrReordered.numbers[i];
-                if (list.agents[row] == null)
+                if (list.agentsByRow[row] == null)
                 {
                     shapes[row] = null;
                     extents.level[row] = 0;
@@ -329,7 +332,7 @@ package starlogo.search.table
         private function makeRoom():void
         {
             var row:int = shapes.length;
-            var length:int = list.agents.length;
+            var length:int = list.rowCapacity;
             if (length == row)
             {
                 return;
@@ -354,7 +357,7 @@ package starlogo.search.table
             }
             for (var i:int = 0; i < reshaped.count; i++)
             {
-                out[i] = _choice.shapeOf(list.agents[reshaped.numbers[i]]);
+                out[i] = _choice.shapeOf(list.agentsByRow[reshaped.numbers[i]]);
             }
         }
 
@@ -376,7 +379,7 @@ package starlogo.search.table
         private function readPlaces():void
         {
             var numbers:Vector.<int> = changed.numbers;
-            var agents:Vector.<Agent> = list.agents;
+            var byRow:Vector.<Agent> = list.agentsByRow;
             var seen:Vector.<int> = revisions;
             var starts:Vector.<int> = _startRevisions;
             var breedNumbers:Vector.<int> = breeds;
@@ -395,7 +398,7 @@ package starlogo.search.table
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = numbers[i];
-                var agent:Agent = agents[row];
+                var agent:Agent = byRow[row];
                 var at:Placement = agent.placement;
                 seen[row] = starts[row] = agent.revision;
                 breedNumbers[row] = agent.breedNumber;
@@ -479,7 +482,7 @@ package starlogo.search.table
             {
                 return;
             }
-            var agent:Agent = list.agents[row];
+            var agent:Agent = list.agentsByRow[row];
             var body:Body = _bodies[row];
             body.readAgent(agent, shape);
             body.rank = list.ranks[row];

@@ -40,8 +40,8 @@ package starlogo.search.table
         /** By row: the index of its agent in the list. The ground and the edges of the world have the indices after the agents. */
         public var ranks:Vector.<int> = new <int>[0, 1];
 
-        /** By row: the agent, or null. Agents of a list that was refused may still have rows. */
-        public var agents:Vector.<Agent> = new <Agent>[null, null];
+        /** The agent of each row, or null. Agents of a list that was refused may still have rows. */
+        public var agentsByRow:Vector.<Agent> = new <Agent>[null, null];
 
         /** The rows of the agents of the list that was proposed last. */
         internal var proposed:IntList = new IntList();
@@ -57,12 +57,18 @@ package starlogo.search.table
         private var _marks:Vector.<int> = new <int>[0, 0];
         private var _mark:int = 0;
 
+        /** The number of rows that there are, free ones too. It never shrinks. */
+        public function get rowCapacity():int
+        {
+            return agentsByRow.length;
+        }
+
         /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */
         public function rowOf(agent:Agent):int
         {
             if (agent.isOfWorld)
             {
-                return agents[GROUND_ROW] === agent ? GROUND_ROW : agents[EDGES_ROW] === agent ? EDGES_ROW : -1;
+                return agentsByRow[GROUND_ROW] === agent ? GROUND_ROW : agentsByRow[EDGES_ROW] === agent ? EDGES_ROW : -1;
             }
             var row:int = _rowsById.find(agent.idNumber, 0);
             return row >= 0 && ranks[row] == UNLISTED ? -1 : row;
@@ -92,7 +98,7 @@ package starlogo.search.table
             }
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (agents[rows.numbers[i]] !== list[i])
+                if (agentsByRow[rows.numbers[i]] !== list[i])
                 {
                     return false;
                 }
@@ -119,7 +125,7 @@ package starlogo.search.table
             {
                 var agent:Agent = list[i];
                 var row:int = i < rows.count ? listed[i] : -1;
-                if (row < 0 || agents[row] !== agent)
+                if (row < 0 || agentsByRow[row] !== agent)
                 {
                     requireAgent(i, agent);
                     row = _rowsById.find(agent.idNumber, 0);
@@ -205,7 +211,7 @@ package starlogo.search.table
             }
             _free.count--;
             var row:int = _free.numbers[_free.count];
-            agents[row] = agent;
+            agentsByRow[row] = agent;
             ranks[row] = UNLISTED;
             _rowsById.set (agent.idNumber, 0, row);
             return row;
@@ -213,10 +219,10 @@ package starlogo.search.table
 
         private function addRows():void
         {
-            var before:int = agents.length;
+            var before:int = agentsByRow.length;
             // grows by an eighth, because a vector that grows by one element is copied each time
-            agents.length = ranks.length = _marks.length = before + 1 + (before >> 3);
-            for (var row:int = agents.length - 1; row >= before; row--)
+            agentsByRow.length = ranks.length = _marks.length = before + 1 + (before >> 3);
+            for (var row:int = agentsByRow.length - 1; row >= before; row--)
             {
                 _free.add(row);
             }
@@ -253,9 +259,9 @@ package starlogo.search.table
         // Frees the rows that agents have got in a list that was refused.
         private function freeUnlisted():void
         {
-            for (var row:int = FIRST_LISTED; row < agents.length; row++)
+            for (var row:int = FIRST_LISTED; row < agentsByRow.length; row++)
             {
-                if (agents[row] != null && ranks[row] == UNLISTED)
+                if (agentsByRow[row] != null && ranks[row] == UNLISTED)
                 {
                     free(row);
                 }
@@ -264,8 +270,8 @@ package starlogo.search.table
 
         private function free(row:int):void
         {
-            _rowsById.remove(agents[row].idNumber, 0);
-            agents[row] = null;
+            _rowsById.remove(agentsByRow[row].idNumber, 0);
+            agentsByRow[row] = null;
             _free.add(row);
         }
     }

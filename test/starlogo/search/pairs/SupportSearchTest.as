@@ -76,7 +76,7 @@ package starlogo.search.pairs
         public function treesMayBeDeep():void
         {
             var count:int = 100000;
-            var shape:ModelShape = new ModelShape("chain", Agent.ANY_KIND, 0);
+            var shape:ModelShape = new ModelShape("chain", ModelShape.ONLY_VARIANT, 0);
             shape.setTree(new ModelTree(ChainOfNodes.read(count, count, ChainOfNodes.OF_THE_THESIS, false)));
             var body:Body = new Body();
             body.readAgent(new Agent("chain"), shape);

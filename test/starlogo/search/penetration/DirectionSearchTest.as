@@ -8,7 +8,7 @@ package starlogo.search.penetration
     import starlogo.convex.RelativeMotion;
     import starlogo.search.Body;
     import starlogo.search.StructureBody;
-    import starlogo.search.TestCounts;
+    import starlogo.search.SearchCounts;
     import starlogo.search.pairs.StructurePairTests;
     import support.assertClose;
 
@@ -18,7 +18,7 @@ package starlogo.search.penetration
         private static const RADIUS:Number = 0.1;
         private static const DEEP:Number = 0.4;
 
-        private var _pair:DisplacedPair = new DisplacedPair(new StructurePairTests(new TestCounts()));
+        private var _pair:DisplacedPair = new DisplacedPair(new StructurePairTests(new SearchCounts()));
         private var _search:DirectionSearch = new DirectionSearch(_pair);
         private var _out:ContactPoint = new ContactPoint();
 

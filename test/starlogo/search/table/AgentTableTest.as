@@ -46,10 +46,10 @@ package starlogo.search.table
                 assertHasOnly(_agents);
                 for each (var agent:Agent in _agents)
                 {
-                    assertTrue(_table.list.agents[_table.list.rowOf(agent)] === agent);
+                    assertTrue(_table.list.agentsByRow[_table.list.rowOf(agent)] === agent);
                 }
             }
-            assertTrue(_table.list.agents.length + " rows", _table.list.agents.length <= 30);
+            assertTrue(_table.list.rowCapacity + " rows", _table.list.rowCapacity <= 30);
             _table.read(_agents);
             assertHasOnly(_agents);
         }
@@ -145,9 +145,9 @@ package starlogo.search.table
         private function assertHasOnly(listed:Vector.<Agent>):void
         {
             var count:int = 0;
-            for (var row:int = 0; row < _table.list.agents.length; row++)
+            for (var row:int = 0; row < _table.list.rowCapacity; row++)
             {
-                var agent:Agent = _table.list.agents[row];
+                var agent:Agent = _table.list.agentsByRow[row];
                 var isListed:Boolean = agent != null && listed.indexOf(agent) >= 0;
                 count += isListed ? 1 : 0;
                 // rows that a refused list has added have no columns yet

@@ -11,12 +11,12 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The input of a frame's search: the list of agents, which of them take part, which breeds count, the ground and the edges of the world. The rows of a
+     * The input of a search: the list of agents, which of them take part, which breeds count, the ground and the edges of the world. The rows of a
      * table that a search tests are called its members. The input decides which they are.
      *
      * @private
      */
-    public final class FrameInput
+    public final class SearchInput
     {
         /** The list of agents. If there is a filter it is a copy, because a filter may change the game's list. Read only. */
         public var agents:Vector.<Agent> = null;

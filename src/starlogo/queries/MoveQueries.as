@@ -142,7 +142,7 @@ package starlogo.queries
             body.collectRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
             _motion.setTo(dx, dy, dz);
             _slider.slide(body, body.rows, body.from, _motion, limits, _slid);
-            _recovery.restoreClearance(body, body.rows, _slid.place);
+            _recovery.restoreClearance(body, _slid.place);
             if (limits.staysLevel)
             {
                 // the clearance leads off slopes by their normals

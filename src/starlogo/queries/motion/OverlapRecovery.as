@@ -25,8 +25,8 @@ package starlogo.queries.motion
     {
         private static const MOST_ROUNDS:int = 30;
 
-        // In place of a number of pushes: the body cannot be pushed out.
-        private static const BLOCKED:int = -1;
+        // The depth of a push out of an overlap that is not shallow. No push leads out of it.
+        private static const TOO_DEEP:Number = Infinity;
 
         // From this round on contacts have to separate. Contacts of parts of a body may point sideways, round after round.
         private static const FIRST_SEPARATING_ROUND:int = 2;
@@ -40,8 +40,9 @@ package starlogo.queries.motion
         // The core of a body that stands, with its tolerances.
         private var _core:BodyCore = new BodyCore();
 
-        // Where the pushes begin.
+        // Where the pushes begin, and those off what the body touches.
         private var _before:Vector3D = new Vector3D();
+        private var _pushesOff:ContactList = new ContactList();
 
         // The contact of an overlap, or of this push, and that of the last push.
         private var _contact:ContactPoint = new ContactPoint();
@@ -58,28 +59,27 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(state:MotionState):void
         {
-            if (replaceObstacles(state, false) && !pushFree(state.core, state.obstacles, state.startPlace, false, state.pushes))
+            if (replaceDeep(state) && !pushOut(state.core, state.obstacles, state.startPlace, state.pushes))
             {
-                state.pushes.clear();
-                replaceObstacles(state, true);
+                replaceAll(state);
             }
             if (state.core.isFlat && state.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushFree(state.core, state.obstacles, state.startPlace, true, null);
+                pushOff(state.core, state.obstacles, state.startPlace);
             }
         }
 
         /**
-         * Leads a body that stands a clearance off the rows that it touches, if there is room. A flat body is led also off those that it is close to. Rows
-         * that it overlaps deeply do not count, nor one-way rows that it passes.
+         * Leads a body that stands a clearance off those of its rows that it touches, if there is room. A flat body is led also off those that it is
+         * close to. Rows that it overlaps deeply do not count, nor one-way rows that it passes.
          *
          * @param place the place of the body, which changes
          */
-        public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
+        public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
-            _core.beginStanding(body, rows, place);
-            pushFree(_core, rows, place, true, null);
+            _core.beginStanding(body, place);
+            pushOff(_core, body.rows, place);
         }
 
         /**
@@ -94,7 +94,7 @@ package starlogo.queries.motion
         {
             var sum:Number = 0;
             deepest.depth = 0;
-            _core.beginStanding(body, body.rows, place);
+            _core.beginStanding(body, place);
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 if (measureOverlap(_core, body.rows.numbers[i], place, _contact))
@@ -109,56 +109,66 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body off the rows that it only touches, or else out of the shallow overlaps of its core. Goes from one row to the other until no more
-        // pushes are needed. A list, which may be null, receives the pushes. Returns whether the body gets free. If not, it is where it was.
-        private function pushFree(core:BodyCore, rows:IntList, place:Vector3D, isOff:Boolean, out:ContactList):Boolean
+        // Pushes a body out of the rows that its core overlaps a little. Returns whether its core gets free.
+        private function pushOut(core:BodyCore, rows:IntList, place:Vector3D, pushes:ContactList):Boolean
         {
-            var round:int = 0;
-            var count:int;
-            _before.copyFrom(place);
-            _last.setNormal(0, 0, 0);
-            do
-            {
-                count = pushRound(core, rows, place, round, isOff, _last, out);
-                round++;
-            }
-            while (count > 0 && round < MOST_ROUNDS);
-            if (count != 0)
-            {
-                place.copyFrom(_before);
-            }
-            return count == 0;
+            return push(core, rows, place, false, pushes);
         }
 
-        // Pushes a body from each row once, if needed. The contact of the last push becomes that of the newest. Returns the number of pushes; BLOCKED if a
-        // row is too deep, or pushes back.
-        private function pushRound(core:BodyCore, rows:IntList, place:Vector3D, round:int, isOff:Boolean, last:ContactPoint, out:ContactList):int
+        // Pushes a body off the rows that it touches, if it gets a clearance off all of them.
+        private function pushOff(core:BodyCore, rows:IntList, place:Vector3D):void
         {
-            var count:int = 0;
-            for (var i:int = 0; i < rows.count; i++)
+            push(core, rows, place, true, _pushesOff);
+        }
+
+        // Pushes a body off the rows that it touches, or else out of those that its core overlaps: from one row after the other, round and round, until all are
+        // free of pushes. Returns whether this succeeds. If not, the body is where it was, and there are no pushes.
+        private function push(core:BodyCore, rows:IntList, place:Vector3D, isOff:Boolean, pushes:ContactList):Boolean
+        {
+            _before.copyFrom(place);
+            _last.setNormal(0, 0, 0);
+            pushes.clear();
+            var freeInTurn:int = 0;
+            for (var i:int = 0; freeInTurn < rows.count; i++)
             {
-                var row:int = rows.numbers[i];
-                if (isOff ? findPushOff(core, row, place, round, last, _contact) : findPushOut(core, row, place, round, last, _contact))
+                var row:int = rows.numbers[i % rows.count];
+                var round:int = i / rows.count;
+                if (!(isOff ? findPushOff(core, row, place, round, _last, _contact) : findPushOut(core, row, place, round, _last, _contact)))
                 {
-                    if (!(_contact.depth < Infinity) || areOpposite(_contact, last))
-                    {
-                        return BLOCKED;
-                    }
+                    freeInTurn++;
+                }
+                else if (round < MOST_ROUNDS && _contact.depth < TOO_DEEP && !areOpposite(_contact, _last))
+                {
+                    freeInTurn = 0;
                     _contact.push(place, _contact.depth);
-                    last.copyFrom(_contact);
-                    if (out != null)
-                    {
-                        out.add(_contact, row);
-                    }
-                    count++;
+                    _last.copyFrom(_contact);
+                    pushes.add(_contact, row);
+                }
+                else
+                {
+                    place.copyFrom(_before);
+                    pushes.clear();
+                    return false;
                 }
             }
-            return count;
+            return true;
+        }
+
+        // Lets planes stand for obstacles that the core overlaps deeply: see replace.
+        private function replaceDeep(state:MotionState):Boolean
+        {
+            return replace(state, false);
+        }
+
+        // Lets planes stand for all obstacles that the core overlaps.
+        private function replaceAll(state:MotionState):void
+        {
+            replace(state, true);
         }
 
         // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. These are obstacles no
         // longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the core overlapped.
-        private function replaceObstacles(state:MotionState, alsoShallow:Boolean):Boolean
+        private function replace(state:MotionState, alsoShallow:Boolean):Boolean
         {
             var obstacles:IntList = state.obstacles;
             var isLeft:Boolean = false;
@@ -208,7 +218,7 @@ package starlogo.queries.motion
             return !body.isShallow(row, out);
         }
 
-        // Finds the push out of a row that the core overlaps: along the contact's normal by its depth, which is Infinity if the overlap is deep. Returns whether
+        // Finds the push out of a row that the core overlaps: along the contact's normal by its depth. Returns whether
         // the core overlaps the row.
         private static function findPushOut(core:BodyCore, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
         {
@@ -217,7 +227,7 @@ package starlogo.queries.motion
                 return false;
             }
             findContactInRound(core.body, row, place, round, last, out);
-            out.depth = core.body.isShallow(row, out) ? out.depth + core.clearance : Infinity;
+            out.depth = core.body.isShallow(row, out) ? out.depth + core.clearance : TOO_DEEP;
             return true;
         }
 

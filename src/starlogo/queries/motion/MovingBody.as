@@ -137,13 +137,13 @@ package starlogo.queries.motion
          */
         public function collectRowsAlong(dx:Number, dy:Number, dz:Number, asker:Agent, filter:AgentFilter):void
         {
-            var found:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
+            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
             rows.count = 0;
             if (hasShape)
             {
                 _search.beginAround(_seen.treeOfExtents(), moveTo(from));
                 _search.moveAlong(dx, dy, dz, 1);
-                found.endWithRows(_search, rows);
+                collector.endWithRows(_search, rows);
             }
         }
 
@@ -158,13 +158,13 @@ package starlogo.queries.motion
          */
         public function collectRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
         {
-            var found:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
+            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
             rows.count = 0;
             if (hasShape)
             {
                 _search.beginAround(_seen.treeOfExtents(), moveTo(from));
                 _search.widen(range, up, down);
-                found.endWithRows(_search, rows);
+                collector.endWithRows(_search, rows);
             }
         }
 

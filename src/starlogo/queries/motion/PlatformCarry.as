@@ -69,12 +69,12 @@ package starlogo.queries.motion
         // Whether the filter of a walk admits a row. Its accepts is called.
         private function isAdmitted(row:int, walk:Walk):Boolean
         {
-            var found:Collector = _seen.beginSearch(1, 0, walk.agent, walk.options.filter);
-            if (found.filter.mayAdmit(row))
+            var collector:Collector = _seen.beginSearch(1, 0, walk.agent, walk.options.filter);
+            if (collector.filter.mayAdmit(row))
             {
-                found.add(row, 0);
+                collector.add(row, 0);
             }
-            return found.end() > 0;
+            return collector.end() > 0;
         }
 
         // Finds how a platform carries an agent to where the platform is now: the motion, which it writes, and the turn about the z axis, which it returns.

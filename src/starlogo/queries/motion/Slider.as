@@ -43,7 +43,6 @@ package starlogo.queries.motion
             var planes:ContactList = _state.planes;
             var impact:Impact = _state.impact;
             out.metWall = false;
-            out.floor.setNormal(0, 0, -1);
             out.floorRow = -1;
             _remaining.begin(motion, limits);
             _sweep.startMotion(body, rows, from, _remaining.motion, _state);
@@ -109,16 +108,16 @@ package starlogo.queries.motion
             return _sweep.meets(_state.core, row, from, motion);
         }
 
-        // Finds what stops the rest of a motion next.
-        private function sweepRest(place:Vector3D, rest:Vector3D, out:MotionState):void
+        // Finds what stops the rest of a motion next. The state receives the impact.
+        private function sweepRest(place:Vector3D, rest:Vector3D, state:MotionState):void
         {
             if (rest.lengthSquared > 0)
             {
-                _sweep.findFirstObstacle(out.core, out.obstacles, place, rest, out.impact);
+                _sweep.findFirstObstacle(state.core, state.obstacles, place, rest, state.impact);
             }
             else
             {
-                out.impact.row = -1;
+                state.impact.row = -1;
             }
         }
 

@@ -63,28 +63,28 @@ package starlogo.queries.motion
          */
         public function findTouches(body:MovingBody, motion:Vector3D, wanted:int, hits:Hits, first:MotionResult):Collector
         {
-            var found:Collector = _seen.beginSearch(wanted, Infinity, null, null);
+            var collector:Collector = _seen.beginSearch(wanted, Infinity, null, null);
             _stateOfAll.startPlace.copyFrom(body.from);
             _stateOfAll.pushes.clear();
-            if (addTouches(body, motion, _stateOfAll, found, hits, first))
+            if (addTouches(body, motion, _stateOfAll, collector, hits, first))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
                 _sweep.startMotion(body, body.rows, body.from, motion, _stateOfAll);
                 if (!_stateOfAll.startPlace.equals(body.from))
                 {
-                    found = _seen.beginSearch(wanted, Infinity, null, null);
-                    addTouches(body, motion, _stateOfAll, found, hits, first);
+                    collector = _seen.beginSearch(wanted, Infinity, null, null);
+                    addTouches(body, motion, _stateOfAll, collector, hits, first);
                 }
             }
             if (!first.isStopped)
             {
                 setEnd(body.from, motion, 1, _stateOfAll, first.place);
             }
-            return found;
+            return collector;
         }
 
         // Adds the rows that stop the body. The state among all rows has the start. Returns whether another start may change the answer.
-        private function addTouches(body:MovingBody, motion:Vector3D, ofAll:MotionState, found:Collector, hits:Hits, first:MotionResult):Boolean
+        private function addTouches(body:MovingBody, motion:Vector3D, ofAll:MotionState, collector:Collector, hits:Hits, first:MotionResult):Boolean
         {
             var mayPush:Boolean = false;
             hits.begin();
@@ -99,7 +99,7 @@ package starlogo.queries.motion
                 mayPush ||= mayPushChange(_stateOfRow, ofAll, _touch);
                 if (_touch.isStopped)
                 {
-                    found.add(row, _touch.fraction);
+                    collector.add(row, _touch.fraction);
                     hits.add(row, _touch.fraction).copyFrom(_touch.contact);
                     if (!first.isStopped || _touch.fraction < first.fraction)
                     {
@@ -165,6 +165,7 @@ package starlogo.queries.motion
             }
             var free:Number = 0;
             var touching:Number = 1;
+            // times are counted from where the core touches backwards, so that the last one is exactly there
             for (i = 0; i < HALVINGS; i++)
             {
                 var middle:Number = (free + touching) / 2;

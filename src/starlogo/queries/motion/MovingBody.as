@@ -19,6 +19,7 @@ package starlogo.queries.motion
     import starlogo.geometry.Placement;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
+    import starlogo.queries.requireMotion;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -52,8 +53,12 @@ package starlogo.queries.motion
         /** The rows that count and are near its way, in the order of the list. Read only. */
         public var rows:IntList = new IntList();
 
-        /** Where it begins. Read only. */
+        /** The agent whose body it is, which does not count among the rows; null for the body of a structure. Read only. */
+        public var agent:Agent = null;
+
+        /** Where it begins, and the motion that is wanted. Read only. */
         public var from:Vector3D = new Vector3D();
+        public var motion:Vector3D = new Vector3D();
 
         private var _seen:SeenAgents;
 
@@ -81,12 +86,18 @@ package starlogo.queries.motion
         public function readAgent(agent:Agent, turn:Number = 0):void
         {
             _seen.requirePlaced(agent);
+            this.agent = agent;
             whole.copyFrom(_seen.bodyOf(agent));
             if (turn != 0 && hasShape)
             {
                 whole.turn(agent, turn);
             }
             begin();
+        }
+
+        private function begin():void
+        {
+            from.setTo(whole.placement.x, whole.placement.y, whole.placement.z);
         }
 
         /**
@@ -98,20 +109,28 @@ package starlogo.queries.motion
             readAgent(agent);
             if (hasShape && whole.form < ModelShape.TREE)
             {
-                readStructure(whole.shape.structure, whole.placement);
+                copyStructure(whole.shape.structure, whole.placement);
             }
         }
 
-        /** Becomes the body of a structure. See <code>StructureBody.read()</code>. */
-        public function readStructure(structure:BoundingStructure, at:Placement = null):void
+        /** Becomes the body of a structure in the world. See <code>StructureBody.read()</code>. */
+        public function readStructure(structure:BoundingStructure):void
+        {
+            agent = null;
+            copyStructure(structure, null);
+        }
+
+        private function copyStructure(structure:BoundingStructure, at:Placement):void
         {
             whole.copyFrom(_structureBody.read(structure, at));
             begin();
         }
 
-        private function begin():void
+        /** Sets the motion that is wanted. Throws a RangeError that names the first of the three that is not in the world. */
+        public function aim(dx:Number, dy:Number, dz:Number):void
         {
-            from.setTo(whole.placement.x, whole.placement.y, whole.placement.z);
+            requireMotion(dx, dy, dz, agent);
+            motion.setTo(dx, dy, dz);
         }
 
         /** Whether it has a shape: false while the model of its agent is loading. */
@@ -127,22 +146,18 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds the rows near a straight motion.
+         * Finds the rows near the wanted motion, if it is straight.
          *
-         * @param dx the motion along x
-         * @param dy along y
-         * @param dz along z
-         * @param asker the agent that moves, which does not count; null for a structure
          * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
          */
-        public function collectRowsAlong(dx:Number, dy:Number, dz:Number, asker:Agent, filter:AgentFilter):void
+        public function collectRowsAlong(filter:AgentFilter):void
         {
-            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
+            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, agent, filter);
             rows.count = 0;
             if (hasShape)
             {
                 _search.beginAround(_seen.treeOfExtents(), moveTo(from));
-                _search.moveAlong(dx, dy, dz, 1);
+                _search.moveAlong(motion.x, motion.y, motion.z, 1);
                 collector.endWithRows(_search, rows);
             }
         }
@@ -153,12 +168,11 @@ package starlogo.queries.motion
          * @param range how far it may go in any direction
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
-         * @param asker the agent that moves, which does not count
          * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
          */
-        public function collectRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
+        public function collectRowsWithin(range:Number, up:Number, down:Number, filter:AgentFilter):void
         {
-            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
+            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, agent, filter);
             rows.count = 0;
             if (hasShape)
             {

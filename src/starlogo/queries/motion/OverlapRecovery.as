@@ -59,14 +59,14 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(state:MotionState):void
         {
-            if (replaceDeep(state) && !pushOut(state.core, state.obstacles, state.startPlace, state.pushes))
+            if (replaceDeep(state) && !pushOut(state.core, state.obstacles, state.from, state.pushes))
             {
                 replaceAll(state);
             }
             if (state.core.isFlat && state.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOff(state.core, state.obstacles, state.startPlace);
+                pushOff(state.core, state.obstacles, state.from);
             }
         }
 
@@ -176,8 +176,8 @@ package starlogo.queries.motion
             while (i < obstacles.count)
             {
                 var row:int = obstacles.numbers[i];
-                var isOverlapped:Boolean = state.core.coreTouches(row, state.startPlace);
-                if (isOverlapped && (state.core.body.passesOneWayAt(row, state.startPlace) || addPlane(row, state, alsoShallow)))
+                var isOverlapped:Boolean = state.core.coreTouches(row, state.from);
+                if (isOverlapped && (state.core.body.passesOneWayAt(row, state.from) || addPlane(row, state, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -196,8 +196,8 @@ package starlogo.queries.motion
         private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
         {
             var core:BodyCore = state.core;
-            if (!findOverlap(core.body, row, state.startPlace, alsoShallow, _contact) || core.narrow(row, state.startPlace)
-                    || !core.bodyOverlaps(row, state.startPlace))
+            if (!findOverlap(core.body, row, state.from, alsoShallow, _contact) || core.narrow(row, state.from)
+                    || !core.bodyOverlaps(row, state.from))
             {
                 return false;
             }

@@ -46,7 +46,7 @@ package starlogo.queries.motion
             out.floorRow = -1;
             _remaining.begin(motion, limits);
             _sweep.startMotion(body, rows, from, _remaining.motion, _state);
-            out.place.copyFrom(_state.startPlace);
+            out.place.copyFrom(_state.from);
             if (!_state.isImpactKnown)
             {
                 _remaining.beginCorner();
@@ -98,7 +98,7 @@ package starlogo.queries.motion
             {
                 fraction = Math.max(out.fraction + _state.core.clearance / out.contact.along(motion), 0);
             }
-            CoreSweep.setAlong(_state.startPlace, motion, fraction, out.place);
+            CoreSweep.setAlong(_state.from, motion, fraction, out.place);
         }
 
         /** Whether a row, one of those near the way of a body, would stop a straight motion. */
@@ -186,7 +186,7 @@ package starlogo.queries.motion
         // Whether a motion from this corner is stopped in it.
         private function meetsInCorner(state:MotionState, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.findFirstImpact(state.core, state.obstacles, place, motion, _without) && isInCorner(state.core, _without, motion)
+            return _sweep.findFirstImpact(state.core, state.obstacles, place, motion, false, _without) && isInCorner(state.core, _without, motion)
                 && !state.core.body.passesOneWay(_without.row, _without.contact);
         }
 

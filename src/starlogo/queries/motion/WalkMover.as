@@ -89,8 +89,7 @@ package starlogo.queries.motion
             var options:WalkOptions = walk.options;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
             var range:Number = walk.legCount * walk.legLength / walk.walkableZ + widthAfterFall(walk) + walk.carry.length;
-            walk.body.collectRowsWithin(range + distance, walk.legCount * options.stepHeight, walk.legCount * options.snap + options.fall, walk.agent,
-                    options.filter);
+            walk.body.collectRowsWithin(range + distance, walk.legCount * options.stepHeight, walk.legCount * options.snap + options.fall, options.filter);
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.

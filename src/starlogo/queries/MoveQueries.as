@@ -55,33 +55,33 @@ package starlogo.queries
         /** See AgentMotions.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(bodyOfStructure(structure, dx, dy, dz), filter, hit);
+            return cast(currentBody().readStructure(structure).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(bodyOfStructure(structure, dx, dy, dz), filter, out);
+            return castAll(currentBody().readStructure(structure).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(bodyOfCastAgent(agent, dx, dy, dz), filter, hit);
+            return cast(currentBody().readCastAgent(agent).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(bodyOfCastAgent(agent, dx, dy, dz), filter, out);
+            return castAll(currentBody().readCastAgent(agent).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            var body:MovingBody = bodyOfAgent(agent, dx, dy, dz);
+            var body:MovingBody = currentBody().readAgent(agent).aim(dx, dy, dz);
             findStops(body, filter, 1, _first);
             if (_first.isStopped)
             {
@@ -116,34 +116,16 @@ package starlogo.queries
             return moveSliding(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
         }
 
-        private function bodyOfAgent(agent:Agent, dx:Number, dy:Number, dz:Number):MovingBody
+        // The body of the question that begins now.
+        private function currentBody():MovingBody
         {
-            var body:MovingBody = MovingBody(_bodies.current);
-            body.readAgent(agent);
-            body.aim(dx, dy, dz);
-            return body;
-        }
-
-        private function bodyOfCastAgent(agent:Agent, dx:Number, dy:Number, dz:Number):MovingBody
-        {
-            var body:MovingBody = MovingBody(_bodies.current);
-            body.readCastAgent(agent);
-            body.aim(dx, dy, dz);
-            return body;
-        }
-
-        private function bodyOfStructure(structure:BoundingStructure, dx:Number, dy:Number, dz:Number):MovingBody
-        {
-            var body:MovingBody = MovingBody(_bodies.current);
-            body.readStructure(structure);
-            body.aim(dx, dy, dz);
-            return body;
+            return MovingBody(_bodies.current);
         }
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
             _seen.requireMovable(agent, "slide");
-            var body:MovingBody = bodyOfAgent(agent, dx, dy, dz);
+            var body:MovingBody = currentBody().readAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
             _slider.slide(body, body.rows, body.from, body.motion, limits, _slid);
             _recovery.restoreClearance(body, _slid.place);

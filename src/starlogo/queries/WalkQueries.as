@@ -90,7 +90,6 @@ package starlogo.queries
             var size:Number = _seen.placementOf(agent).size;
             requireMotion(dx, dy, 0, agent);
             var length:Number = Math.sqrt(dx * dx + dy * dy);
-            out.agent = agent;
             out.options = options;
             out.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
             out.legCount = Math.min(MOST_LEGS, Math.max(1, Math.ceil(length / size)));

@@ -16,7 +16,6 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.requireMotion;
@@ -81,56 +80,51 @@ package starlogo.queries.motion
          * Becomes the body of an agent, as it is now.
          *
          * @param turn by how many degrees it is turned
+         * @return this body, as from all methods that make it another one
          * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
          */
-        public function readAgent(agent:Agent, turn:Number = 0):void
+        public function readAgent(agent:Agent, turn:Number = 0):MovingBody
         {
             _seen.requirePlaced(agent);
             this.agent = agent;
-            whole.copyFrom(_seen.bodyOf(agent));
+            copyBody(_seen.bodyOf(agent));
             if (turn != 0 && hasShape)
             {
                 whole.turn(agent, turn);
             }
-            begin();
+            return this;
         }
 
-        private function begin():void
+        private function copyBody(other:Body):MovingBody
         {
+            whole.copyFrom(other);
             from.setTo(whole.placement.x, whole.placement.y, whole.placement.z);
+            return this;
         }
 
         /**
          * Becomes the body of an agent that is cast. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the same
          * structure meet the same, to the last bit.
          */
-        public function readCastAgent(agent:Agent):void
+        public function readCastAgent(agent:Agent):MovingBody
         {
             readAgent(agent);
-            if (hasShape && whole.form < ModelShape.TREE)
-            {
-                copyStructure(whole.shape.structure, whole.placement);
-            }
+            return hasShape && whole.form < ModelShape.TREE ? copyBody(_structureBody.read(whole.shape.structure, whole.placement)) : this;
         }
 
         /** Becomes the body of a structure in the world. See <code>StructureBody.read()</code>. */
-        public function readStructure(structure:BoundingStructure):void
+        public function readStructure(structure:BoundingStructure):MovingBody
         {
             agent = null;
-            copyStructure(structure, null);
+            return copyBody(_structureBody.read(structure));
         }
 
-        private function copyStructure(structure:BoundingStructure, at:Placement):void
-        {
-            whole.copyFrom(_structureBody.read(structure, at));
-            begin();
-        }
-
-        /** Sets the motion that is wanted. Throws a RangeError that names the first of the three that is not in the world. */
-        public function aim(dx:Number, dy:Number, dz:Number):void
+        /** Sets the motion that is wanted. Returns this body. Throws a RangeError that names the first of the three that is not in the world. */
+        public function aim(dx:Number, dy:Number, dz:Number):MovingBody
         {
             requireMotion(dx, dy, dz, agent);
             motion.setTo(dx, dy, dz);
+            return this;
         }
 
         /** Whether it has a shape: false while the model of its agent is loading. */

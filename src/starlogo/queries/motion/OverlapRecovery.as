@@ -40,13 +40,12 @@ package starlogo.queries.motion
         // The core of a body that stands, with its tolerances.
         private var _core:BodyCore = new BodyCore();
 
-        // Where the pushes begin, and those off what the body touches.
+        // Where pushes begin, and the pushes off what the body touches.
         private var _before:Vector3D = new Vector3D();
         private var _pushesOff:ContactList = new ContactList();
 
-        // The contact of an overlap, or of this push, and that of the last push.
+        // The contact of an overlap, or of this push.
         private var _contact:ContactPoint = new ContactPoint();
-        private var _last:ContactPoint = new ContactPoint();
 
         // A place where the body touches a row.
         private var _touching:Vector3D = new Vector3D();
@@ -125,36 +124,32 @@ package starlogo.queries.motion
         // free of pushes. Returns whether this succeeds. If not, the body is where it was, and there are no pushes.
         private function push(core:BodyCore, rows:IntList, place:Vector3D, isOff:Boolean, pushes:ContactList):Boolean
         {
-            _before.copyFrom(place);
-            _last.setNormal(0, 0, 0);
-            pushes.clear();
+            var last:ContactPoint = null;
             var freeInTurn:int = 0;
+            _before.copyFrom(place);
+            pushes.clear();
             for (var i:int = 0; freeInTurn < rows.count; i++)
             {
-                var row:int = rows.numbers[i % rows.count];
-                var round:int = i / rows.count;
-                if (!(isOff ? findPushOff(core, row, place, round, _last, _contact) : findPushOut(core, row, place, round, _last, _contact)))
+                var row:int = rows.numbers[int(i % rows.count)];
+                var separates:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
+                freeInTurn++;
+                if (isOff ? findPushOff(core, row, place, separates, last, _contact) : findPushOut(core, row, place, separates, last, _contact))
                 {
-                    freeInTurn++;
-                }
-                else if (round < MOST_ROUNDS && _contact.depth < TOO_DEEP && !areOpposite(_contact, _last))
-                {
-                    freeInTurn = 0;
+                    if (i >= MOST_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
+                    {
+                        place.copyFrom(_before);
+                        pushes.clear();
+                        return false;
+                    }
                     _contact.push(place, _contact.depth);
-                    _last.copyFrom(_contact);
-                    pushes.add(_contact, row);
-                }
-                else
-                {
-                    place.copyFrom(_before);
-                    pushes.clear();
-                    return false;
+                    last = pushes.contacts[pushes.add(_contact, row)];
+                    freeInTurn = 0;
                 }
             }
             return true;
         }
 
-        // Lets planes stand for obstacles that the core overlaps deeply: see replace.
+        // Lets planes stand for obstacles that the core overlaps deeply. Returns whether it overlapped others.
         private function replaceDeep(state:MotionState):Boolean
         {
             return replace(state, false);
@@ -220,20 +215,20 @@ package starlogo.queries.motion
 
         // Finds the push out of a row that the core overlaps: along the contact's normal by its depth. Returns whether
         // the core overlaps the row.
-        private static function findPushOut(core:BodyCore, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
+        private static function findPushOut(core:BodyCore, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
             if (!core.coreTouches(row, place))
             {
                 return false;
             }
-            findContactInRound(core.body, row, place, round, last, out);
+            findContactOfPush(core.body, row, place, separates, last, out);
             out.depth = core.body.isShallow(row, out) ? out.depth + core.clearance : TOO_DEEP;
             return true;
         }
 
         // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
         // row deeply, or passes it.
-        private function findPushOff(core:BodyCore, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
+        private function findPushOff(core:BodyCore, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
             var body:MovingBody = core.body;
             // mostly it is known faster that the core touches the row than how deep the overlap is
@@ -241,7 +236,7 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            findContactInRound(body, row, _touching, round, last, out);
+            findContactOfPush(body, row, _touching, separates, last, out);
             var most:Number = SLOPS_OF_TOUCH * core.slop;
             if (out.depth > most && !body.isShallow(row, out))
             {
@@ -253,13 +248,13 @@ package starlogo.queries.motion
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
-        private static function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
+        private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):void
         {
-            if (round < FIRST_SEPARATING_ROUND)
+            if (!separates)
             {
                 body.findContact(row, place, out);
             }
-            if (round >= FIRST_SEPARATING_ROUND || areOpposite(out, last))
+            if (separates || leadsBack(out, last))
             {
                 body.findSeparatingContact(row, place, out);
             }
@@ -284,10 +279,10 @@ package starlogo.queries.motion
             return body.bodyOf(row).form != ModelShape.TREE || out.depth <= body.whole.halfAlong(out);
         }
 
-        // Whether a body that has both contacts is between two rows.
-        private static function areOpposite(a:ContactPoint, b:ContactPoint):Boolean
+        // Whether a push leads back against the last one, which is null at first. Then the body is between two rows.
+        private static function leadsBack(push:ContactPoint, last:ContactPoint):Boolean
         {
-            return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ < OPPOSITE;
+            return last != null && push.normalX * last.normalX + push.normalY * last.normalY + push.normalZ * last.normalZ < OPPOSITE;
         }
 
         // Finds where the body touches a row: at its place, or if it is flat, half of a clearance beside its place along an axis. Returns whether it

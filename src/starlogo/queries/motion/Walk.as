@@ -1,7 +1,6 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
-    import starlogo.agents.Agent;
     import starlogo.convex.ContactPoint;
     import starlogo.queries.Footing;
     import starlogo.queries.SeenAgents;
@@ -14,13 +13,10 @@ package starlogo.queries.motion
      */
     public final class Walk
     {
-        /** The agent that walks. */
-        public var agent:Agent;
-
-        /** Its options. */
+        /** The options of the walk. */
         public var options:WalkOptions;
 
-        /** Its body, and the rows near the walk. */
+        /** The body of the agent, and the rows near the walk. */
         public var body:MovingBody;
 
         /** The number of legs. A walk that is longer than the agent goes in legs of its size, because the ground may be even only so far. */

@@ -56,8 +56,8 @@ package starlogo.queries.motion
          * Goes a walk. A platform carries the agent first. Then it is pushed out of what it overlaps, goes the legs of its way, and falls if it does not
          * stand.
          *
-         * @param link what the agent stood on after its last walk
-         * @param walk has the agent, the options and the way. It receives where it ends, how far the agent was pushed, and which part of the motion it
+         * @param link the agent, and what it stood on after its last walk
+         * @param walk has the options and the way. It receives where it ends, how far the agent was pushed, and which part of the motion it
          *     has made
          * @return whether the agent stands at the end
          */
@@ -73,7 +73,7 @@ package starlogo.queries.motion
         private function begin(link:PlatformLink, walk:Walk):void
         {
             var platform:int = _platforms.find(link, walk);
-            walk.body.readAgent(walk.agent, walk.carryTurn);
+            walk.body.readAgent(link.agent, walk.carryTurn);
             walk.place.copyFrom(walk.body.from);
             walk.closeDepth = CLOSE_DEPTH * walk.body.extent;
             collectRows(walk, 0);

@@ -17,7 +17,7 @@ package starlogo.queries.trees
      */
     public final class RowFilter
     {
-        /** The filter's <code>accepts</code>; null if there is none. */
+        /** The filter's <code>accepts</code>; null if there is none. Read only, like all below. */
         public var accepts:Function = null;
 
         /** Whether breeds or agents are excluded. If not, <code>mayAdmit()</code> is true for all rows. */
